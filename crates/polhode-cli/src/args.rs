@@ -1,0 +1,133 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Rigid-body simulation that accounts for its accuracy.
+#[derive(Debug, Parser)]
+#[command(name = "polhode", version, about, after_help = EXIT_CODES)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_CODES: &str =
+    "Exit codes: 0 fine; 1 a check failed or the run diverged; 2 usage or a bad scene; 3 input or output.";
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Simulates a scene and reports energies, ledger and certificate
+    Run(RunArgs),
+    /// Says which effects of a scene are on or off, why, and what that saves
+    Plan(PlanArgs),
+    /// Validates a scene
+    Check(CheckArgs),
+    /// Diagnoses a mesh and computes its mass properties
+    Mesh(MeshArgs),
+    /// Prints the JSON Schema of the scene format
+    Schema,
+    /// Compares two CSV trajectories number by number; exit code 1 when they differ beyond the tolerance
+    Compare(CompareArgs),
+}
+
+/// A scene and changes to it.
+#[derive(Debug, Args)]
+pub(crate) struct SceneArgs {
+    /// Scene file (TOML)
+    pub(crate) scene: PathBuf,
+    /// Sets any key of the scene by its dotted path; bodies go by name or number (bodies.brick.mass=2)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Tier of methods: accurate or thesis (method.tier)
+    #[arg(long, value_name = "TIER", allow_hyphen_values = true)]
+    pub(crate) tier: Option<String>,
+    /// Step, s (method.step)
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) step: Option<String>,
+    /// Simulated time, s (duration)
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) duration: Option<String>,
+    /// Effects that are simulated
+    #[arg(long, value_enum, default_value_t = EffectsArg::Planned)]
+    pub(crate) effects: EffectsArg,
+}
+
+/// Effects that are simulated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EffectsArg {
+    /// Those that the plan finds the scene to call for
+    Planned,
+    /// All of them: the reference for what the plan leaves out
+    All,
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Writes the trajectory; the kind follows the ending: .csv, .npy or .json (may be given several times)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Writes the events as CSV
+    #[arg(long, value_name = "FILE")]
+    pub(crate) events: Option<PathBuf>,
+    /// Prints the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `plan`.
+#[derive(Debug, Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Prints the plan as JSON, with the accelerations at t = 0
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+}
+
+/// Arguments of `mesh`.
+#[derive(Debug, Args)]
+pub(crate) struct MeshArgs {
+    /// Mesh file (.obj)
+    pub(crate) file: PathBuf,
+    /// Matter throughout; the mesh must bound a solid (the default)
+    #[arg(long, conflicts_with = "hollow")]
+    pub(crate) solid: bool,
+    /// Matter in the surface alone; the mesh may be open
+    #[arg(long)]
+    pub(crate) hollow: bool,
+    /// Density, kg/m^3 (kg/m^2 with --hollow) [default: 1]
+    #[arg(long, value_name = "D", conflicts_with = "mass", allow_negative_numbers = true)]
+    pub(crate) density: Option<f64>,
+    /// Mass of the whole body, kg
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    pub(crate) mass: Option<f64>,
+    /// Prints the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    /// A trajectory (.csv)
+    pub(crate) a: PathBuf,
+    /// Another trajectory of the same bodies at the same times (.csv)
+    pub(crate) b: PathBuf,
+    /// Absolute difference that is accepted, in the unit of each column
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub(crate) atol: f64,
+    /// Difference that is accepted, relative to the larger of the two numbers
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub(crate) rtol: f64,
+}

@@ -1,0 +1,15 @@
+//! `polhode check`: validates a scene.
+
+use crate::args::CheckArgs;
+use crate::failure::Failure;
+use crate::{scene, stdout};
+
+/// Loads the scene and prepares it, which finds bodies that overlap.
+pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
+    let loaded = scene::load(&args.scene)?;
+    scene::prepare(&loaded, &args.scene)?;
+    let bodies = loaded.scene.bodies();
+    let fixed = bodies.iter().filter(|body| body.is_fixed()).count();
+    let (path, name, duration) = (args.scene.scene.display(), loaded.scene.name(), loaded.scene.duration_s());
+    stdout::text(&format!("{path}: {name}: fine; bodies: {} ({fixed} fixed); duration: {duration} s\n", bodies.len()))
+}

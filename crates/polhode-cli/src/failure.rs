@@ -1,0 +1,100 @@
+//! What went wrong, and the exit code it means.
+
+use polhode_scene::{CompareError, MeshFileError, OutputError, SceneFileError};
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// Exit code of a check that failed or a run that diverged.
+const CHECK: u8 = 1;
+
+/// Exit code of a mistake on the command line or in a scene.
+pub(crate) const USAGE: u8 = 2;
+
+/// Exit code of input and output.
+const INPUT_OUTPUT: u8 = 3;
+
+/// Why the program ends without success.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// A check failed, or the run diverged; the message may be empty when the result has been printed.
+    Check(String),
+    /// A mistake on the command line or in a scene.
+    Usage(String),
+    /// Reading or writing failed.
+    InputOutput(String),
+    /// Whoever read the results has stopped reading.
+    StdoutClosed,
+}
+
+impl Failure {
+    /// Prints the message to stderr and gives the exit code.
+    pub(crate) fn report(self) -> ExitCode {
+        let (code, message) = match self {
+            Self::Check(message) => (CHECK, message),
+            Self::Usage(message) => (USAGE, message),
+            Self::InputOutput(message) => (INPUT_OUTPUT, message),
+            Self::StdoutClosed => return ExitCode::SUCCESS,
+        };
+        if !message.is_empty() {
+            note(&message);
+        }
+        ExitCode::from(code)
+    }
+}
+
+/// Prints a message to stderr; when that is closed there is nobody to tell.
+pub(crate) fn note(message: &str) {
+    let _ = writeln!(io::stderr(), "{message}");
+}
+
+fn error(message: &impl ToString) -> String {
+    format!("error: {}", message.to_string())
+}
+
+impl From<SceneFileError> for Failure {
+    fn from(failure: SceneFileError) -> Self {
+        // What is refused with its line is shown as it is: it begins with `error:` already.
+        let message = if failure.refused().is_some() { failure.to_string() } else { error(&failure) };
+        if failure.is_input_output() { Self::InputOutput(message) } else { Self::Usage(message) }
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(failure: OutputError) -> Self {
+        if failure.is_input_output() { Self::InputOutput(error(&failure)) } else { Self::Usage(error(&failure)) }
+    }
+}
+
+impl From<MeshFileError> for Failure {
+    fn from(failure: MeshFileError) -> Self {
+        match failure {
+            MeshFileError::Read { .. } => Self::InputOutput(error(&failure)),
+            _ => Self::Usage(error(&failure)),
+        }
+    }
+}
+
+impl From<CompareError> for Failure {
+    fn from(failure: CompareError) -> Self {
+        match failure {
+            CompareError::Read { .. } => Self::InputOutput(error(&failure)),
+            CompareError::Content { .. } | CompareError::Tolerance(_) => Self::Usage(error(&failure)),
+        }
+    }
+}
+
+impl From<polhode::spatial::MassPropertiesError> for Failure {
+    fn from(failure: polhode::spatial::MassPropertiesError) -> Self {
+        Self::Usage(error(&failure))
+    }
+}
+
+impl From<io::Error> for Failure {
+    /// An error of writing to stdout.
+    fn from(failure: io::Error) -> Self {
+        match failure.kind() {
+            io::ErrorKind::BrokenPipe => Self::StdoutClosed,
+            _ => Self::InputOutput(format!("error: cannot write to stdout: {failure}")),
+        }
+    }
+}

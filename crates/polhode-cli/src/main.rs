@@ -1,0 +1,54 @@
+//! The `polhode` program.
+//!
+//! Results go to stdout, progress (a bar, on a terminal only) and messages to stderr. Exit codes: 0 fine; 1 a check
+//! failed or the run diverged; 2 usage or a bad scene; 3 input or output. The clock is read here and nowhere else.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `args` | the command line |
+//! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
+//! | `run`, `plan`, `check`, `mesh`, `compare` | the commands |
+//! | `scene` | loading the scene that a command names |
+//! | `text` | numbers, tables and reports for people |
+//! | `stdout` | writing results |
+
+mod args;
+mod check;
+mod compare;
+mod failure;
+mod mesh;
+mod plan;
+mod run;
+mod scene;
+mod stdout;
+mod text;
+
+use args::{Cli, Command};
+use clap::Parser;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version go to stdout with code 0, mistakes to stderr with code 2; a closed pipe is no mistake.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(failure::USAGE));
+        }
+    };
+    let outcome = match &cli.command {
+        Command::Run(args) => run::run(args),
+        Command::Plan(args) => plan::plan(args),
+        Command::Check(args) => check::check(args),
+        Command::Mesh(args) => mesh::mesh(args),
+        Command::Schema => schema(),
+        Command::Compare(args) => compare::compare(args),
+    };
+    outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+}
+
+/// Prints the JSON Schema of the scene format.
+fn schema() -> Result<(), Failure> {
+    stdout::json(&polhode_scene::schema())
+}

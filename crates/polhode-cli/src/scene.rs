@@ -1,0 +1,45 @@
+//! Loading the scene that a command names.
+
+use crate::args::{EffectsArg, SceneArgs};
+use crate::failure::Failure;
+use polhode::{Effects, Simulation, SimulationError};
+use polhode_scene::{LoadedScene, Override, load_with};
+
+/// The scene with the changes of the command line.
+pub(crate) fn load(args: &SceneArgs) -> Result<LoadedScene, Failure> {
+    let mut overrides = Vec::new();
+    for text in &args.set {
+        let change = Override::parse("command line (--set)", text).ok_or_else(|| {
+            Failure::Usage(format!("error: --set {text}: not of the form KEY=VALUE, such as --set duration=5"))
+        })?;
+        overrides.push(change);
+    }
+    let flags = [
+        ("--tier", "method.tier", &args.tier),
+        ("--step", "method.step", &args.step),
+        ("--duration", "duration", &args.duration),
+    ];
+    for (flag, key, value) in flags {
+        if let Some(value) = value {
+            overrides.push(Override::new(format!("command line ({flag})"), key, value));
+        }
+    }
+    Ok(load_with(&args.scene, &overrides)?)
+}
+
+/// The scene, ready to run.
+pub(crate) fn prepare(loaded: &LoadedScene, args: &SceneArgs) -> Result<Simulation, Failure> {
+    let effects = match args.effects {
+        EffectsArg::Planned => Effects::Planned,
+        EffectsArg::All => Effects::All,
+    };
+    Simulation::new(&loaded.scene, effects).map_err(|error| failed(loaded, error))
+}
+
+/// A failure of the engine: a scene that is refused is shown at its place, anything else is a failed check.
+pub(crate) fn failed(loaded: &LoadedScene, error: SimulationError) -> Failure {
+    match error {
+        SimulationError::Scene(error) => loaded.explain(error).into(),
+        error => Failure::Check(format!("error: {}: {error}", loaded.scene.name())),
+    }
+}

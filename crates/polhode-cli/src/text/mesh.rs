@@ -1,0 +1,41 @@
+//! A mesh.
+
+use super::table::{Table, number, vector};
+use polhode_scene::MeshReport;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Diagnosis and mass properties.
+pub(crate) fn mesh(file: &Path, report: &MeshReport) -> String {
+    let mut table = Table::default();
+    table.row(["vertices", &report.vertices.to_string()]);
+    table.row(["triangles", &report.triangles.to_string()]);
+    table.row(["area", &format!("{} m^2", number(report.area_m2))]);
+    if let Some(volume) = report.volume_m3 {
+        table.row(["volume", &format!("{} m^3", number(volume))]);
+    }
+    if let Ok(properties) = &report.mass_properties {
+        let axes = properties.principal_axes();
+        let (inertia, rotation) = (properties.inertia().matrix(), axes.rotation().to_matrix());
+        table.row(["mass", &format!("{} kg", number(properties.mass()))]);
+        table.row(["centre of mass", &format!("{} m", vector(properties.center_of_mass()))]);
+        table.row(["inertia about it", &format!("{} kg m^2", vector(inertia.row(0)))]);
+        table.row(["", &vector(inertia.row(1))]);
+        table.row(["", &vector(inertia.row(2))]);
+        table.row(["principal moments", &format!("{} kg m^2", vector(axes.moments()))]);
+        for (name, axis) in ["first axis", "second axis", "third axis"].into_iter().zip(0..) {
+            table.row([name, &vector(rotation.col(axis))]);
+        }
+    }
+    let mut page = format!("mesh {}\n{}\n", file.display(), table.print());
+    if report.diagnosis.defects.is_empty() {
+        page.push_str("no defects\n");
+    } else {
+        page.push_str("defects\n");
+    }
+    for defect in &report.diagnosis.defects {
+        let harm = if defect.kind.prevents_solid() { "prevents a solid" } else { "harmless" };
+        let _ = writeln!(page, "  {defect} ({harm})");
+    }
+    page
+}

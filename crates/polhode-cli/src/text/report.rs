@@ -1,0 +1,123 @@
+//! Plan, accelerations and report of a run.
+
+use super::table::{Table, number, vector};
+use polhode::{Acceleration, Ledger, Outcome, Plan, RunReport, Scene};
+use polhode_scene::names;
+
+/// Most bodies listed: more are for a file to hold.
+const MOST_BODIES: usize = 50;
+
+/// The plan: methods, then one line per effect.
+pub(crate) fn plan(scene: &str, plan: &Plan) -> String {
+    let mut methods = Table::default();
+    methods.row(["tier", &format!("{} ({})", names::tier(plan.tier), plan.tier_reason)]);
+    methods.row(["integrator", names::integrator(plan.integrator)]);
+    methods.row(["impact", names::impact(plan.impact)]);
+    methods.row(["contact", names::contact(plan.contact)]);
+    methods.row(["step", &format!("{} s", number(plan.step_s))]);
+    methods.row(["tolerance", &number(plan.tolerance)]);
+    let mut effects = Table::default();
+    for effect in &plan.effects {
+        effects.row([effect.effect.name(), names::decision(effect.decision), &effect.fact, &effect.saves]);
+    }
+    format!("scene {scene}\n\nplan\n{}\neffects\n{}\n", methods.print(), effects.print())
+}
+
+/// Accelerations at t = 0.
+pub(crate) fn accelerations(scene: &Scene, accelerations: &[Acceleration]) -> String {
+    let mut table = Table::default();
+    table.row(["body", "linear, m/s^2", "angular, rad/s^2"]);
+    for (body, acceleration) in scene.bodies().iter().zip(accelerations).take(MOST_BODIES) {
+        table.row([body.name(), &vector(acceleration.linear), &vector(acceleration.angular)]);
+    }
+    format!("accelerations at t = 0\n{}{}", table.print(), rest(accelerations.len(), "--json"))
+}
+
+/// The report of a run that took `wall_s` seconds.
+pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
+    let mut run = Table::default();
+    let ended = match report.outcome {
+        Outcome::Completed => "completed",
+        Outcome::Stopped => "stopped",
+    };
+    run.row(["simulated", &format!("{} of {} s, {ended}", number(report.simulated_s), number(report.duration_s))]);
+    run.row(["steps", &report.steps.to_string()]);
+    run.row(["events", &report.events.to_string()]);
+    run.row(["wall time", &format!("{} s", number(wall_s))]);
+
+    let energy = &report.energy;
+    let mut energies = Table::default();
+    energies.row(["initial", &joule(energy.initial_j)]);
+    energies.row(["final", &joule(energy.final_j)]);
+    energies.row(["kinetic", &joule(energy.kinetic_j)]);
+    energies.row(["potential", &joule(energy.potential_j)]);
+
+    let certificate = &report.certificate;
+    let mut certain = Table::default();
+    certain.row(["largest penetration", &format!("{} m", number(certificate.max_penetration_m))]);
+    certain.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
+    certain.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
+    certain.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);
+    certain.row(["fallbacks", &certificate.fallbacks.to_string()]);
+
+    let mut page = format!(
+        "run\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\ncertificate\n{}\n{}",
+        run.print(),
+        energies.print(),
+        ledger(&report.ledger),
+        certain.print(),
+        bodies(report)
+    );
+    for warning in &report.warnings {
+        page.push_str("\nwarning: ");
+        page.push_str(warning);
+    }
+    if !report.warnings.is_empty() {
+        page.push('\n');
+    }
+    page
+}
+
+fn ledger(ledger: &Ledger) -> String {
+    let mut table = Table::default();
+    let entries = [
+        ("impact", ledger.impact),
+        ("friction", ledger.friction),
+        ("rest", ledger.rest),
+        ("damping", ledger.damping),
+        ("work done by forces", ledger.external),
+        ("projection", ledger.projection),
+        ("numerical", ledger.numerical),
+    ];
+    for (name, sum) in entries {
+        table.row([name, &joule(sum.value())]);
+    }
+    table.row(["closure", &format!("{} (relative)", number(ledger.closure_relative()))]);
+    table.print()
+}
+
+/// Where the bodies are at the end.
+fn bodies(report: &RunReport) -> String {
+    let mut table = Table::default();
+    table.row(["body", "position, m", "orientation wxyz", "velocity, m/s", "angular velocity, rad/s"]);
+    for (name, sample) in report.bodies.iter().take(MOST_BODIES) {
+        let wxyz = sample.pose.rotation.to_wxyz().map(number).join(", ");
+        table.cells(vec![
+            name.clone(),
+            vector(sample.pose.translation),
+            format!("({wxyz})"),
+            vector(sample.velocity.linear),
+            vector(sample.velocity.angular),
+        ]);
+    }
+    format!("at the end\n{}{}", table.print(), rest(report.bodies.len(), "--json or -o"))
+}
+
+/// What is not listed.
+fn rest(count: usize, elsewhere: &str) -> String {
+    if count > MOST_BODIES { format!("  and {} more: see {elsewhere}\n", count - MOST_BODIES) } else { String::new() }
+}
+
+fn joule(value: f64) -> String {
+    format!("{} J", number(value))
+}

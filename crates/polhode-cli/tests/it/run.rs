@@ -1,0 +1,117 @@
+//! `polhode run`.
+
+use crate::{FLIGHT, Place};
+
+/// The report has every key that programs rely on, and the state at the end is that of a thrown stone.
+#[test]
+fn json() {
+    let report = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--json"]).json();
+    for key in [
+        "scene",
+        "tier",
+        "duration_s",
+        "simulated_s",
+        "steps",
+        "wall_s",
+        "plan",
+        "energy",
+        "ledger",
+        "max_penetration_m",
+        "max_residual",
+        "events",
+        "warnings",
+        "bodies",
+    ] {
+        assert!(!report[key].is_null(), "{key} is missing");
+    }
+    for key in ["initial_j", "final_j", "kinetic_j", "potential_j"] {
+        assert!(report["energy"][key].is_number(), "energy.{key} is missing");
+    }
+    for key in [
+        "impact_j",
+        "friction_j",
+        "rest_j",
+        "damping_j",
+        "external_j",
+        "projection_j",
+        "numerical_j",
+        "closure_relative",
+    ] {
+        assert!(report["ledger"][key].is_number(), "ledger.{key} is missing");
+    }
+    assert_eq!((report["scene"].as_str(), report["simulated_s"].as_f64()), (Some("flight"), Some(0.5)));
+    let body = &report["bodies"][0];
+    assert_eq!(body["name"], "stone, \"flat\"");
+    let number = |key: &str, i: usize| body[key][i].as_f64().unwrap();
+    assert!((number("position", 0) - 1.5).abs() < 1e-12);
+    assert!((number("position", 2) - (2.0 - 0.5 * 9.81 * 0.25)).abs() < 1e-12);
+    assert!((number("velocity", 2) - (4.0 - 9.81 * 0.5)).abs() < 1e-12);
+    assert_eq!(body["orientation"].as_array().unwrap().len(), 4);
+    assert_eq!(body["angular_velocity"].as_array().unwrap().len(), 3);
+}
+
+/// The report for people.
+#[test]
+fn text() {
+    let run = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml"]);
+    for part in ["plan", "run", "energy", "ledger", "closure", "certificate", "at the end", "0.5 of 0.5 s"] {
+        assert!(run.stdout.contains(part), "{part}\n{}", run.stdout);
+    }
+    assert!(run.stderr.is_empty(), "{}", run.stderr);
+}
+
+/// Trajectories: the first sample is t = 0, the last exactly the duration; names are quoted.
+#[test]
+fn trajectories() {
+    let place = Place::with_scene(FLIGHT);
+    let args = ["run", "scene.toml", "-o", "a.csv", "-o", "a.npy", "--output", "a.json", "--events", "events.csv"];
+    place.expect(0, &args);
+    assert_eq!(place.list(), ["a.csv", "a.json", "a.npy", "events.csv", "scene.toml"]);
+    let text = place.read("a.csv");
+    let rows: Vec<_> = text.lines().skip(1).collect();
+    let times: Vec<_> = rows.iter().map(|row| row.split_once(',').unwrap().0).collect();
+    assert_eq!(times, ["0.0", "0.125", "0.25", "0.375", "0.5"]);
+    assert!(rows.iter().all(|row| row.contains(",\"stone, \"\"flat\"\"\",")));
+    assert!(place.read("events.csv").starts_with("t,kind,body_a,body_b,px,py,pz,nx,ny,nz,impulse,energy_change_j\n"));
+}
+
+/// The command line sets values before the scene is validated.
+#[test]
+fn settings() {
+    let place = Place::with_scene(FLIGHT);
+    let set = |args: &[&str]| place.expect(0, &[&["run", "scene.toml", "--json"], args].concat()).json();
+    assert_eq!(set(&["--duration", "0.25"])["duration_s"], 0.25);
+    assert_eq!(set(&["--set", "duration=0.25"])["simulated_s"], 0.25);
+    assert_eq!(set(&["--set", "name=\"other\""])["scene"], "other");
+    assert_eq!(set(&["--set", "gravity=[0,0,0]"])["bodies"][0]["velocity"][2], 4.0);
+    assert_eq!(set(&["--set", "method.impact=propagation"])["plan"]["impact"], "propagation");
+    assert_eq!(set(&["--effects", "all"])["scene"], "flight");
+}
+
+/// What cannot be written is known before the run, and nothing is left behind.
+#[test]
+fn outputs_that_cannot_be_written() {
+    let place = Place::with_scene(FLIGHT);
+    for (code, name, message) in [
+        (2, "a.txt", "accepted: .csv, .npy, .json"),
+        (2, "a.glb", "not yet available"),
+        (2, "a.html", "not yet available"),
+        (3, "missing/a.csv", "cannot write"),
+    ] {
+        let run = place.expect(code, &["run", "scene.toml", "-o", name]);
+        assert!(run.stderr.contains(message), "{}", run.stderr);
+    }
+    place.expect(2, &["run", "scene.toml", "-o", "a.csv", "-o", "a.csv"]);
+    assert_eq!(place.list(), ["scene.toml"]);
+}
+
+/// A file that stands under the name is replaced by a whole one; a bad scene leaves it alone.
+#[test]
+fn replacing() {
+    let place = Place::with_scene(FLIGHT);
+    place.write("a.csv", "before");
+    place.expect(2, &["run", "scene.toml", "-o", "a.csv", "--step", "-1"]);
+    assert_eq!(place.read("a.csv"), "before");
+    place.expect(0, &["run", "scene.toml", "-o", "a.csv"]);
+    assert_eq!(place.read("a.csv").lines().count(), 6);
+}

@@ -1,0 +1,60 @@
+//! Mistakes on the command line, help, and the schema.
+
+use crate::{FLIGHT, Place};
+use std::process::Stdio;
+
+/// Unknown commands and arguments are mistakes; help and version are not.
+#[test]
+fn mistakes_and_help() {
+    let place = Place::with_scene(FLIGHT);
+    for args in [
+        &["frobnicate"][..],
+        &[],
+        &["run"],
+        &["run", "scene.toml", "--speed", "3"],
+        &["run", "scene.toml", "--effects", "none"],
+        &["run", "scene.toml", "--set", "duration"],
+        &["mesh", "a.obj", "--solid", "--hollow"],
+        &["mesh", "a.obj", "--mass", "1", "--density", "1"],
+        &["compare", "a.csv"],
+    ] {
+        let run = place.expect(2, args);
+        assert!(run.stdout.is_empty() && !run.stderr.is_empty(), "{args:?}");
+    }
+    for args in [&["--help"][..], &["run", "--help"], &["--version"]] {
+        let run = place.expect(0, args);
+        assert!(!run.stdout.is_empty() && run.stderr.is_empty(), "{args:?}");
+    }
+}
+
+/// The schema is JSON.
+#[test]
+fn schema() {
+    let schema = Place::new().expect(0, &["schema"]).json();
+    assert_eq!(schema["title"], "Polhode scene, version 1");
+}
+
+/// Whoever reads stdout may stop reading: no message, no panic.
+#[cfg(unix)]
+#[test]
+fn closed_stdout() {
+    let place = Place::with_scene(FLIGHT);
+    for args in [&["schema"][..], &["run", "scene.toml", "-o", "a.csv"], &["--help"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = place.command(args).stdout(writer).stderr(Stdio::piped()).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{args:?}");
+        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    // Files are written all the same.
+    assert_eq!(place.read("a.csv").lines().count(), 6);
+}
+
+/// A full disk under stdout is a fault of output.
+#[cfg(target_os = "linux")]
+#[test]
+fn full_stdout() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = Place::new().command(&["schema"]).stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(3));
+}

@@ -1,0 +1,88 @@
+//! Narrow phase: manifolds of boxes and prisms, re-evaluation of one contact, time of impact.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use polhode_contact::{
+    ConvexPolyhedron, ImpactSearch, Shape, Workspace, evaluate, find_impact, kinematics, manifold_with, separation_with,
+};
+use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, UnitVector, Velocity};
+use std::hint::black_box;
+
+fn cuboid(x: f64, y: f64, z: f64) -> Shape {
+    Shape::cuboid(DVec3::new(x, y, z)).expect("positive sizes")
+}
+
+fn prism(sides: u32) -> Shape {
+    let points: Vec<DVec3> = (0..2 * sides)
+        .map(|k| {
+            let angle = f64::from(k / 2) / f64::from(sides) * std::f64::consts::TAU;
+            DVec3::new(0.5 * angle.cos(), 0.5 * angle.sin(), if k % 2 == 0 { -0.5 } else { 0.5 })
+        })
+        .collect();
+    Shape::convex(ConvexPolyhedron::from_points(&points).expect("a prism"))
+}
+
+struct Fall;
+
+impl Motion for Fall {
+    fn pose(&self, t: f64) -> Pose {
+        let turn = Rotation::from_rotation_vector(DVec3::new(3.0, -2.0, 1.0) * t);
+        Pose::new(turn, DVec3::new(t, 0.0, 3.0 + 2.0 * t - 4.905 * t * t))
+    }
+    fn velocity(&self, t: f64) -> Velocity {
+        Velocity::new(DVec3::new(1.0, 0.0, 2.0 - 9.81 * t), DVec3::new(3.0, -2.0, 1.0))
+    }
+    fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        let speed = |t: f64| self.velocity(t).linear.length();
+        MotionBounds {
+            speed: speed(t0).max(speed(t1)),
+            acceleration: 9.81,
+            angular_speed: 14.0_f64.sqrt(),
+            angular_acceleration: 0.0,
+        }
+    }
+}
+
+fn narrow_phase(criterion: &mut Criterion) {
+    let mut workspace = Workspace::default();
+    let turned = Rotation::from_rotation_vector(DVec3::Z * 0.3);
+    let above = Pose::new(turned, DVec3::new(0.1, 0.05, 0.999));
+    let (cube, gon) = (cuboid(1.0, 1.0, 1.0), prism(32));
+    for (name, a, b) in [("box-box", &cube, &cube), ("box-32gon", &cube, &gon), ("32gon-32gon", &gon, &gon)] {
+        criterion.bench_function(&format!("manifold/{name}"), |bencher| {
+            bencher.iter(|| manifold_with(&mut workspace, a, black_box(&above), b, &Pose::IDENTITY, 0.01));
+        });
+        criterion.bench_function(&format!("separation/{name}"), |bencher| {
+            bencher.iter(|| separation_with(&mut workspace, a, black_box(&above), b, &Pose::IDENTITY));
+        });
+    }
+    let contacts = manifold_with(&mut workspace, &cube, &above, &cube, &Pose::IDENTITY, 0.01).contacts;
+    let velocity = Velocity::new(DVec3::X, DVec3::Y);
+    for contact in [contacts.first(), contacts.last()].into_iter().flatten() {
+        let feature = contact.feature;
+        criterion.bench_function(&format!("evaluate/{feature:?}"), |bencher| {
+            bencher.iter(|| evaluate(feature, &cube, black_box(&above), &cube, &Pose::IDENTITY));
+        });
+        criterion.bench_function(&format!("kinematics/{feature:?}"), |bencher| {
+            bencher.iter(|| {
+                kinematics(feature, &cube, black_box(&above), &velocity, &cube, &Pose::IDENTITY, &Velocity::ZERO)
+            });
+        });
+    }
+}
+
+fn impact(criterion: &mut Criterion) {
+    let settings = ImpactSearch::default();
+    let brick = cuboid(1.0, 0.5, 0.25);
+    let floor = Shape::half_space(UnitVector::Z);
+    let slab = cuboid(20.0, 20.0, 1.0);
+    let below = Still(Pose::from_translation(DVec3::Z * -0.5));
+    criterion.bench_function("impact/tumbling box on half-space", |bencher| {
+        bencher.iter(|| find_impact(&brick, &Fall, &floor, &Still(Pose::IDENTITY), 0.0, black_box(2.0), &settings));
+    });
+    criterion.bench_function("impact/tumbling box on slab", |bencher| {
+        bencher.iter(|| find_impact(&brick, &Fall, &slab, &below, 0.0, black_box(2.0), &settings));
+    });
+}
+
+criterion_group!(benches, narrow_phase, impact);
+criterion_main!(benches);

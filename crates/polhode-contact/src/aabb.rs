@@ -1,0 +1,119 @@
+//! Axis-aligned bounding boxes, and boxes that bound a moving shape.
+
+use crate::Shape;
+use glam::DVec3;
+use polhode_spatial::{Motion, MotionBounds};
+use thiserror::Error;
+
+/// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
+const ROUNDING_ULPS: f64 = 16.0;
+
+/// Why two corners make no box.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum AabbError {
+    /// A coordinate is NaN or a lower bound exceeds its upper bound.
+    #[error("bounds {min} to {max}: every lower bound must be a number that does not exceed its upper bound")]
+    Invalid {
+        /// Lower bounds, m.
+        min: DVec3,
+        /// Upper bounds, m.
+        max: DVec3,
+    },
+    /// The interval of time is reversed or not finite.
+    #[error("the interval of time {t0} s to {t1} s must be finite and in order")]
+    Interval {
+        /// Start, s.
+        t0: f64,
+        /// End, s.
+        t1: f64,
+    },
+}
+
+/// A box along the world's axes. Bounds may be infinite (a half-space), never NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Aabb {
+    /// All of space.
+    pub const UNBOUNDED: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
+
+    /// From its lower and upper bounds, m.
+    ///
+    /// # Errors
+    /// When a bound is NaN or the bounds are reversed.
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self, AabbError> {
+        if min.cmple(max).all() { Ok(Self { min, max }) } else { Err(AabbError::Invalid { min, max }) }
+    }
+
+    /// Lower bounds, m.
+    pub const fn min(&self) -> DVec3 {
+        self.min
+    }
+
+    /// Upper bounds, m.
+    pub const fn max(&self) -> DVec3 {
+        self.max
+    }
+
+    /// Whether the boxes share a point; touching counts.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Whether every bound is finite.
+    pub fn is_finite(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The box blown up by a distance on every side, m.
+    ///
+    /// # Errors
+    /// When the distance is NaN, or so negative that nothing is left.
+    pub fn inflated(&self, by: f64) -> Result<Self, AabbError> {
+        Self::new(self.min - by, self.max + by)
+    }
+}
+
+/// A box that contains the shape at every time of `[t0, t1]` (s).
+///
+/// The centre of mass stays within `a T^2/8` of the chord between its two ends (a the bound of its acceleration, T the
+/// duration) and within `v T` of its start; a point at distance `r` from it strays from its place at the middle of the
+/// interval by at most `r min(w T/2, 2)`. A half-space is unbounded.
+///
+/// # Errors
+/// When the interval is not finite or reversed, or the motion is not finite.
+pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Result<Aabb, AabbError> {
+    if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
+        return Err(AabbError::Interval { t0, t1 });
+    }
+    if let Shape::HalfSpace(_) = shape {
+        return Ok(Aabb::UNBOUNDED);
+    }
+    let duration = t1 - t0;
+    let bounds = motion.bounds(t0, t1);
+    let (start, end) = (motion.pose(t0).translation, motion.pose(t1).translation);
+    let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
+    let reach = DVec3::splat(bounds.speed * duration);
+    let (low, high) = (start.min(end) - sag, start.max(end) + sag);
+    let (low, high) = (low.max(start - reach), high.min(start + reach));
+    let (spread_low, spread_high) = turning_extent(shape, motion, &bounds, t0, duration);
+    let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()) + spread_high.abs().max(spread_low.abs()));
+    Aabb::new(low + spread_low - rounding, high + spread_high + rounding)
+}
+
+/// Bounds of the shape's points relative to the centre of mass, along the world's axes.
+fn turning_extent(shape: &Shape, motion: &dyn Motion, bounds: &MotionBounds, t0: f64, duration: f64) -> (DVec3, DVec3) {
+    let (centers, rounding) = shape.centers();
+    let rotation = motion.pose(t0 + 0.5 * duration).rotation;
+    let arm = centers.iter().map(|c| c.length()).fold(0.0, f64::max);
+    let stray = arm * (0.5 * bounds.angular_speed * duration).min(2.0) + rounding;
+    let (low, high) = centers
+        .iter()
+        .map(|&c| rotation.rotate(c))
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    let ball = DVec3::splat(arm + rounding);
+    ((low - stray).max(-ball), (high + stray).min(ball))
+}

@@ -1,0 +1,55 @@
+//! The one module that names parry3d: convex hulls and the bounding-volume hierarchy.
+
+use crate::Aabb;
+use glam::DVec3;
+use parry3d::bounding_volume::Aabb as ParryAabb;
+use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+use parry3d::transformation::try_convex_hull;
+use std::collections::BTreeMap;
+
+/// Outward triangles of the convex hull, as indices of the given points; or the library's reason for failing.
+pub(crate) fn convex_hull(points: &[DVec3]) -> Result<Vec<[u32; 3]>, String> {
+    let (vertices, mut triangles) = try_convex_hull(points).map_err(|error| error.to_string())?;
+    // The library copies the points it keeps; equal bits lead back to their indices.
+    let key = |p: DVec3| p.to_array().map(f64::to_bits);
+    let mut index_of = BTreeMap::new();
+    for (index, &point) in points.iter().enumerate() {
+        index_of.entry(key(point)).or_insert(index as u32);
+    }
+    for vertex in triangles.iter_mut().flatten() {
+        let point = vertices.get(*vertex as usize).ok_or("a triangle names a vertex that does not exist")?;
+        *vertex = *index_of.get(&key(*point)).ok_or("a vertex is none of the points")?;
+    }
+    Ok(triangles)
+}
+
+/// A tree of bounding boxes whose leaves are numbered from zero.
+#[derive(Default, Clone)]
+pub(crate) struct AabbTree {
+    tree: Bvh,
+    workspace: BvhWorkspace,
+    leaves: usize,
+}
+
+impl AabbTree {
+    /// Takes new boxes: refits the tree when their number is unchanged, builds it anew otherwise.
+    pub(crate) fn set(&mut self, boxes: &[Aabb]) {
+        let convert = |aabb: &Aabb| ParryAabb::new(aabb.min(), aabb.max());
+        if boxes.len() == self.leaves && self.leaves > 0 {
+            for (leaf, aabb) in boxes.iter().enumerate() {
+                self.tree.insert_or_update_partially(convert(aabb), leaf as u32, 0.0);
+            }
+            self.tree.refit(&mut self.workspace);
+            self.tree.optimize_incremental(&mut self.workspace);
+        } else {
+            let converted: Vec<ParryAabb> = boxes.iter().map(convert).collect();
+            self.tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &converted);
+            self.leaves = boxes.len();
+        }
+    }
+
+    /// Calls `visit` with the leaves of every two boxes that overlap, in no stated order.
+    pub(crate) fn overlaps(&mut self, visit: &mut impl FnMut(u32, u32)) {
+        self.tree.traverse_bvtt_single_tree::<false>(&mut self.workspace, visit);
+    }
+}

@@ -1,0 +1,59 @@
+//! The feature of a convex polyhedron that is nearest to a point.
+
+use crate::SurfaceFeature;
+use crate::evaluate::face_margin;
+use crate::polyhedron::ConvexPolyhedron;
+use glam::DVec3;
+
+/// A feature and its signed distance from the point, m; negative inside the polyhedron.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Nearest {
+    pub(crate) feature: SurfaceFeature,
+    pub(crate) distance: f64,
+    /// Unit vector from the polyhedron to the point, its frame.
+    pub(crate) direction: DVec3,
+}
+
+/// The nearest feature. Inside, and up to `tolerance` (m) outside all planes, the face whose plane is nearest decides;
+/// so it does wherever the point stands over a face. Of equally near faces the one with the lowest index is taken.
+pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> Nearest {
+    let mut plane = Nearest { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, direction: DVec3::ZERO };
+    let mut over: Option<Nearest> = None;
+    for (index, face) in polyhedron.faces().enumerate() {
+        let distance = face.normal.dot(point) - face.offset;
+        let nearest = Nearest { feature: SurfaceFeature::Face(index as u32), distance, direction: face.normal };
+        if distance > plane.distance {
+            plane = nearest;
+        }
+        if distance > tolerance && over.is_none() && face_margin(polyhedron, &face, point) >= 0.0 {
+            over = Some(nearest);
+        }
+    }
+    if plane.distance <= tolerance {
+        return plane;
+    }
+    // Over a face that the point sees, no other feature of a convex body is nearer.
+    over.or_else(|| nearest_edge_or_vertex(polyhedron, point)).unwrap_or(plane)
+}
+
+fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<Nearest> {
+    let mut best: Option<Nearest> = None;
+    let mut offer = |feature, w: DVec3| {
+        let distance = w.length();
+        if best.is_none_or(|b| distance < b.distance) {
+            best = Some(Nearest { feature, distance, direction: w / distance });
+        }
+    };
+    for (index, edge) in polyhedron.edges.iter().enumerate() {
+        let w = point - polyhedron.vertices[edge.vertices[0] as usize];
+        let along = edge.direction.dot(w);
+        if along <= 0.0 {
+            offer(SurfaceFeature::Vertex(edge.vertices[0]), w);
+        } else if along >= edge.length {
+            offer(SurfaceFeature::Vertex(edge.vertices[1]), point - polyhedron.vertices[edge.vertices[1] as usize]);
+        } else {
+            offer(SurfaceFeature::Edge(index as u32), w - edge.direction * along);
+        }
+    }
+    best
+}

@@ -1,0 +1,124 @@
+//! An edge of A across an edge of B: geometry and derivatives of their separation.
+//!
+//! With unit vectors `e_A`, `e_B` along the edges, `N = e_A x e_B` turned to point from B to A and `n = N/|N|`, the
+//! separation is `chi = (x_A - x_B) . n` for any points of the two lines. Taking the material points at the nearest
+//! places, where `x_A - x_B = chi n`,
+//!
+//! `chi'  = n . (v_A - v_B)`,  `chi'' = n . (a_A - a_B) + 2 (v_A - v_B) . n' - chi |n'|^2`,
+//! `n' = (1 - n n') N'/|N|`,  `N' = (w_A x e_A) x e_B + e_A x (w_B x e_B)`
+//!
+//! (thesis 3.4, edge-edge form of equation (18) with erratum E18, divided by `|N|` and kept exact at any separation).
+//! The side to which `N` points is decided by the outward normals of the edges' faces, never by the sign of a
+//! separation that may be rounding.
+
+use crate::clearance::PARALLEL_SINE;
+use crate::polyhedron::Edge;
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
+use glam::DVec3;
+use polhode_spatial::{Pose, Velocity};
+
+/// Two lines at their nearest places, in world axes.
+pub(crate) struct CrossedEdges {
+    /// Unit normal from B to A.
+    pub(crate) normal: DVec3,
+    /// `|N|`: sine of the angle between the edges.
+    pub(crate) sine: f64,
+    /// `e_A` and `e_B`, the first turned so that `e_A x e_B` points from B to A.
+    pub(crate) along_a: DVec3,
+    pub(crate) along_b: DVec3,
+    /// From each centre of mass to the nearest place on its edge.
+    pub(crate) arm_a: DVec3,
+    pub(crate) arm_b: DVec3,
+    /// `chi`, m.
+    pub(crate) separation: f64,
+    margin: f64,
+    origin_a: DVec3,
+}
+
+/// An edge in world axes, relative to its body's centre of mass.
+struct PlacedEdge {
+    middle: DVec3,
+    along: DVec3,
+    half_length: f64,
+    /// Sum of the outward normals of its faces.
+    outward: DVec3,
+}
+
+impl PlacedEdge {
+    fn new(polyhedron: &ConvexPolyhedron, edge: &Edge, pose: &Pose) -> Self {
+        let [from, to] = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
+        let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
+        Self {
+            middle: pose.rotation.rotate(0.5 * (from + to)),
+            along: pose.rotation.rotate(edge.direction),
+            half_length: 0.5 * edge.length,
+            outward: pose.rotation.rotate(left + right),
+        }
+    }
+}
+
+impl CrossedEdges {
+    /// Nothing when the edges do not exist or are parallel.
+    pub(crate) fn new(
+        a: &ConvexPolyhedron,
+        pose_a: &Pose,
+        edge_a: u32,
+        b: &ConvexPolyhedron,
+        pose_b: &Pose,
+        edge_b: u32,
+    ) -> Option<Self> {
+        let a = PlacedEdge::new(a, a.edges.get(edge_a as usize)?, pose_a);
+        let b = PlacedEdge::new(b, b.edges.get(edge_b as usize)?, pose_b);
+        let cross = a.along.cross(b.along);
+        let sine = cross.length();
+        if sine.is_nan() || sine <= PARALLEL_SINE {
+            return None;
+        }
+        let (normal, along_a) =
+            if cross.dot(b.outward - a.outward) >= 0.0 { (cross / sine, a.along) } else { (-cross / sine, -a.along) };
+        // Places of the nearest points, measured from the middles of the edges, where the lever is shortest.
+        let between = (pose_b.translation - pose_a.translation) + (b.middle - a.middle);
+        let on_a = between.cross(b.along).dot(cross) / (sine * sine);
+        let on_b = between.cross(a.along).dot(cross) / (sine * sine);
+        let (to_a, to_b) = (a.along * on_a, b.along * on_b);
+        Some(Self {
+            normal,
+            sine,
+            along_a,
+            along_b: b.along,
+            arm_a: a.middle + to_a,
+            arm_b: b.middle + to_b,
+            separation: normal.dot((to_a - to_b) - between),
+            margin: (a.half_length - on_a.abs()).min(b.half_length - on_b.abs()),
+            origin_a: pose_a.translation,
+        })
+    }
+
+    pub(crate) fn geometry(&self) -> ContactGeometry {
+        ContactGeometry {
+            point: self.origin_a + (self.arm_a - self.normal * (0.5 * self.separation)),
+            normal: self.normal,
+            separation: self.separation,
+            margin: self.margin,
+        }
+    }
+
+    /// `N'`.
+    pub(crate) fn normal_rate(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
+    }
+
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let n = self.normal;
+        let velocity = (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b));
+        let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
+        let rate = self.normal_rate(a, b);
+        let turning = (rate - n * n.dot(rate)) / self.sine;
+        ContactKinematics {
+            geometry: self.geometry(),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: n.dot(centripetal) + 2.0 * velocity.dot(turning)
+                - self.separation * turning.length_squared(),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! A contact of given features at any poses: its geometry and the first two time derivatives of its separation.
+//!
+//! All kinds but one are a point of a body V (a vertex, a point of a cloud, a sphere's centre) against a feature of the
+//! other body E. Let `y` be the point's place in E's frame, `phi(y)` its distance from the feature and `rho` the sum
+//! of the radii; then `chi = phi(y) - rho`, and with the gradient `g` and Hessian `H` of `phi`
+//!
+//! `chi'  = g . u`,  `chi'' = g . (a_V - a_E) + 2 u . (w_E x g) + u . H u`,
+//!
+//! where `u = v_V - v_E` and `a_V - a_E` are velocity and acceleration of the point relative to the place of E under
+//! it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to separations that are not zero.
+//! `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and `(1 - g g')/phi` for a vertex or a sphere.
+//! Edge against edge has a formula of its own (`crossed_edges.rs`).
+
+use crate::clearance::COINCIDENCE;
+use crate::crossed_edges::CrossedEdges;
+use crate::polyhedron::{ConvexPolyhedron, Face};
+use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::{Pose, Velocity};
+
+/// The contact of the same features at other poses; the manifold's own geometry comes from here.
+///
+/// Nothing when the features are none of these shapes', when two edges are parallel
+/// ([`crate::clearance::PARALLEL_SINE`]), or when a distance that gives the normal is zero.
+pub fn evaluate(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+) -> Option<ContactGeometry> {
+    if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
+        let (Shape::Convex(a), Shape::Convex(b)) = (shape_a, shape_b) else { return None };
+        return CrossedEdges::new(a, pose_a, edge_a, b, pose_b, edge_b).map(|crossed| crossed.geometry());
+    }
+    PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b).map(|contact| contact.geometry())
+}
+
+/// The contact with the rate of its separation and the part of the second derivative that the accelerations do not
+/// decide ([`ContactKinematics`]). Velocities are of the centres of mass.
+///
+/// Nothing in the same cases as [`evaluate`].
+pub fn kinematics(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    velocity_a: &Velocity,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    velocity_b: &Velocity,
+) -> Option<ContactKinematics> {
+    if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
+        let (Shape::Convex(a), Shape::Convex(b)) = (shape_a, shape_b) else { return None };
+        let crossed = CrossedEdges::new(a, pose_a, edge_a, b, pose_b, edge_b)?;
+        return Some(crossed.kinematics(velocity_a, velocity_b));
+    }
+    let contact = PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b)?;
+    Some(match contact.center_of {
+        Side::A => contact.kinematics(velocity_a, velocity_b),
+        Side::B => contact.kinematics(velocity_b, velocity_a),
+    })
+}
+
+/// Distance of a point from a feature, in the frame of the feature's body.
+struct Distance {
+    value: f64,
+    /// Unit vector from the feature to the point.
+    gradient: DVec3,
+    /// `H` is `(1 - g g' - e e')` times this, 1/m.
+    curvature: f64,
+    /// `e`, zero for a vertex or a sphere.
+    along: DVec3,
+    margin: f64,
+}
+
+/// A point of V against a feature of E, in world axes.
+struct PointOnSurface {
+    center_of: Side,
+    /// From V's centre of mass to the point.
+    arm: DVec3,
+    /// From E's centre of mass to the point.
+    offset: DVec3,
+    /// Centre of mass of V in the world.
+    origin: DVec3,
+    distance: Distance,
+    radius_of_point: f64,
+    radius_of_surface: f64,
+}
+
+impl PointOnSurface {
+    fn new(feature: ContactFeature, shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> Option<Self> {
+        let (center_of, center, against) = match feature {
+            ContactFeature::VertexFace { vertex_of, vertex, face } => (vertex_of, vertex, SurfaceFeature::Face(face)),
+            ContactFeature::Smooth { center_of, center, against } => (center_of, center, against),
+            ContactFeature::SphereSphere => (Side::A, 0, SurfaceFeature::Sphere),
+            ContactFeature::EdgeEdge { .. } => return None,
+        };
+        let ((shape_v, pose_v), (shape_e, pose_e)) = match center_of {
+            Side::A => ((shape_a, pose_a), (shape_b, pose_b)),
+            Side::B => ((shape_b, pose_b), (shape_a, pose_a)),
+        };
+        let (centers, radius_of_point) = shape_v.centers();
+        let arm = pose_v.rotation.rotate(*centers.get(center as usize)?);
+        // The difference of the centres first: two bodies far from the origin lose no digits.
+        let offset = (pose_v.translation - pose_e.translation) + arm;
+        let mut distance = distance(shape_e, against, pose_e.rotation.inverse_rotate(offset))?;
+        distance.gradient = pose_e.rotation.rotate(distance.gradient);
+        distance.along = pose_e.rotation.rotate(distance.along);
+        let radius_of_surface =
+            if let (Shape::Sphere(s), SurfaceFeature::Sphere) = (shape_e, against) { s.radius() } else { 0.0 };
+        let origin = pose_v.translation;
+        Some(Self { center_of, arm, offset, origin, distance, radius_of_point, radius_of_surface })
+    }
+
+    fn geometry(&self) -> ContactGeometry {
+        let gradient = self.distance.gradient;
+        let separation = self.distance.value - self.radius_of_point - self.radius_of_surface;
+        ContactGeometry {
+            point: self.origin + (self.arm - gradient * (self.radius_of_point + 0.5 * separation)),
+            normal: if self.center_of == Side::A { gradient } else { -gradient },
+            separation,
+            margin: self.distance.margin,
+        }
+    }
+
+    /// `v` moves the body V of the point, `e` the body E of the surface.
+    fn kinematics(&self, v: &Velocity, e: &Velocity) -> ContactKinematics {
+        let Distance { gradient: g, curvature, along, .. } = self.distance;
+        let u = (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset));
+        let centripetal = v.angular.cross(v.angular.cross(self.arm)) - e.angular.cross(e.angular.cross(self.offset));
+        let (rate, slip) = (g.dot(u), along.dot(u));
+        let bending = curvature * (u.length_squared() - rate * rate - slip * slip);
+        ContactKinematics {
+            geometry: self.geometry(),
+            separation_rate: rate,
+            acceleration_bias: g.dot(centripetal) + 2.0 * u.dot(e.angular.cross(g)) + bending,
+        }
+    }
+}
+
+/// Distance of the place `y` (frame of the shape) from one of the shape's features.
+fn distance(shape: &Shape, feature: SurfaceFeature, y: DVec3) -> Option<Distance> {
+    match (shape, feature) {
+        (Shape::HalfSpace(h), SurfaceFeature::Face(0)) => {
+            Some(from_plane(h.normal(), h.normal().dot(y) - h.offset(), f64::INFINITY))
+        }
+        (Shape::Convex(p), SurfaceFeature::Face(face)) => {
+            let face = p.face(face as usize)?;
+            Some(from_plane(face.normal, face.normal.dot(y) - face.offset, face_margin(p, &face, y)))
+        }
+        (Shape::Convex(p), SurfaceFeature::Edge(edge)) => from_edge(p, edge as usize, y),
+        (Shape::Convex(p), SurfaceFeature::Vertex(vertex)) => from_vertex(p, vertex as usize, y),
+        (Shape::Sphere(s), SurfaceFeature::Sphere) => {
+            from_point(y - s.center(), COINCIDENCE * s.radius(), f64::INFINITY)
+        }
+        _ => None,
+    }
+}
+
+fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
+    Distance { value, gradient: normal, curvature: 0.0, along: DVec3::ZERO, margin }
+}
+
+/// Signed distance of a place over a face from the face's border, m; positive inside.
+pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVec3) -> f64 {
+    let inward = |(vertex, side): (&u32, &DVec3)| side.dot(polyhedron.vertices[*vertex as usize] - y);
+    face.vertices.iter().zip(face.sides).map(inward).fold(f64::INFINITY, f64::min)
+}
+
+/// The Voronoi region of an edge ends at its two vertices and where either of its faces begins.
+fn from_edge(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<Distance> {
+    let edge = polyhedron.edges.get(index)?;
+    let w = y - polyhedron.vertices[edge.vertices[0] as usize];
+    let along = edge.direction.dot(w);
+    let mut distance = from_point(w - edge.direction * along, COINCIDENCE * polyhedron.size, f64::INFINITY)?;
+    distance.along = edge.direction;
+    let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
+    let (side_left, side_right) = (edge.direction.cross(left), -edge.direction.cross(right));
+    distance.margin = along.min(edge.length - along).min(side_left.dot(w)).min(side_right.dot(w));
+    Some(distance)
+}
+
+/// The Voronoi region of a vertex ends where one of its edges begins.
+fn from_vertex(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<Distance> {
+    let w = y - *polyhedron.vertices.get(index)?;
+    let beyond = |&e: &u32| {
+        let edge = &polyhedron.edges[e as usize];
+        if edge.vertices[0] as usize == index { -edge.direction.dot(w) } else { edge.direction.dot(w) }
+    };
+    let margin = polyhedron.edges_at.of(index).iter().map(beyond).fold(f64::INFINITY, f64::min);
+    from_point(w, COINCIDENCE * polyhedron.size, margin)
+}
+
+/// Distance along `w` from a point or an edge; nothing when it is too short (`least`, m) to have a direction.
+fn from_point(w: DVec3, least: f64, margin: f64) -> Option<Distance> {
+    let value = w.length();
+    (value > least).then(|| Distance { value, gradient: w / value, curvature: 1.0 / value, along: DVec3::ZERO, margin })
+}

@@ -1,0 +1,86 @@
+//! Which features of two bodies touch: the persistent identity of a contact.
+//!
+//! Identities are of the bodies, not of the pose: the same vertex on the same face is the same contact one step later.
+//! The kinds are those of thesis 3.3 (end): vertex-face and edge-edge, and what smooth shapes add. Vertices, edges and
+//! faces are numbered as in the shape ([`crate::ConvexPolyhedron`]); a half-space is face 0; the points of a cloud are
+//! vertices; the centre of a sphere is centre 0.
+
+/// One of the two bodies of a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// The first body, towards which normals point.
+    A,
+    /// The second body.
+    B,
+}
+
+impl Side {
+    /// The other body.
+    pub const fn other(self) -> Self {
+        match self {
+            Self::A => Self::B,
+            Self::B => Self::A,
+        }
+    }
+}
+
+/// The part of a surface that is nearest to a sphere's centre or to a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SurfaceFeature {
+    /// A face of a polyhedron, or face 0 of a half-space.
+    Face(u32),
+    /// An edge of a polyhedron.
+    Edge(u32),
+    /// A vertex of a polyhedron.
+    Vertex(u32),
+    /// A sphere, against a point of a cloud.
+    Sphere,
+}
+
+/// Which features touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ContactFeature {
+    /// A vertex of one body on a face of the other.
+    VertexFace {
+        /// The body that owns the vertex; the other one owns the face.
+        vertex_of: Side,
+        /// The vertex.
+        vertex: u32,
+        /// The face.
+        face: u32,
+    },
+    /// An edge of A across an edge of B.
+    EdgeEdge {
+        /// Edge of A.
+        edge_a: u32,
+        /// Edge of B.
+        edge_b: u32,
+    },
+    /// A sphere, or a point of a cloud beyond a face's border, nearest to a feature of the other body.
+    Smooth {
+        /// The body that owns the centre; the other one owns the surface.
+        center_of: Side,
+        /// Index of the centre: 0 for a sphere, the point's index for a cloud.
+        center: u32,
+        /// The nearest feature of the other body.
+        against: SurfaceFeature,
+    },
+    /// Two spheres.
+    SphereSphere,
+}
+
+impl ContactFeature {
+    /// The same contact with the bodies named the other way round.
+    pub const fn swapped(self) -> Self {
+        match self {
+            Self::VertexFace { vertex_of, vertex, face } => {
+                Self::VertexFace { vertex_of: vertex_of.other(), vertex, face }
+            }
+            Self::EdgeEdge { edge_a, edge_b } => Self::EdgeEdge { edge_a: edge_b, edge_b: edge_a },
+            Self::Smooth { center_of, center, against } => {
+                Self::Smooth { center_of: center_of.other(), center, against }
+            }
+            Self::SphereSphere => Self::SphereSphere,
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Convex polyhedra from points and from triangles: triangles of one plane become one face.
+//!
+//! Faces grow from the largest triangles over neighbours all of whose vertices lie in the seed's plane, so that slivers
+//! between two faces join one of them and never bridge an edge. Vertices inside a face or inside an edge are left out.
+
+use crate::backend;
+use crate::polyhedron::ConvexPolyhedron;
+use crate::shape::{ShapeError, check_point};
+use crate::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
+use glam::{DMat3, DVec3};
+use polhode_spatial::PrincipalAxes;
+use std::collections::BTreeMap;
+
+/// How far a vertex may lie off the plane of a seed triangle to belong to its face, relative to the size: well above
+/// the rounding of computed coordinates (1e-16), well below the tolerance for plane faces.
+const COPLANAR_TOLERANCE: f64 = 0.1 * PLANE_TOLERANCE;
+
+/// How far points are moved when their hull fails, in units of their extent along each principal axis: well above the
+/// hull library's own tolerance (2e-14), well below [`COPLANAR_TOLERANCE`].
+const JIGGLE: f64 = 1e-11;
+
+/// How often a hull is tried: once as given, then moved.
+const ATTEMPTS: u32 = 8;
+
+/// The convex hull of some points.
+pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeError> {
+    if points.len() < 4 {
+        return Err(ShapeError::TooFewPoints { count: points.len(), limit: 4 });
+    }
+    if u32::try_from(points.len()).is_err() {
+        return Err(ShapeError::TooManyPoints { count: points.len(), limit: u32::MAX as usize });
+    }
+    points.iter().try_for_each(|&p| check_point("point", p))?;
+    let points = &welded(points);
+    let whitened = whitened(points)?;
+    let mut failure = None;
+    for attempt in 0..ATTEMPTS {
+        match hull_of(points, &jiggled(&whitened, attempt)) {
+            Ok(hull) => return Ok(hull),
+            Err(error) => failure = failure.or(Some(error)),
+        }
+    }
+    let reason = failure.map_or_else(String::new, |error| error.to_string());
+    Err(ShapeError::Hull { points: points.len(), reason })
+}
+
+/// The points without those that lie within the tolerance for plane faces of one that is kept.
+fn welded(points: &[DVec3]) -> Vec<DVec3> {
+    let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), &p| (l.min(p), h.max(p)));
+    let tolerance = 0.5 * PLANE_TOLERANCE * (high - low).max_element();
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&i, &j| points[i].x.total_cmp(&points[j].x).then(i.cmp(&j)));
+    let mut kept: Vec<usize> = Vec::with_capacity(points.len());
+    for i in order {
+        let beside = kept.iter().rev().take_while(|&&k| points[i].x - points[k].x <= tolerance);
+        if !beside.into_iter().any(|&k| points[i].distance(points[k]) <= tolerance) {
+            kept.push(i);
+        }
+    }
+    kept.sort_unstable();
+    kept.into_iter().map(|i| points[i]).collect()
+}
+
+/// The hull whose triangles are those of other points, near enough to tell which of `points` belong together.
+fn hull_of(points: &[DVec3], stand_ins: &[DVec3]) -> Result<ConvexPolyhedron, ShapeError> {
+    let fail = |reason| ShapeError::Hull { points: points.len(), reason };
+    let triangles = backend::convex_hull(stand_ins).map_err(fail)?;
+    let hull = from_triangles(points, &triangles)?;
+    // The hull library decides with absolute tolerances of its own: no point may be left outside.
+    let limit = PLANE_TOLERANCE * hull.size();
+    for face in hull.faces() {
+        if let Some(outside) = points.iter().find(|p| face.normal.dot(**p) - face.offset > limit) {
+            let height = face.normal.dot(*outside) - face.offset;
+            return Err(fail(format!("the point {outside} was left {height:e} m outside")));
+        }
+    }
+    Ok(hull)
+}
+
+/// The points moved by up to `attempt` times [`JIGGLE`], by a fixed sequence. Many points in one plane or on one line can
+/// lead the hull library astray; moved a little, no four lie in a plane, and the coplanar triangles merge again, because
+/// geometry is always taken from the points as given.
+fn jiggled(points: &[DVec3], attempt: u32) -> Vec<DVec3> {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut next = || {
+        // Knuth's multiplier and increment; the upper bits are used.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((state >> 33) as u32) / f64::from(1_u32 << 30) - 1.0
+    };
+    let amplitude = f64::from(attempt) * JIGGLE;
+    points.iter().map(|&p| p + amplitude * DVec3::new(next(), next(), next())).collect()
+}
+
+/// The points in coordinates along their principal axes, scaled to [-1, 1] in each. A hull keeps its topology under
+/// affine maps, and thin plates would otherwise be taken for flat by the hull library.
+fn whitened(points: &[DVec3]) -> Result<Vec<DVec3>, ShapeError> {
+    let center = points.iter().map(|&p| p / points.len() as f64).sum::<DVec3>();
+    let scale = points.iter().map(|&p| (p - center).abs().max_element()).fold(0.0, f64::max);
+    let thinnest = THICKNESS_LIMIT * scale;
+    if scale == 0.0 {
+        return Err(ShapeError::Flat { thickness: 0.0, limit: f64::MIN_POSITIVE });
+    }
+    let covariance: DMat3 = points.iter().map(|&p| (p - center) / scale).map(outer).sum();
+    let to_axes = PrincipalAxes::of(&covariance).rotation().inverse();
+    let along: Vec<DVec3> = points.iter().map(|&p| to_axes.rotate(p - center)).collect();
+    let extent = along.iter().fold(DVec3::ZERO, |e, q| e.max(q.abs()));
+    if extent.is_nan() || extent.min_element() < thinnest {
+        return Err(ShapeError::Flat { thickness: extent.min_element(), limit: thinnest });
+    }
+    Ok(along.into_iter().map(|q| q / extent).collect())
+}
+
+fn outer(v: DVec3) -> DMat3 {
+    DMat3::from_cols(v * v.x, v * v.y, v * v.z)
+}
+
+/// A convex polyhedron from outward triangles that close a surface.
+pub(crate) fn from_triangles(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<ConvexPolyhedron, ShapeError> {
+    vertices.iter().try_for_each(|&v| check_point("vertex", v))?;
+    let fail = |reason| {
+        let edges = triangles.len() * 3 / 2;
+        Err(ShapeError::NotClosed { vertices: vertices.len(), edges, faces: triangles.len(), reason })
+    };
+    if triangles.iter().flatten().any(|&v| v as usize >= vertices.len()) {
+        return fail("a triangle names a vertex that does not exist");
+    }
+    let mut owner: BTreeMap<(u32, u32), usize> = BTreeMap::new();
+    for (index, triangle) in triangles.iter().enumerate() {
+        for edge in directed_edges(*triangle) {
+            if owner.insert(edge, index).is_some() {
+                return fail("two triangles run along an edge in the same direction");
+            }
+        }
+    }
+    let (region, regions) = grow_regions(vertices, triangles, &owner);
+    let mut loops = Vec::with_capacity(regions);
+    for index in 0..regions {
+        let border: BTreeMap<u32, u32> = triangles
+            .iter()
+            .zip(&region)
+            .filter(|(_, r)| **r == index)
+            .flat_map(|(t, _)| directed_edges(*t))
+            .filter(|&(a, b)| owner.get(&(b, a)).is_none_or(|&other| region[other] != index))
+            .collect();
+        match chain(&border) {
+            Some(corners) => loops.push(corners),
+            None => return fail("the border of a plane part is not one loop"),
+        }
+    }
+    build_reduced(vertices, loops)
+}
+
+fn directed_edges([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
+    [(a, b), (b, c), (c, a)]
+}
+
+/// Region of every triangle, and how many regions there are.
+fn grow_regions(
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
+    owner: &BTreeMap<(u32, u32), usize>,
+) -> (Vec<usize>, usize) {
+    let corners = |t: usize| triangles[t].map(|v| vertices[v as usize]);
+    let area = |t: usize| {
+        let [a, b, c] = corners(t);
+        (b - a).cross(c - a)
+    };
+    let tolerance = COPLANAR_TOLERANCE * crate::shape::largest_distance(vertices);
+    let mut seeds: Vec<usize> = (0..triangles.len()).collect();
+    seeds.sort_by(|&i, &j| area(j).length_squared().total_cmp(&area(i).length_squared()).then(i.cmp(&j)));
+    let mut region = vec![usize::MAX; triangles.len()];
+    let mut regions = 0;
+    for seed in seeds {
+        if region[seed] != usize::MAX {
+            continue;
+        }
+        let normal = area(seed).normalize_or_zero();
+        let origin = corners(seed)[0];
+        let mut front = vec![seed];
+        region[seed] = regions;
+        while let Some(triangle) = front.pop() {
+            for (a, b) in directed_edges(triangles[triangle]) {
+                let Some(&next) = owner.get(&(b, a)) else { continue };
+                let plane = corners(next).iter().all(|&v| normal.dot(v - origin).abs() <= tolerance);
+                // A triangle that faces the other way is the far side of a plate, however thin.
+                if region[next] == usize::MAX && plane && normal.dot(area(next)) >= 0.0 {
+                    region[next] = regions;
+                    front.push(next);
+                }
+            }
+        }
+        regions += 1;
+    }
+    (region, regions)
+}
+
+/// The single closed loop of successors, or nothing when they form several.
+fn chain(border: &BTreeMap<u32, u32>) -> Option<Vec<u32>> {
+    let (&start, _) = border.first_key_value()?;
+    let mut corners = vec![start];
+    let mut next = *border.get(&start)?;
+    while next != start {
+        corners.push(next);
+        next = *border.get(&next)?;
+        if corners.len() > border.len() {
+            return None;
+        }
+    }
+    (corners.len() == border.len()).then_some(corners)
+}
+
+/// Leaves out the vertices that belong to fewer than three faces and renumbers the rest in their old order.
+fn build_reduced(vertices: &[DVec3], mut loops: Vec<Vec<u32>>) -> Result<ConvexPolyhedron, ShapeError> {
+    let mut uses = vec![0_usize; vertices.len()];
+    for &vertex in loops.iter().flatten() {
+        uses[vertex as usize] += 1;
+    }
+    let mut number = vec![u32::MAX; vertices.len()];
+    let mut kept = Vec::new();
+    for (vertex, &count) in uses.iter().enumerate() {
+        if count >= 3 {
+            number[vertex] = kept.len() as u32;
+            kept.push(vertices[vertex]);
+        }
+    }
+    for corners in &mut loops {
+        corners.retain(|&v| uses[v as usize] >= 3);
+        for vertex in corners.iter_mut() {
+            *vertex = number[*vertex as usize];
+        }
+        // Numbering that does not depend on the order in which a library found the faces.
+        let first = corners.iter().enumerate().min_by_key(|(_, v)| **v).map_or(0, |(i, _)| i);
+        corners.rotate_left(first);
+    }
+    loops.sort_unstable();
+    topology::build(kept, loops)
+}

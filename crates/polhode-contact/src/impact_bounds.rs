@@ -1,0 +1,280 @@
+//! How long a gap between two moving shapes stays open: second-order bounds along separating axes.
+//!
+//! The gap along an axis is the least of many smooth functions of time, one for each vertex. Each is bounded from below
+//! by a parabola ([`Quadratic`]) with its present value and rate and a bound of its second derivative that holds over a
+//! window `[t, t + T]`. With `r` an arm in the body V of a vertex, `y` the vertex's place seen from the body E of a face
+//! with normal `n`, `v`, `w`, `alpha` bounds of speed, angular speed and angular acceleration:
+//!
+//! `gap'' = n.(v_V' - v_E') + n.(alpha_V x r + w_V x (w_V x r)) - n.(alpha_E x y) - (w_E x n).(w_E x y)
+//!          + 2 (w_E x n).(v_V - v_E + w_V x r)`
+//!
+//! `|gap''| <= |v_V' - v_E'| + (alpha_V + w_V^2)|r| + (alpha_E + w_E^2) Y + 2 w_E (V + w_V |r|)`,
+//! `Y = |y| + (V + w_V |r|) T`, `V` the largest relative speed of the centres.
+//!
+//! Across two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has
+//! `|f''| <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves
+//! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
+//! of the two places (all seen from A, where `e_A` rests).
+//!
+//! The centres' accelerations. `|v'| <= a` alone would hold two bodies that fall side by side to grow together with 2g.
+//! But the change of velocity over the window is known: if it is nearly `a T` in a direction `u`, then `v'` is nearly
+//! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
+//! same for both, then cancels but for this small stray velocity.
+
+use crate::crossed_edges::CrossedEdges;
+use crate::quadratic_bound::{Quadratic, open_until};
+use crate::{ConvexPolyhedron, Side};
+use glam::DVec3;
+use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
+
+/// Rounding of a velocity, in epsilons of its magnitude.
+const VELOCITY_ULPS: f64 = 8.0;
+
+/// Points of a body, blown up by a radius: what of a shape an axis sees.
+pub(crate) type Points<'a> = (&'a [DVec3], f64);
+
+/// A body over a window of time that begins now.
+pub(crate) struct MovingBody {
+    pub(crate) pose: Pose,
+    pub(crate) velocity: Velocity,
+    bounds: MotionBounds,
+    /// `a u`: the acceleration of the centre but for a stray velocity, m/s^2 and m/s.
+    mean: DVec3,
+    stray: f64,
+}
+
+impl MovingBody {
+    fn new(motion: &dyn Motion, pose: Pose, t: f64, end: f64) -> Self {
+        let bounds = motion.bounds(t, end);
+        let (velocity, later) = (motion.velocity(t), motion.velocity(end));
+        let change = later.linear - velocity.linear;
+        let most = bounds.acceleration * (end - t);
+        let rounding = VELOCITY_ULPS * f64::EPSILON * (velocity.linear.length() + later.linear.length());
+        let lacking = (most - change.length()).max(0.0) + rounding;
+        let mean = change.try_normalize().unwrap_or(DVec3::ZERO) * bounds.acceleration;
+        let stray = if mean == DVec3::ZERO { most } else { (2.0 * most * lacking).sqrt() };
+        Self { pose, velocity, bounds, mean, stray }
+    }
+
+    /// Bound of the acceleration that turning gives a point on an arm, m/s^2.
+    fn turning(&self, arm: f64) -> f64 {
+        (self.bounds.angular_acceleration + self.bounds.angular_speed * self.bounds.angular_speed) * arm
+    }
+
+    fn spin(&self) -> f64 {
+        self.bounds.angular_speed
+    }
+}
+
+/// Two moving bodies over a window of time, and buffers for the parabolas.
+pub(crate) struct Window<'a> {
+    a: MovingBody,
+    b: MovingBody,
+    length: f64,
+    /// Largest relative speed of the centres, m/s.
+    speed: f64,
+    buffers: &'a mut [Vec<Quadratic>; 2],
+}
+
+impl<'a> Window<'a> {
+    /// The window `[t, end]` (s); nothing when a velocity or bound is not finite.
+    pub(crate) fn new(
+        motions: [&dyn Motion; 2],
+        poses: [Pose; 2],
+        t: f64,
+        end: f64,
+        buffers: &'a mut [Vec<Quadratic>; 2],
+    ) -> Option<Self> {
+        let a = MovingBody::new(motions[0], poses[0], t, end);
+        let b = MovingBody::new(motions[1], poses[1], t, end);
+        let length = end - t;
+        let start = a.velocity.linear - b.velocity.linear;
+        // The speed of a straight change of velocity is largest at an end.
+        let straight = start.length().max((start + (a.mean - b.mean) * length).length()) + a.stray + b.stray;
+        let speed = straight
+            .min(start.length() + (a.bounds.acceleration + b.bounds.acceleration) * length)
+            .min(a.bounds.speed + b.bounds.speed);
+        let finite = |m: &MovingBody| {
+            m.velocity.is_finite() && (m.turning(1.0) + m.bounds.acceleration + m.bounds.speed).is_finite()
+        };
+        (finite(&a) && finite(&b)).then_some(Self { a, b, length, speed, buffers })
+    }
+
+    /// The bodies as (this one, the other one).
+    fn sides(&self, first: Side) -> (&MovingBody, &MovingBody) {
+        match first {
+            Side::A => (&self.a, &self.b),
+            Side::B => (&self.b, &self.a),
+        }
+    }
+
+    /// Bound of the part of a gap's motion that the centres' accelerations make, along an axis from the second body to
+    /// the first that turns at most with `spin` (rad/s).
+    fn central(&self, first: Side, axis: DVec3, spin: f64) -> Quadratic {
+        let (body, other) = self.sides(first);
+        let relative = body.mean - other.mean;
+        // The axis leaves its direction by at most spin * s, which adds spin |relative| s^3/6 over the window.
+        let steady = (spin * self.length * relative.length() / 3.0 - axis.dot(relative)).max(0.0);
+        let crude = body.bounds.acceleration + other.bounds.acceleration;
+        let stray = body.stray + other.stray;
+        if stray + 0.5 * steady * self.length < 0.5 * crude * self.length {
+            Quadratic { value: 0.0, rate: -stray, curvature: steady }
+        } else {
+            Quadratic { value: 0.0, rate: 0.0, curvature: crude }
+        }
+    }
+
+    /// How long points of body `of` stay outside planes that are fixed in the other body: for each point the plane's
+    /// unit normal and the point's gap above it, both at this moment and in the other body's frame, m.
+    pub(crate) fn above_planes(&mut self, of: Side, points: Points<'_>, plane: impl Fn(usize) -> (DVec3, f64)) -> f64 {
+        let mut bounds = std::mem::take(&mut self.buffers[0]);
+        bounds.clear();
+        let (v, e) = self.sides(of);
+        let between = v.pose.translation - e.pose.translation;
+        let relative = v.velocity.linear - e.velocity.linear;
+        let mut same: Option<(DVec3, DVec3, Quadratic)> = None;
+        for (index, &point) in points.0.iter().enumerate() {
+            let (normal, gap) = plane(index);
+            // A face's plane is the same for all points: its part is computed once.
+            let (normal, central) = match same {
+                Some((local, world, central)) if local == normal => (world, central),
+                _ => {
+                    let world = e.pose.rotation.rotate(normal);
+                    let central = self.central(of, world, e.spin());
+                    same = Some((normal, world, central));
+                    (world, central)
+                }
+            };
+            let arm = v.pose.rotation.rotate(point);
+            let place = between + arm;
+            let velocity = relative + v.velocity.angular.cross(arm) - e.velocity.angular.cross(place);
+            let length = arm.length();
+            let speed = self.speed + v.spin() * length;
+            let turning = v.turning(length) + e.turning(place.length() + speed * self.length) + 2.0 * e.spin() * speed;
+            bounds.push(Quadratic {
+                value: gap,
+                rate: normal.dot(velocity) + central.rate,
+                curvature: central.curvature + turning,
+            });
+        }
+        let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
+        self.buffers[0] = bounds;
+        open
+    }
+
+    /// How long two sets of points stay apart along a direction that is fixed in the world, from B to A.
+    pub(crate) fn along_direction(&mut self, direction: DVec3, points_a: Points<'_>, points_b: Points<'_>) -> f64 {
+        let [mut first, mut second] = std::mem::take(self.buffers);
+        let collect = |bounds: &mut Vec<Quadratic>, body: &MovingBody, direction: DVec3, points: &[DVec3]| {
+            bounds.clear();
+            bounds.extend(points.iter().map(|&point| {
+                let arm = body.pose.rotation.rotate(point);
+                Quadratic {
+                    value: direction.dot(arm),
+                    rate: direction.dot(body.velocity.angular.cross(arm)),
+                    curvature: body.turning(arm.length()),
+                }
+            }));
+        };
+        collect(&mut first, &self.a, direction, points_a.0);
+        collect(&mut second, &self.b, -direction, points_b.0);
+        let mut base = self.central(Side::A, direction, 0.0);
+        base.value = direction.dot(self.a.pose.translation - self.b.pose.translation) - points_a.1 - points_b.1;
+        base.rate += direction.dot(self.a.velocity.linear - self.b.velocity.linear);
+        let open = open_until(base, &first, &second, self.length);
+        *self.buffers = [first, second];
+        open
+    }
+
+    /// How long two polyhedra stay apart along the common perpendicular of two edges, which turns with them.
+    pub(crate) fn across_edges(
+        &mut self,
+        crossed: &CrossedEdges,
+        polyhedron_a: &ConvexPolyhedron,
+        polyhedron_b: &ConvexPolyhedron,
+    ) -> f64 {
+        let [mut first, mut second] = std::mem::take(self.buffers);
+        let (a, b) = (&self.a, &self.b);
+        let axis = crossed.normal * crossed.sine;
+        let axis_rate = crossed.normal_rate(&a.velocity, &b.velocity);
+        let (w_a, w_b) = (a.spin(), b.spin());
+        let swing =
+            a.bounds.angular_acceleration + b.bounds.angular_acceleration + w_a * w_b + (w_a + w_b) * (w_a + w_b);
+        // The vertices of each body behind its edge: zero at the edge itself, positive beyond, as `N.u`.
+        let behind = |bounds: &mut Vec<Quadratic>,
+                      body: &MovingBody,
+                      arm: DVec3,
+                      along: DVec3,
+                      turned: f64,
+                      vertices: &[DVec3]| {
+            bounds.clear();
+            bounds.push(Quadratic::ZERO);
+            bounds.extend(vertices.iter().map(|&vertex| {
+                let u = body.pose.rotation.rotate(vertex) - arm;
+                Quadratic {
+                    value: turned * axis.dot(u),
+                    rate: turned * (axis_rate.dot(u) + axis.dot(body.velocity.angular.cross(u))),
+                    curvature: swing * u.cross(along).length(),
+                }
+            }));
+        };
+        behind(&mut first, a, crossed.arm_a, crossed.along_a, 1.0, &polyhedron_a.vertices);
+        behind(&mut second, b, crossed.arm_b, crossed.along_b, -1.0, &polyhedron_b.vertices);
+        let velocity = (a.velocity.linear - b.velocity.linear)
+            + (a.velocity.angular.cross(crossed.arm_a) - b.velocity.angular.cross(crossed.arm_b));
+        let gap = (a.pose.translation - b.pose.translation) + (crossed.arm_a - crossed.arm_b);
+        // Place of B's point seen from A's centre, and its largest speed there.
+        let arm_b = crossed.arm_b.length();
+        let speed = self.speed + w_b * arm_b;
+        let place = (crossed.arm_a - gap).length() + speed * self.length;
+        let relative_speed = speed + w_a * place;
+        let central = self.central(Side::A, axis, w_a + w_b);
+        let base = Quadratic {
+            value: crossed.separation * crossed.sine,
+            rate: axis.dot(velocity) + axis_rate.dot(gap) + central.rate,
+            curvature: central.curvature
+                + swing * (gap.length() + relative_speed * self.length)
+                + 2.0 * (w_a + w_b) * relative_speed
+                + b.turning(arm_b)
+                + a.turning(place)
+                + 2.0 * w_a * speed,
+        };
+        let open = open_until(base, &first, &second, self.length);
+        *self.buffers = [first, second];
+        open
+    }
+
+    /// How long points of body `of` stay outside a sphere of the other body: for each the unit vector from the sphere's
+    /// centre to it (world) and its gap, m. `center` is the sphere's centre in its body's frame.
+    pub(crate) fn around_center(&mut self, of: Side, points: Points<'_>, center: DVec3, radius: f64) -> f64 {
+        let mut bounds = std::mem::take(&mut self.buffers[0]);
+        bounds.clear();
+        let (v, e) = self.sides(of);
+        let between = v.pose.translation - e.pose.translation;
+        let other = e.pose.rotation.rotate(center);
+        for &point in points.0 {
+            let arm = v.pose.rotation.rotate(point);
+            let d = between + (arm - other);
+            let distance = d.length();
+            let normal = d / distance;
+            let velocity = (v.velocity.linear - e.velocity.linear)
+                + (v.velocity.angular.cross(arm) - e.velocity.angular.cross(other));
+            // The distance is no less than its component along the present direction.
+            let central = self.central(of, normal, 0.0);
+            bounds.push(Quadratic {
+                value: distance - points.1 - radius,
+                rate: normal.dot(velocity) + central.rate,
+                curvature: central.curvature + v.turning(arm.length()) + e.turning(other.length()),
+            });
+        }
+        let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
+        self.buffers[0] = bounds;
+        open
+    }
+
+    /// Largest speed at which a point of one body within `reach` (m, from each centre) can move relative to the other.
+    pub(crate) fn largest_speed(&self, reach_a: f64, reach_b: f64) -> f64 {
+        let turning = |spin: f64, reach: f64| if spin == 0.0 { 0.0 } else { spin * reach };
+        self.speed + turning(self.a.spin(), reach_a) + turning(self.b.spin(), reach_b)
+    }
+}

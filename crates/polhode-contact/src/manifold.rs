@@ -1,0 +1,281 @@
+//! All contacts of a pair of shapes at given poses.
+//!
+//! Two polyhedra: the best separating axis ([`crate::separation()`]) names a face of one body, and the face of the other
+//! that lies most nearly against it; [`crate::evaluate()`] measures every contact of the two faces. When a pair of edges
+//! separates best, that crossing is the only contact, unless faces beside the two edges are almost parallel: then all
+//! contacts of those faces are given, so that a body that tips over an edge changes its contacts continuously.
+//! Other pairs: every vertex or point below the reach; the nearest features of a sphere.
+
+use crate::clearance::place_tolerance;
+use crate::closest_feature::nearest_feature;
+use crate::crossed_edges::CrossedEdges;
+use crate::evaluate::evaluate;
+use crate::face_pair;
+use crate::polyhedron::ConvexPolyhedron;
+use crate::separating_axis::{Axes, EdgeAxis, Workspace};
+use crate::separation::{search_axes, separation_with};
+use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Normals within this angle of each other belong to one contact region (cosine; 0.01 rad): bodies that lie on each
+/// other and rock, as opposed to bodies that touch at an angle.
+const ALIKE: f64 = 0.999_95;
+
+/// Directions whose components differ by less than this are the same when one of several equal axes is chosen.
+const SAME_DIRECTION: f64 = 1e-9;
+
+/// A shape at a pose.
+#[derive(Clone, Copy)]
+struct Placed<'a> {
+    shape: &'a Shape,
+    pose: &'a Pose,
+}
+
+/// All contacts of two shapes whose separation is at most `reach` (m).
+pub fn manifold(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, reach: f64) -> Manifold {
+    manifold_with(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b, reach)
+}
+
+/// As [`manifold`], with buffers that the caller keeps.
+pub fn manifold_with(
+    workspace: &mut Workspace,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    reach: f64,
+) -> Manifold {
+    if !(pose_a.is_finite() && pose_b.is_finite()) {
+        return Manifold::empty(f64::NAN, SeparatingAxis::None);
+    }
+    let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
+    workspace.features.clear();
+    if let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (shape_a, shape_b) {
+        return of_polyhedra(workspace, polyhedron_a, polyhedron_b, a, b, reach);
+    }
+    let separation = separation_with(workspace, shape_a, pose_a, shape_b, pose_b);
+    let axis = match (shape_a, shape_b) {
+        _ if separation == f64::INFINITY => SeparatingAxis::None,
+        (Shape::HalfSpace(_), _) => SeparatingAxis::FaceA(0),
+        (_, Shape::HalfSpace(_)) => SeparatingAxis::FaceB(0),
+        _ => SeparatingAxis::Nearest,
+    };
+    if separation.is_nan() || reach.is_nan() || separation > reach {
+        return Manifold::empty(separation, axis);
+    }
+    match (shape_a, shape_b) {
+        (Shape::HalfSpace(_), _) => against_surface(&mut workspace.features, a, b, Side::B),
+        (_, Shape::HalfSpace(_)) => against_surface(&mut workspace.features, b, a, Side::A),
+        (Shape::Convex(_), _) => against_surface(&mut workspace.features, a, b, Side::B),
+        (_, Shape::Convex(_)) => against_surface(&mut workspace.features, b, a, Side::A),
+        (Shape::Sphere(_), Shape::Sphere(_)) => workspace.features.push(ContactFeature::SphereSphere),
+        (Shape::Sphere(_), _) => against_sphere(&mut workspace.features, shape_b, Side::B),
+        _ => against_sphere(&mut workspace.features, shape_a, Side::A),
+    }
+    Manifold { contacts: measured(&mut workspace.features, a, b, reach), separation, axis }
+}
+
+/// The features with their geometry, as far as they are within reach, sorted.
+fn measured(features: &mut [ContactFeature], a: Placed<'_>, b: Placed<'_>, reach: f64) -> Vec<Contact> {
+    features.sort_unstable();
+    let mut contacts = Vec::with_capacity(features.len());
+    for &feature in features.iter() {
+        let geometry = evaluate(feature, a.shape, a.pose, b.shape, b.pose);
+        contacts.extend(geometry.filter(|g| g.separation <= reach).map(|geometry| Contact { feature, geometry }));
+    }
+    contacts
+}
+
+/// Every point of a cloud, vertex or centre of body `of`, against the nearest feature of a half-space or polyhedron.
+fn against_surface(features: &mut Vec<ContactFeature>, surface: Placed<'_>, body: Placed<'_>, of: Side) {
+    let sphere = matches!(body.shape, Shape::Sphere(_));
+    let x = surface.pose.relative(body.pose);
+    for (index, &center) in body.shape.centers().0.iter().enumerate() {
+        let index = index as u32;
+        let against = match surface.shape {
+            Shape::Convex(polyhedron) => {
+                let tolerance = place_tolerance(polyhedron.size, polyhedron.size, x.translation);
+                nearest_feature(polyhedron, x.transform_point(center), tolerance).feature
+            }
+            _ => SurfaceFeature::Face(0),
+        };
+        features.push(match against {
+            SurfaceFeature::Face(face) if !sphere => ContactFeature::VertexFace { vertex_of: of, vertex: index, face },
+            _ => ContactFeature::Smooth { center_of: of, center: index, against },
+        });
+    }
+}
+
+/// Every point of a cloud against a sphere.
+fn against_sphere(features: &mut Vec<ContactFeature>, cloud: &Shape, of: Side) {
+    let points = 0..cloud.centers().0.len() as u32;
+    features.extend(points.map(|center| ContactFeature::Smooth {
+        center_of: of,
+        center,
+        against: SurfaceFeature::Sphere,
+    }));
+}
+
+fn of_polyhedra(
+    workspace: &mut Workspace,
+    polyhedron_a: &ConvexPolyhedron,
+    polyhedron_b: &ConvexPolyhedron,
+    a: Placed<'_>,
+    b: Placed<'_>,
+    reach: f64,
+) -> Manifold {
+    let axes = search_axes(workspace, polyhedron_a, a.pose, polyhedron_b, b.pose, reach);
+    let separation = axes.separation(polyhedron_a, a.pose, polyhedron_b, b.pose);
+    let edges = axes.deciding_edges();
+    let axis = match edges {
+        Some(EdgeAxis { edge_a, edge_b, .. }) => SeparatingAxis::Edges(edge_a, edge_b),
+        None if axes.face_a.separation >= axes.face_b.separation => SeparatingAxis::FaceA(axes.face_a.face),
+        None => SeparatingAxis::FaceB(axes.face_b.face),
+    };
+    if separation.is_nan() || reach.is_nan() || separation > reach {
+        return Manifold::empty(separation, axis);
+    }
+    let pair = match edges {
+        Some(edges) => faces_beside(workspace, (polyhedron_a, a.pose), (polyhedron_b, b.pose), edges),
+        None => Some(facing(workspace, polyhedron_a, polyhedron_b, &axes, a.pose)),
+    };
+    let mut contacts;
+    if let Some(pair) = pair {
+        let toward_a = -a.pose.rotation.rotate(polyhedron_a.faces[pair.0 as usize].normal);
+        let upper = if is_upward(toward_a) { Side::A } else { Side::B };
+        face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, axes.tolerance, upper);
+        contacts = measured(&mut workspace.features, a, b, reach);
+        // Where the faces stand at an angle, only what rests on the deciding face is a contact: the normals of the other
+        // crossings of the two outlines do not keep the bodies apart.
+        let normal = deciding_normal(workspace, polyhedron_a, &axes, pair, a.pose);
+        contacts.retain(|c| c.geometry.normal.dot(normal) >= ALIKE);
+    } else {
+        if let Some(EdgeAxis { edge_a, edge_b, .. }) = edges {
+            workspace.features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
+        }
+        contacts = measured(&mut workspace.features, a, b, reach);
+        // Apart, the nearest places of the lines may lie beyond the ends of the edges.
+        contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
+    }
+    if contacts.is_empty() && separation <= axes.tolerance {
+        // Bodies that touch have a contact, also where tolerances left none.
+        workspace.features.clear();
+        workspace.features.push(deciding_contact(workspace, polyhedron_a, &axes));
+        contacts = measured(&mut workspace.features, a, b, f64::INFINITY);
+    }
+    Manifold { contacts, separation, axis }
+}
+
+/// Unit normal of a contact region in the world, from B to A: that of the face of the pair that separates better.
+fn deciding_normal(
+    workspace: &Workspace,
+    a: &ConvexPolyhedron,
+    axes: &Axes,
+    (face_a, face_b): (u32, u32),
+    pose_a: &Pose,
+) -> DVec3 {
+    let (along_a, along_b) = (workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]);
+    let normal = if along_a >= along_b - axes.tolerance {
+        -a.faces[face_a as usize].normal
+    } else {
+        workspace.normals[face_b as usize]
+    };
+    pose_a.rotation.rotate(normal)
+}
+
+/// Whether a direction points up: by z, or else y, or else x.
+fn is_upward(direction: DVec3) -> bool {
+    [direction.z, direction.y, direction.x].into_iter().find(|c| c.abs() > SAME_DIRECTION).is_some_and(|c| c > 0.0)
+}
+
+/// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
+fn deciding_contact(workspace: &Workspace, a: &ConvexPolyhedron, axes: &Axes) -> ContactFeature {
+    if let Some(EdgeAxis { edge_a, edge_b, .. }) = axes.deciding_edges() {
+        return ContactFeature::EdgeEdge { edge_a, edge_b };
+    }
+    let (vertex_of, face, points, normal) = if axes.face_a.separation >= axes.face_b.separation {
+        (Side::B, axes.face_a.face, &workspace.vertices, a.faces[axes.face_a.face as usize].normal)
+    } else {
+        (Side::A, axes.face_b.face, &a.vertices, workspace.normals[axes.face_b.face as usize])
+    };
+    let deepest = points.iter().enumerate().min_by(|(_, p), (_, q)| normal.dot(**p).total_cmp(&normal.dot(**q)));
+    ContactFeature::VertexFace { vertex_of, vertex: deepest.map_or(0, |(i, _)| i as u32), face }
+}
+
+/// The faces beside two crossing edges that lie most nearly against each other, when both are almost perpendicular to
+/// the normal of the crossing.
+fn faces_beside(
+    workspace: &Workspace,
+    (a, pose_a): (&ConvexPolyhedron, &Pose),
+    (b, pose_b): (&ConvexPolyhedron, &Pose),
+    edges: EdgeAxis,
+) -> Option<(u32, u32)> {
+    let crossed = CrossedEdges::new(a, pose_a, edges.edge_a, b, pose_b, edges.edge_b)?;
+    let normal = pose_a.rotation.inverse_rotate(crossed.normal);
+    let best = |faces: [u32; 2], along: &dyn Fn(u32) -> f64| {
+        let [first, second] = faces;
+        let best = if along(second) > along(first) { second } else { first };
+        (along(best) >= ALIKE).then_some(best)
+    };
+    let face_a = best(a.edges[edges.edge_a as usize].faces, &|f| -normal.dot(a.faces[f as usize].normal))?;
+    let face_b = best(b.edges[edges.edge_b as usize].faces, &|f| normal.dot(workspace.normals[f as usize]))?;
+    Some((face_a, face_b))
+}
+
+/// The deciding face and the face of the other body that lies against it.
+///
+/// Of several faces that separate equally well (a body flush with a corner of another) the one that meets the most
+/// nearly parallel face is taken, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
+fn facing(workspace: &Workspace, a: &ConvexPolyhedron, b: &ConvexPolyhedron, axes: &Axes, pose_a: &Pose) -> (u32, u32) {
+    let least = axes.face_separation() - axes.tolerance;
+    let mut best: Option<(f64, DVec3, (u32, u32))> = None;
+    let mut offer = |pair: (u32, u32), normal: DVec3, parallel: f64| {
+        let direction = pose_a.rotation.rotate(normal).abs();
+        if best.is_none_or(|(p, d, _)| is_better((parallel, direction), (p, d))) {
+            best = Some((parallel, direction, pair));
+        }
+    };
+    for (face, _) in workspace.along_faces_a.iter().enumerate().filter(|(_, s)| **s >= least) {
+        let normal = a.faces[face].normal;
+        let (other, parallel) = opposing(b, &workspace.vertices, |f| workspace.normals[f], normal, axes.tolerance);
+        offer((face as u32, other), normal, parallel);
+    }
+    for (face, _) in workspace.along_faces_b.iter().enumerate().filter(|(_, s)| **s >= least) {
+        let normal = workspace.normals[face];
+        let (other, parallel) = opposing(a, &a.vertices, |f| a.faces[f].normal, normal, axes.tolerance);
+        offer((other, face as u32), normal, parallel);
+    }
+    best.map_or((0, 0), |(_, _, pair)| pair)
+}
+
+/// Whether the first (parallelism, direction) goes before the second.
+fn is_better(first: (f64, DVec3), second: (f64, DVec3)) -> bool {
+    let differences = [first.0 - second.0, first.1.z - second.1.z, first.1.y - second.1.y, first.1.x - second.1.x];
+    differences.into_iter().find(|d| d.abs() > SAME_DIRECTION).is_some_and(|d| d > 0.0)
+}
+
+/// Of the faces at the lowest vertices along `normal`, the one that lies most nearly against it, and how nearly (1 when
+/// antiparallel).
+fn opposing(
+    polyhedron: &ConvexPolyhedron,
+    vertices: &[DVec3],
+    normal_of: impl Fn(usize) -> DVec3,
+    normal: DVec3,
+    tolerance: f64,
+) -> (u32, f64) {
+    let lowest = vertices.iter().map(|v| v.dot(normal)).fold(f64::INFINITY, f64::min);
+    let mut best = (0, f64::NEG_INFINITY);
+    for (vertex, place) in vertices.iter().enumerate() {
+        if place.dot(normal) > lowest + tolerance {
+            continue;
+        }
+        for &face in polyhedron.faces_at.of(vertex) {
+            let parallel = -normal_of(face as usize).dot(normal);
+            if parallel > best.1 + SAME_DIRECTION || (parallel > best.1 - SAME_DIRECTION && face < best.0) {
+                best = (face, parallel);
+            }
+        }
+    }
+    best
+}

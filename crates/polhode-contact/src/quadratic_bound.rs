@@ -1,0 +1,82 @@
+//! Lower bounds of functions of time by downward parabolas, and how far they keep a gap open.
+//!
+//! A function with value `a`, rate `b` and `|f''| <= c` satisfies `f(t + s) >= a + b s - c s^2/2`. Sums and minima of
+//! such bounds are concave, so that a bound that is positive at both ends of an interval is positive on all of it.
+
+/// `value + rate s - curvature s^2/2`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Quadratic {
+    pub(crate) value: f64,
+    pub(crate) rate: f64,
+    /// Bound of the magnitude of the second derivative, not negative.
+    pub(crate) curvature: f64,
+}
+
+impl Quadratic {
+    pub(crate) const ZERO: Self = Self { value: 0.0, rate: 0.0, curvature: 0.0 };
+
+    fn at(self, s: f64) -> f64 {
+        self.value + s * (self.rate - 0.5 * self.curvature * s)
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            rate: self.rate + other.rate,
+            curvature: self.curvature + other.curvature,
+        }
+    }
+
+    /// The positive root when the value at zero is positive; infinite when there is none.
+    pub(crate) fn first_root(self) -> f64 {
+        if self.value.is_nan() || self.value <= 0.0 {
+            return 0.0;
+        }
+        let root = (self.rate * self.rate + 2.0 * self.curvature * self.value).sqrt();
+        if self.rate < 0.0 {
+            2.0 * self.value / (root - self.rate)
+        } else if self.curvature > 0.0 {
+            (self.rate + root) / self.curvature
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+/// Steps are shortened by this, relatively: their computation rounds.
+const SHORTENING: f64 = 1.0 - 8.0 * f64::EPSILON;
+
+/// After this many changes of the deciding parabolas the step falls back to the chord, which is safe but shorter.
+const MAX_ROUNDS: usize = 64;
+
+/// How long `L(s) = base + min(first) + min(second)` stays positive, at most `window`; an empty list adds nothing.
+///
+/// From the right: the parabolas that are least at `s` bound `L` from above, so that their root is no earlier than
+/// L's; when the same ones are least at that root, it is L's.
+pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
+    let mut s = window;
+    let mut previous = f64::INFINITY;
+    for _ in 0..MAX_ROUNDS {
+        let deciding = base.plus(least_at(first, s)).plus(least_at(second, s));
+        if deciding.at(s) >= 0.0 || s >= previous {
+            return if s < window { s * SHORTENING } else { window };
+        }
+        previous = s;
+        s = deciding.first_root().min(s);
+    }
+    // The chord from zero to a point below the axis meets the axis before a concave function does.
+    let deciding = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s)).at(s);
+    let (start, end) = (deciding(0.0), deciding(s));
+    if start > 0.0 && end < 0.0 { s * (start / (start - end)) * SHORTENING } else { 0.0 }
+}
+
+fn least_at(parabolas: &[Quadratic], s: f64) -> Quadratic {
+    let mut least = (f64::INFINITY, Quadratic::ZERO);
+    for &parabola in parabolas {
+        let value = parabola.at(s);
+        if value < least.0 {
+            least = (value, parabola);
+        }
+    }
+    least.1
+}

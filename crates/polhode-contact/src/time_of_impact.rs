@@ -1,0 +1,381 @@
+//! Time of impact: the first time at which two moving shapes close from clear to touching.
+//!
+//! Conservative advancement on the true motion (docs/REFERENCES.md, Mirtich 1996): from a time at which the pair is
+//! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes say for how long it certainly stays
+//! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
+//! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
+//! The time found is never late but for the rounding of the poses, and no touch is missed, however fast the bodies spin.
+//!
+//! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
+//! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
+//! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
+//! located. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair that leaves and comes
+//! back between two of them is not seen.
+
+use crate::clearance::{place_tolerance, resolution, touch_tolerance};
+use crate::closest_feature::nearest_feature;
+use crate::crossed_edges::CrossedEdges;
+use crate::impact_bounds::Window;
+use crate::root_bracket::{Sample, last_open};
+use crate::separating_axis::{Axes, Workspace};
+use crate::separation::{search_axes, separation_with};
+use crate::{Shape, Side};
+use polhode_spatial::{Motion, Pose};
+use thiserror::Error;
+
+/// Settings of the search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactSearch {
+    /// Separations up to this, relative to the joint size, count as touch at the start of the search
+    /// ([`crate::clearance::touch_tolerance`]). Range 1e-15 to 1e-3.
+    pub touch_relative: f64,
+    /// How often the interval is halved to look for the departure of a pair that touches at its start.
+    pub departure_halvings: u32,
+    /// Largest number of separations evaluated for one pair; reaching it is an error.
+    pub max_evaluations: u32,
+}
+
+impl Default for ImpactSearch {
+    fn default() -> Self {
+        Self { touch_relative: 1e-11, departure_halvings: 48, max_evaluations: 100_000 }
+    }
+}
+
+/// Why the search gave no answer.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ImpactError {
+    /// The interval of time is reversed or not finite.
+    #[error("the interval of time {t0} s to {t1} s must be finite and in order")]
+    Interval {
+        /// Start, s.
+        t0: f64,
+        /// End, s.
+        t1: f64,
+    },
+    /// A pose, velocity or bound is not finite.
+    #[error("the motions are not finite at {t} s")]
+    NotFinite {
+        /// Time, s.
+        t: f64,
+    },
+    /// The number of evaluations reached its limit: a pair that stays close without touching.
+    #[error(
+        "no answer after {limit} evaluations: at {t} s the separation is {separation:e} m; shorten the interval or raise max_evaluations"
+    )]
+    EvaluationLimit {
+        /// Time reached; the pair is clear up to it, s.
+        t: f64,
+        /// Separation there, m.
+        separation: f64,
+        /// The limit.
+        limit: u32,
+    },
+}
+
+/// What a search found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactReport {
+    /// First time at which the pair closes, s.
+    pub time: Option<f64>,
+    /// Separation at that time, or at the end of the interval, m.
+    pub separation: f64,
+    /// How many separations were evaluated.
+    pub evaluations: u32,
+}
+
+/// First time in `(t0, t1]` at which the pair closes from clear to touching.
+///
+/// # Errors
+/// See [`ImpactError`].
+pub fn time_of_impact(
+    shape_a: &Shape,
+    motion_a: &dyn Motion,
+    shape_b: &Shape,
+    motion_b: &dyn Motion,
+    t0: f64,
+    t1: f64,
+    settings: &ImpactSearch,
+) -> Result<Option<f64>, ImpactError> {
+    find_impact(shape_a, motion_a, shape_b, motion_b, t0, t1, settings).map(|report| report.time)
+}
+
+/// As [`time_of_impact`], with the work it took.
+///
+/// # Errors
+/// See [`ImpactError`].
+pub fn find_impact(
+    shape_a: &Shape,
+    motion_a: &dyn Motion,
+    shape_b: &Shape,
+    motion_b: &dyn Motion,
+    t0: f64,
+    t1: f64,
+    settings: &ImpactSearch,
+) -> Result<ImpactReport, ImpactError> {
+    if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
+        return Err(ImpactError::Interval { t0, t1 });
+    }
+    let mut search = Search {
+        shapes: [shape_a, shape_b],
+        motions: [motion_a, motion_b],
+        settings,
+        workspace: Workspace::default(),
+        axes: None,
+        evaluations: 0,
+    };
+    let start = search.look(t0)?;
+    let (time, separation) =
+        if start.separation > search.touch(&start) { search.advance(start, t1)? } else { search.depart(start, t1)? };
+    Ok(ImpactReport { time, separation, evaluations: search.evaluations })
+}
+
+/// The pair at a time.
+#[derive(Clone, Copy)]
+struct Moment {
+    t: f64,
+    poses: [Pose; 2],
+    separation: f64,
+}
+
+struct Search<'a> {
+    shapes: [&'a Shape; 2],
+    motions: [&'a dyn Motion; 2],
+    settings: &'a ImpactSearch,
+    workspace: Workspace,
+    /// Best axes at the last look, for two polyhedra.
+    axes: Option<Axes>,
+    evaluations: u32,
+}
+
+/// The window is narrowed to this many times the first safe step when that was much shorter than the window: bounds
+/// that need not hold for long are tighter.
+const NARROWER: f64 = 4.0;
+
+/// A change of separation by this many resolutions is a change, not rounding.
+const MEASURABLE: f64 = 4.0;
+
+/// A pair that touches has closed when its separation has fallen by this part of the touch tolerance: more than a held
+/// contact drifts, less than what counts as penetration.
+const NOTICED: f64 = 1.0 / 16.0;
+
+/// More halvings than this leave no interval of doubles.
+const MOST_HALVINGS: u32 = 1074;
+
+/// `2^-j` for `j` up to [`MOST_HALVINGS`], exactly.
+fn halved(j: u32) -> f64 {
+    libm::ldexp(1.0, -(j as i32))
+}
+
+impl Search<'_> {
+    /// Poses and separation at a time.
+    fn look(&mut self, t: f64) -> Result<Moment, ImpactError> {
+        let poses = [self.motions[0].pose(t), self.motions[1].pose(t)];
+        if !(poses[0].is_finite() && poses[1].is_finite()) {
+            return Err(ImpactError::NotFinite { t });
+        }
+        self.evaluations += 1;
+        let [pose_a, pose_b] = &poses;
+        let separation = if let [Shape::Convex(a), Shape::Convex(b)] = self.shapes {
+            let axes = search_axes(&mut self.workspace, a, pose_a, b, pose_b, f64::INFINITY);
+            self.axes = Some(axes);
+            axes.separation(a, pose_a, b, pose_b)
+        } else {
+            separation_with(&mut self.workspace, self.shapes[0], pose_a, self.shapes[1], pose_b)
+        };
+        if self.evaluations > self.settings.max_evaluations {
+            return Err(ImpactError::EvaluationLimit { t, separation, limit: self.settings.max_evaluations });
+        }
+        if separation.is_nan() { Err(ImpactError::NotFinite { t }) } else { Ok(Moment { t, poses, separation }) }
+    }
+
+    fn resolution(&self, at: &Moment) -> f64 {
+        resolution(self.shapes[0], &at.poses[0], self.shapes[1], &at.poses[1])
+    }
+
+    fn touch(&self, at: &Moment) -> f64 {
+        touch_tolerance(self.shapes[0], &at.poses[0], self.shapes[1], &at.poses[1], self.settings.touch_relative)
+    }
+
+    /// From a moment at which the pair is clear: the time of impact, if any, and the separation there or at the end.
+    fn advance(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+        let mut now = start;
+        loop {
+            if now.separation == f64::INFINITY {
+                return Ok((None, now.separation));
+            }
+            if now.separation <= self.resolution(&now) {
+                return Ok((Some(now.t), now.separation));
+            }
+            if now.t >= t1 {
+                return Ok((None, now.separation));
+            }
+            let next = (now.t + self.safe_step(&now, t1 - now.t)?).min(t1);
+            // The gap closes before the next number that can be told from this time.
+            if next <= now.t {
+                return Ok((Some(now.t), now.separation));
+            }
+            now = self.look(next)?;
+        }
+    }
+
+    /// For how long the pair certainly stays clear, at most `remaining` (s).
+    fn safe_step(&mut self, now: &Moment, remaining: f64) -> Result<f64, ImpactError> {
+        let step = self.clear_for(now, remaining)?;
+        if step * NARROWER < remaining && step > 0.0 {
+            return Ok(self.clear_for(now, step * NARROWER)?.max(step));
+        }
+        Ok(step)
+    }
+
+    /// As [`Self::safe_step`], by bounds that hold over a window of this length.
+    fn clear_for(&mut self, now: &Moment, length: f64) -> Result<f64, ImpactError> {
+        let end = now.t + length;
+        let mut buffers = std::mem::take(&mut self.workspace.bounds);
+        let window = Window::new(self.motions, now.poses, now.t, end, &mut buffers);
+        let step = window.map(|mut window| self.clear_in(now, &mut window));
+        self.workspace.bounds = buffers;
+        step.ok_or(ImpactError::NotFinite { t: now.t })
+    }
+
+    fn clear_in(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let [a, b] = self.shapes;
+        match (a, b) {
+            (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
+            (Shape::HalfSpace(_), _) => self.clear_of_surface(now, window, Side::B),
+            (_, Shape::HalfSpace(_)) => self.clear_of_surface(now, window, Side::A),
+            (Shape::Convex(_), _) => self.clear_of_surface(now, window, Side::B),
+            (_, Shape::Convex(_)) => self.clear_of_surface(now, window, Side::A),
+            (Shape::Sphere(s), _) => window.around_center(Side::B, b.centers(), s.center(), s.radius()),
+            (_, Shape::Sphere(s)) => window.around_center(Side::A, a.centers(), s.center(), s.radius()),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The longest step over the best face of each body, the best pair of edges, and the best of these directions held
+    /// still (which is better for bodies that are far away and spin).
+    fn polyhedra_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let ([Shape::Convex(a), Shape::Convex(b)], Some(axes)) = (self.shapes, self.axes) else { return 0.0 };
+        let [pose_a, pose_b] = &now.poses;
+        let (points_a, points_b) = (self.shapes[0].centers(), self.shapes[1].centers());
+        let mut step: f64 = 0.0;
+        let mut direction = (f64::NEG_INFINITY, glam::DVec3::ZERO);
+        if axes.face_a.separation > 0.0 {
+            let face = &a.faces[axes.face_a.face as usize];
+            let x = pose_a.relative(pose_b);
+            let gap = |k: usize| face.normal.dot(x.transform_point(b.vertices[k])) - face.offset;
+            step = step.max(window.above_planes(Side::B, points_b, |k| (face.normal, gap(k))));
+            direction = (axes.face_a.separation, -pose_a.rotation.rotate(face.normal));
+        }
+        if axes.face_b.separation > 0.0 {
+            let face = &b.faces[axes.face_b.face as usize];
+            let x = pose_b.relative(pose_a);
+            let gap = |k: usize| face.normal.dot(x.transform_point(a.vertices[k])) - face.offset;
+            step = step.max(window.above_planes(Side::A, points_a, |k| (face.normal, gap(k))));
+            if axes.face_b.separation > direction.0 {
+                direction = (axes.face_b.separation, pose_b.rotation.rotate(face.normal));
+            }
+        }
+        let edges = axes.edges.filter(|e| e.separation > 0.0);
+        let crossed = edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+        if let Some(crossed) = crossed {
+            step = step.max(window.across_edges(&crossed, a, b));
+            if crossed.separation > direction.0 {
+                direction = (crossed.separation, crossed.normal);
+            }
+        }
+        if direction.0 > 0.0 { step.max(window.along_direction(direction.1, points_a, points_b)) } else { step }
+    }
+
+    /// Points or a sphere of body `of` against a half-space or a polyhedron: each has a plane of its own, through the
+    /// nearest feature.
+    fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
+        let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+        let points = self.shapes[this].centers();
+        let x = now.poses[other].relative(&now.poses[this]);
+        let polyhedron = match self.shapes[other] {
+            Shape::HalfSpace(h) => {
+                let gap = |k: usize| h.normal().dot(x.transform_point(points.0[k])) - h.offset() - points.1;
+                return window.above_planes(of, points, |k| (h.normal(), gap(k)));
+            }
+            Shape::Convex(polyhedron) => polyhedron,
+            _ => return 0.0,
+        };
+        let tolerance = place_tolerance(polyhedron.size(), polyhedron.size(), x.translation);
+        let nearest = |k: usize| nearest_feature(polyhedron, x.transform_point(points.0[k]), tolerance);
+        let step = window.above_planes(of, points, |k| {
+            let nearest = nearest(k);
+            (nearest.direction, nearest.distance - points.1)
+        });
+        // A single centre far from a spinning polyhedron: its direction held still.
+        if points.0.len() > 1 {
+            return step;
+        }
+        let away = now.poses[other].rotation.rotate(nearest(0).direction);
+        let direction = if of == Side::A { away } else { -away };
+        step.max(window.along_direction(direction, self.shapes[0].centers(), self.shapes[1].centers()))
+    }
+
+    /// From a moment at which the pair touches: see the module's description.
+    fn depart(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+        let rounding = self.resolution(&start);
+        // Below this the pair is measurably closer than it was: touching at rest it stays above.
+        let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
+        let level = if start.separation > rounding { 0.0 } else { start.separation - noticed };
+        let (mut open, mut below, mut last) = (start, None, start);
+        let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
+        while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {
+            halvings -= 1;
+        }
+        for j in (0..=halvings).rev() {
+            let t = if j == 0 { t1 } else { start.t + (t1 - start.t) * halved(j) };
+            if t <= last.t {
+                continue;
+            }
+            last = self.look(t)?;
+            let touch = self.touch(&last);
+            if last.separation > touch {
+                return self.advance(last, t1);
+            }
+            if last.separation >= level {
+                (open, below) = (last, None);
+            } else {
+                below = below.or(Some(last));
+            }
+            // A pair that overlaps already has closed before; what counts then is that it overlaps more.
+            if last.separation < (-touch).min(start.separation - touch) {
+                return self.locate_closing(open, below.unwrap_or(last), level, rounding);
+            }
+        }
+        Ok((None, last.separation))
+    }
+
+    /// Whether by the `j`-th departure time a point can have moved by half the touch tolerance.
+    fn can_have_moved(&mut self, start: &Moment, t1: f64, j: u32) -> Result<bool, ImpactError> {
+        let length = (t1 - start.t) * halved(j);
+        let mut buffers = std::mem::take(&mut self.workspace.bounds);
+        let apart = (start.poses[0].translation - start.poses[1].translation).length();
+        // A half-space has no radius; what matters is how far the other body reaches from its centre.
+        let reach = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
+        let [a, b] = self.shapes;
+        let speed = Window::new(self.motions, start.poses, start.t, start.t + length, &mut buffers)
+            .map(|window| window.largest_speed(reach(a, b), reach(b, a)));
+        self.workspace.bounds = buffers;
+        let speed = speed.ok_or(ImpactError::NotFinite { t: start.t })?;
+        let path = speed * length;
+        Ok(path.is_nan() || path >= 0.5 * self.touch(start))
+    }
+
+    /// The time between two moments at which the separation falls below a level.
+    fn locate_closing(
+        &mut self,
+        open: Moment,
+        below: Moment,
+        level: f64,
+        tolerance: f64,
+    ) -> Result<(Option<f64>, f64), ImpactError> {
+        let left = Sample { at: open.t, value: open.separation - level };
+        let right = Sample { at: below.t, value: below.separation - level };
+        let found = last_open(left, right, tolerance, |t| self.look(t).map(|moment| moment.separation - level))?;
+        Ok((Some(found.at), found.value + level))
+    }
+}

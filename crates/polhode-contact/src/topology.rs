@@ -1,0 +1,188 @@
+//! From loops of vertices to a checked convex polyhedron: edges, neighbours, normals.
+//!
+//! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula
+//! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex stands outside a face.
+
+use crate::polyhedron::{ConvexPolyhedron, Edge, FaceRecord, Neighbours};
+use crate::shape::{ShapeError, check_length, check_point, largest_distance};
+use glam::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How far a vertex may stand off the plane of its face or outside another face, relative to the polyhedron's size:
+/// rounding of decimal files with ten digits passes, a dent that could be seen in a contact's depth does not.
+pub(crate) const PLANE_TOLERANCE: f64 = 1e-9;
+
+/// Least thickness relative to the size: a thinner plate is within the tolerances that tell its two sides apart.
+pub(crate) const THICKNESS_LIMIT: f64 = 1e-9;
+
+/// Builds a polyhedron from vertices and anticlockwise loops.
+pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<ConvexPolyhedron, ShapeError> {
+    if vertices.len() < 4 {
+        return Err(ShapeError::TooFewPoints { count: vertices.len(), limit: 4 });
+    }
+    if u32::try_from(vertices.len().max(loops.len())).is_err() {
+        return Err(ShapeError::TooManyPoints { count: vertices.len(), limit: u32::MAX as usize });
+    }
+    vertices.iter().try_for_each(|&v| check_point("vertex", v))?;
+    let corner_edges = join_edges(vertices.len(), &loops)?;
+    let size = largest_distance(&vertices);
+    let mut polyhedron = ConvexPolyhedron {
+        edges: edges_of(&vertices, &corner_edges.endpoints, &corner_edges.faces),
+        corner_edges: corner_edges.edges,
+        corner_sides: Vec::new(),
+        faces: faces_of(&vertices, &loops),
+        faces_at: neighbours(vertices.len(), loops.iter().map(Vec::as_slice)),
+        edges_at: neighbours(vertices.len(), corner_edges.endpoints.iter().map(<[u32; 2]>::as_slice)),
+        corner_vertices: loops.into_iter().flatten().collect(),
+        vertices,
+        size,
+    };
+    polyhedron.edges.iter().try_for_each(|edge| check_length("edge length", edge.length))?;
+    check_geometry(&polyhedron)?;
+    polyhedron.corner_sides = sides_of(&polyhedron);
+    Ok(polyhedron)
+}
+
+/// Edges in the order in which the loops first run along them.
+struct JoinedEdges {
+    endpoints: Vec<[u32; 2]>,
+    faces: Vec<[u32; 2]>,
+    /// Edge of every corner, face after face.
+    edges: Vec<u32>,
+}
+
+/// Pairs every directed edge with its opposite.
+fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, ShapeError> {
+    let mut joined = JoinedEdges { endpoints: Vec::new(), faces: Vec::new(), edges: Vec::new() };
+    let fail =
+        |edges: usize, reason| Err(ShapeError::NotClosed { vertices: vertex_count, edges, faces: loops.len(), reason });
+    // Directed edge from..to -> its edge and whether the opposite face has been met.
+    let mut open: BTreeMap<(u32, u32), usize> = BTreeMap::new();
+    let mut seen: BTreeSet<(u32, u32)> = BTreeSet::new();
+    let mut uses = vec![0_usize; vertex_count];
+    for (face, corners) in loops.iter().enumerate() {
+        if corners.len() < 3 {
+            return fail(joined.edges.len(), "a face has fewer than three vertices");
+        }
+        for (i, &from) in corners.iter().enumerate() {
+            let to = corners[(i + 1) % corners.len()];
+            match uses.get_mut(from as usize) {
+                Some(count) => *count += 1,
+                None => return fail(joined.endpoints.len(), "a face names a vertex that does not exist"),
+            }
+            if from == to || !seen.insert((from, to)) {
+                return fail(joined.endpoints.len(), "two faces run along an edge in the same direction");
+            }
+            if let Some(edge) = open.remove(&(to, from)) {
+                joined.faces[edge][1] = face as u32;
+                joined.edges.push(edge as u32);
+            } else {
+                open.insert((from, to), joined.endpoints.len());
+                joined.edges.push(joined.endpoints.len() as u32);
+                joined.endpoints.push([from, to]);
+                joined.faces.push([face as u32; 2]);
+            }
+        }
+    }
+    let edges = joined.endpoints.len();
+    if !open.is_empty() {
+        return fail(edges, "an edge has a face on one side only");
+    }
+    if uses.iter().any(|&count| count < 3) {
+        return fail(edges, "a vertex has fewer than three faces");
+    }
+    if vertex_count + loops.len() != edges + 2 {
+        return fail(edges, "it has holes or several parts");
+    }
+    Ok(joined)
+}
+
+/// Directions and lengths.
+fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> Vec<Edge> {
+    let edge = |(&[from, to], &faces): (&[u32; 2], &[u32; 2])| {
+        let along = vertices[to as usize] - vertices[from as usize];
+        let length = along.length();
+        Edge { vertices: [from, to], faces, direction: along / length, length }
+    };
+    endpoints.iter().zip(faces).map(edge).collect()
+}
+
+/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weighs every vertex of a face alike.
+fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
+    let mut first = 0;
+    let mut faces = Vec::with_capacity(loops.len());
+    for corners in loops {
+        let at = |i: usize| vertices[corners[i % corners.len()] as usize];
+        let center = (0..corners.len()).map(at).sum::<DVec3>() / corners.len() as f64;
+        let area: DVec3 = (0..corners.len()).map(|i| (at(i) - center).cross(at(i + 1) - center)).sum();
+        let normal = area / area.length();
+        // The plane halves the small spread of the vertices' offsets.
+        let (low, high) = (0..corners.len())
+            .map(|i| normal.dot(at(i)))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
+        faces.push(FaceRecord { first, count: corners.len(), normal, offset: 0.5 * (low + high) });
+        first += corners.len();
+    }
+    faces
+}
+
+/// Outward directions in the plane of each face, across each of its edges.
+fn sides_of(polyhedron: &ConvexPolyhedron) -> Vec<DVec3> {
+    let mut sides = Vec::with_capacity(polyhedron.corner_vertices.len());
+    for face in &polyhedron.faces {
+        for corner in face.first..face.first + face.count {
+            let edge = &polyhedron.edges[polyhedron.corner_edges[corner] as usize];
+            let forward = edge.vertices[0] == polyhedron.corner_vertices[corner];
+            sides.push(if forward { edge.direction } else { -edge.direction }.cross(face.normal));
+        }
+    }
+    sides
+}
+
+/// For each vertex the loops (faces, or edges as loops of two) that contain it, in order.
+fn neighbours<'a>(vertex_count: usize, loops: impl Iterator<Item = &'a [u32]> + Clone) -> Neighbours {
+    let mut starts = vec![0_usize; vertex_count + 1];
+    for &vertex in loops.clone().flatten() {
+        starts[vertex as usize + 1] += 1;
+    }
+    for i in 0..vertex_count {
+        starts[i + 1] += starts[i];
+    }
+    let mut next = starts.clone();
+    let mut items = vec![0_u32; starts[vertex_count]];
+    for (index, corners) in loops.enumerate() {
+        for &vertex in corners {
+            items[next[vertex as usize]] = index as u32;
+            next[vertex as usize] += 1;
+        }
+    }
+    Neighbours { starts, items }
+}
+
+/// Plane faces, convexity and thickness.
+fn check_geometry(polyhedron: &ConvexPolyhedron) -> Result<(), ShapeError> {
+    let limit = PLANE_TOLERANCE * polyhedron.size;
+    let thinnest = THICKNESS_LIMIT * polyhedron.size;
+    for (index, record) in polyhedron.faces.iter().enumerate() {
+        let height = |v: usize| record.normal.dot(polyhedron.vertices[v]) - record.offset;
+        for &vertex in &polyhedron.corner_vertices[record.first..record.first + record.count] {
+            let distance = height(vertex as usize).abs();
+            // A face without area has a normal that is not a number.
+            if distance.is_nan() || distance > limit {
+                return Err(ShapeError::FaceNotPlane { face: index, vertex: vertex as usize, distance, limit });
+            }
+        }
+        let mut deepest: f64 = 0.0;
+        for vertex in 0..polyhedron.vertices.len() {
+            let height = height(vertex);
+            if height > limit {
+                return Err(ShapeError::NotConvex { vertex, face: index, height, limit });
+            }
+            deepest = deepest.max(-height);
+        }
+        if deepest < thinnest {
+            return Err(ShapeError::Flat { thickness: deepest, limit: thinnest });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,158 @@
+//! The first and second time derivatives of the separation of every kind of contact, against finite differences of
+//! eighth order along motions that accelerate and whose spin changes direction, at separations that are not zero.
+
+use crate::support::{Random, cuboid, prism};
+use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, evaluate, kinematics};
+use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+
+/// `R(t) = exp(first t) exp(second t) R_0`: angular velocity `first + exp(first t) second`, and its rate at zero
+/// `first x second`.
+struct Path {
+    start: Pose,
+    linear: DVec3,
+    acceleration: DVec3,
+    first: DVec3,
+    second: DVec3,
+}
+
+impl Path {
+    fn random(random: &mut Random) -> Self {
+        Self {
+            start: Pose::new(random.rotation(), random.vector()),
+            linear: random.vector(),
+            acceleration: random.vector(),
+            first: random.vector() * 1.5,
+            second: random.vector() * 1.5,
+        }
+    }
+
+    fn pose(&self, t: f64) -> Pose {
+        let turn = Rotation::from_rotation_vector(self.first * t) * Rotation::from_rotation_vector(self.second * t);
+        let place = self.start.translation + self.linear * t + self.acceleration * (0.5 * t * t);
+        Pose::new(turn * self.start.rotation, place)
+    }
+
+    fn velocity(&self) -> Velocity {
+        Velocity::new(self.linear, self.first + self.second)
+    }
+
+    /// Acceleration of the body's point at an arm from the centre of mass, without the centripetal part.
+    fn given_acceleration(&self, arm: DVec3) -> DVec3 {
+        self.acceleration + self.first.cross(self.second).cross(arm)
+    }
+}
+
+/// Central differences of eighth order for the first and the second derivative.
+fn differences(f: impl Fn(f64) -> f64, h: f64) -> (f64, f64) {
+    const FIRST: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    const SECOND: [f64; 4] = [8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
+    let (mut first, mut second) = (0.0, -205.0 / 72.0 * f(0.0));
+    for (k, (c1, c2)) in FIRST.iter().zip(SECOND).enumerate() {
+        let s = h * (k + 1) as f64;
+        let (after, before) = (f(s), f(-s));
+        first += c1 * (after - before);
+        second += c2 * (after + before);
+    }
+    (first / h, second / (h * h))
+}
+
+fn check(name: &str, feature: ContactFeature, shape_a: &Shape, shape_b: &Shape, random: &mut Random) {
+    let mut checked = 0;
+    for _ in 0..60 {
+        let (a, b) = (Path::random(random), Path::random(random));
+        let (pose_a, pose_b) = (a.pose(0.0), b.pose(0.0));
+        let Some(k) = kinematics(feature, shape_a, &pose_a, &a.velocity(), shape_b, &pose_b, &b.velocity()) else {
+            continue;
+        };
+        let geometry = k.geometry;
+        assert_eq!(Some(geometry), evaluate(feature, shape_a, &pose_a, shape_b, &pose_b));
+        let chi =
+            |t: f64| evaluate(feature, shape_a, &a.pose(t), shape_b, &b.pose(t)).map_or(f64::NAN, |g| g.separation);
+        let ((coarse, coarser), (first, second)) = (differences(chi, 0.02), differences(chi, 0.01));
+        // Near parallel edges, and near the feature itself, the separation is too curved for differences: two steps tell.
+        let (doubt, doubts) = ((coarse - first).abs(), (coarser - second).abs());
+        if !(doubt < 1e-8 * (1.0 + first.abs()) && doubts < 1e-6 * (1.0 + second.abs())) {
+            continue;
+        }
+        checked += 1;
+        let error = (k.separation_rate - first).abs();
+        assert!(error < doubt + 1e-12 * (1.0 + first.abs()), "{name}: {} {first}", k.separation_rate);
+        let relative = a.given_acceleration(geometry.point - pose_a.translation)
+            - b.given_acceleration(geometry.point - pose_b.translation);
+        let predicted = geometry.normal.dot(relative) + k.acceleration_bias;
+        assert!((predicted - second).abs() < doubts + 1e-10 * (1.0 + second.abs()), "{name}: {predicted} {second}");
+        // The rate is that of the contact point taken on both bodies.
+        let at_point =
+            a.velocity().at(geometry.point - pose_a.translation) - b.velocity().at(geometry.point - pose_b.translation);
+        assert!((geometry.normal.dot(at_point) - k.separation_rate).abs() < 1e-13);
+    }
+    assert!(checked > 20, "{name}: only {checked}");
+}
+
+/// Every kind of contact, each way round.
+#[test]
+fn of_every_kind() {
+    let mut random = Random(1234);
+    let (cube, hexagon) = (cuboid(0.5, 0.4, 0.3), prism(6, 0.3, 0.4));
+    let moved = |s: Shape, by: DVec3| s.translated(by).expect("moved");
+    let cube = moved(cube, DVec3::new(0.1, -0.05, 0.2));
+    let ball = moved(Shape::sphere(0.2).expect("radius"), DVec3::new(-0.1, 0.2, 0.1));
+    let other_ball = moved(Shape::sphere(0.1).expect("radius"), DVec3::new(0.2, 0.1, 0.0));
+    let cloud = Shape::points(vec![DVec3::new(0.3, 0.2, 0.1), DVec3::new(-0.2, 0.1, 0.4)]).expect("points");
+    let floor = moved(Shape::half_space(UnitVector::new(DVec3::new(0.2, 0.3, 0.9)).expect("up")), DVec3::Z * 0.3);
+    let smooth = |side, center, against| ContactFeature::Smooth { center_of: side, center, against };
+    let vertex = |side, vertex, face| ContactFeature::VertexFace { vertex_of: side, vertex, face };
+    for side in [Side::A, Side::B] {
+        let cases: [(&str, ContactFeature, &Shape, &Shape); 9] = [
+            ("vertex-face", vertex(side, 3, 2), &hexagon, &cube),
+            ("vertex-half-space", vertex(side, 6, 0), &cube, &floor),
+            ("point-face", vertex(side, 1, 3), &cloud, &cube),
+            ("sphere-face", smooth(side, 0, SurfaceFeature::Face(4)), &ball, &cube),
+            ("sphere-half-space", smooth(side, 0, SurfaceFeature::Face(0)), &ball, &floor),
+            ("sphere-edge", smooth(side, 0, SurfaceFeature::Edge(7)), &ball, &hexagon),
+            ("sphere-vertex", smooth(side, 0, SurfaceFeature::Vertex(5)), &ball, &cube),
+            ("point-edge", smooth(side, 1, SurfaceFeature::Edge(2)), &cloud, &cube),
+            ("point-sphere", smooth(side, 1, SurfaceFeature::Sphere), &cloud, &ball),
+        ];
+        for (name, feature, owner, other) in cases {
+            let (a, b) = if side == Side::A { (owner, other) } else { (other, owner) };
+            check(name, feature, a, b, &mut random);
+        }
+    }
+    check("sphere-sphere", ContactFeature::SphereSphere, &ball, &other_ball, &mut random);
+    for (edge_a, edge_b) in [(0, 0), (3, 7), (11, 14), (6, 2)] {
+        check("edge-edge", ContactFeature::EdgeEdge { edge_a, edge_b }, &cube, &hexagon, &mut random);
+    }
+}
+
+/// Parallel edges have no common perpendicular, and features of other shapes do not exist.
+#[test]
+fn without_meaning() {
+    let cube = cuboid(1.0, 1.0, 1.0);
+    let above = Pose::from_translation(DVec3::Z * 3.0);
+    let same_edge = ContactFeature::EdgeEdge { edge_a: 2, edge_b: 2 };
+    assert_eq!(evaluate(same_edge, &cube, &above, &cube, &Pose::IDENTITY), None);
+    for feature in [
+        ContactFeature::EdgeEdge { edge_a: 12, edge_b: 0 },
+        ContactFeature::VertexFace { vertex_of: Side::A, vertex: 8, face: 0 },
+        ContactFeature::VertexFace { vertex_of: Side::B, vertex: 0, face: 6 },
+        ContactFeature::SphereSphere,
+    ] {
+        assert_eq!(evaluate(feature, &cube, &above, &cube, &Pose::IDENTITY), None);
+    }
+}
+
+/// The margin of a vertex is its distance from the face's border, that of a crossing its distance from the edges' ends.
+#[test]
+fn margins() {
+    let cube = cuboid(1.0, 1.0, 1.0);
+    let at = |x: f64, y: f64| Pose::from_translation(DVec3::new(x, y, 1.0));
+    let corner = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 0, face: 5 };
+    let margin = |x, y| evaluate(corner, &cube, &at(x, y), &cube, &Pose::IDENTITY).map(|g| g.margin);
+    assert_eq!(margin(0.5, 0.25), Some(0.25));
+    assert_eq!(margin(1.25, 0.25), Some(-0.25));
+    let floor = Shape::half_space(UnitVector::Z);
+    let on_floor = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 0, face: 0 };
+    let g = evaluate(on_floor, &cube, &at(0.0, 0.0), &floor, &Pose::IDENTITY).expect("a contact");
+    assert_eq!((g.margin, g.separation, g.normal), (f64::INFINITY, 0.5, DVec3::Z));
+}

@@ -1,0 +1,123 @@
+//! Named face-face cases with their exact contacts.
+
+use crate::support::{at, cuboid, yaw};
+use polhode_contact::{Contact, ContactFeature, Manifold, Side, manifold};
+use polhode_spatial::{DVec3, Pose};
+
+fn count(result: &Manifold, kind: impl Fn(&ContactFeature) -> bool) -> usize {
+    result.contacts.iter().filter(|c| kind(&c.feature)).count()
+}
+
+fn is_vertex_of(side: Side) -> impl Fn(&ContactFeature) -> bool {
+    move |f| matches!(f, ContactFeature::VertexFace { vertex_of, .. } if *vertex_of == side)
+}
+
+fn is_edge_edge(f: &ContactFeature) -> bool {
+    matches!(f, ContactFeature::EdgeEdge { .. })
+}
+
+fn has_point(contacts: &[Contact], point: DVec3) -> bool {
+    contacts.iter().any(|c| (c.geometry.point - point).length() < 1e-14)
+}
+
+/// Thesis figure 17: a turned box over the border of another has a contact region of five vertices, two crossings of
+/// edges and three vertices on faces.
+#[test]
+fn figure_17() {
+    let lower = cuboid(2.0, 2.0, 1.0);
+    let upper = cuboid(1.0, 1.0, 1.0);
+    let pose = Pose::new(yaw(0.2), DVec3::new(0.58, 0.6, 1.0));
+    let result = manifold(&upper, &pose, &lower, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 5, "{result:#?}");
+    assert_eq!(count(&result, is_edge_edge), 2);
+    assert_eq!((count(&result, is_vertex_of(Side::A)), count(&result, is_vertex_of(Side::B))), (2, 1));
+    for contact in &result.contacts {
+        assert!((contact.geometry.normal - DVec3::Z).length() < 1e-15);
+        assert!((contact.geometry.point.z - 0.5).abs() < 1e-15);
+    }
+}
+
+/// Bricks of the diamonds: half over each other and flush in y, four contacts, two vertices of each brick.
+#[test]
+fn half_overlap_flush() {
+    let brick = cuboid(1.0, 0.5, 0.25);
+    let result = manifold(&brick, &at(0.5, 0.0, 0.25), &brick, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 4);
+    assert_eq!(count(&result, is_vertex_of(Side::A)), 2);
+    assert_eq!(count(&result, is_vertex_of(Side::B)), 2);
+    for x in [0.0, 0.5] {
+        for y in [-0.25, 0.25] {
+            assert!(has_point(&result.contacts, DVec3::new(x, y, 0.125)));
+        }
+    }
+}
+
+/// A box over the border of a table: its two rear vertices on the table, and two crossings on the table's edge.
+#[test]
+fn over_a_table_edge() {
+    let table = cuboid(4.0, 4.0, 1.0);
+    let brick = cuboid(1.0, 0.5, 0.25);
+    let result = manifold(&brick, &at(1.75, 0.0, 0.625), &table, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 4);
+    assert_eq!(count(&result, is_vertex_of(Side::A)), 2);
+    assert_eq!(count(&result, is_edge_edge), 2);
+    for y in [-0.25, 0.25] {
+        assert!(has_point(&result.contacts, DVec3::new(1.25, y, 0.5)));
+        assert!(has_point(&result.contacts, DVec3::new(2.0, y, 0.5)));
+    }
+}
+
+/// Equal boxes exactly on each other: four contacts, one for each coincident pair of vertices, of one and the same box.
+#[test]
+fn aligned_boxes() {
+    let brick = cuboid(1.0, 0.5, 0.25);
+    let result = manifold(&brick, &at(0.0, 0.0, 0.25), &brick, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 4);
+    assert!(count(&result, is_vertex_of(Side::A)) == 4 || count(&result, is_vertex_of(Side::B)) == 4);
+}
+
+/// Overhangs from rounding to almost everything keep four contacts at the corners of the overlap.
+#[test]
+fn overhangs() {
+    let cube = cuboid(1.0, 1.0, 1.0);
+    for overhang in [1e-15, 1e-12, 1e-9, 1e-3, 0.5, 0.999, 0.999_999] {
+        let result = manifold(&cube, &at(overhang, 0.0, 1.0), &cube, &Pose::IDENTITY, 1e-9);
+        assert_eq!(result.contacts.len(), 4, "{overhang}: {result:#?}");
+        for x in [overhang - 0.5, 0.5] {
+            for y in [-0.5, 0.5] {
+                let near = |c: &Contact| (c.geometry.point - DVec3::new(x, y, 0.5)).length() < 2e-12;
+                assert!(result.contacts.iter().any(near), "{overhang}");
+            }
+        }
+        let diagonal = manifold(&cube, &at(overhang, overhang, 1.0), &cube, &Pose::IDENTITY, 1e-9);
+        assert_eq!(diagonal.contacts.len(), 4, "diagonal {overhang}: {diagonal:#?}");
+    }
+}
+
+/// A box balanced on its edge: the two vertices of the edge, and across the border of a table one vertex and a crossing.
+#[test]
+fn standing_on_an_edge() {
+    let table = cuboid(4.0, 4.0, 1.0);
+    let cube = cuboid(1.0, 1.0, 1.0);
+    let turn = polhode_spatial::Rotation::from_rotation_vector(DVec3::Y * std::f64::consts::FRAC_PI_4);
+    let height = 0.5 + 0.5 * 2.0_f64.sqrt();
+    let result = manifold(&cube, &Pose::new(turn, DVec3::Z * height), &table, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 2);
+    assert_eq!(count(&result, is_vertex_of(Side::A)), 2);
+    let across = manifold(&cube, &Pose::new(turn, DVec3::new(0.0, 1.75, height)), &table, &Pose::IDENTITY, 1e-9);
+    assert_eq!((count(&across, is_vertex_of(Side::A)), count(&across, is_edge_edge)), (1, 1));
+    // Standing along the table's border, edge on edge: the ends are vertices on edges and no crossing is made.
+    let along = manifold(&cube, &Pose::new(turn, DVec3::new(2.0, 0.0, height)), &table, &Pose::IDENTITY, 1e-9);
+    assert_eq!((along.contacts.len(), count(&along, is_edge_edge)), (2, 0));
+}
+
+/// Flush side by side and exactly at the corner, edge along edge: two contacts in the vertical direction.
+#[test]
+fn edge_along_edge() {
+    let cube = cuboid(1.0, 1.0, 1.0);
+    let result = manifold(&cube, &at(1.0, 0.0, 1.0), &cube, &Pose::IDENTITY, 1e-9);
+    assert_eq!(result.contacts.len(), 2);
+    assert!(result.contacts.iter().all(|c| c.geometry.normal == DVec3::Z), "{result:#?}");
+    let corner = manifold(&cube, &at(1.0, 1.0, 1.0), &cube, &Pose::IDENTITY, 1e-9);
+    assert_eq!(corner.contacts.len(), 1);
+}

@@ -1,0 +1,116 @@
+//! Random numbers, bodies and motions for the tests.
+
+use polhode_contact::{ConvexPolyhedron, Shape};
+use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
+
+/// A small generator with a fixed seed, so that a failing case can be found again.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    /// Uniform in [0, 1).
+    pub(crate) fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Uniform between two numbers.
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// In the cube [-1, 1]^3.
+    pub(crate) fn vector(&mut self) -> DVec3 {
+        DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0))
+    }
+
+    /// Uniform on the unit sphere.
+    pub(crate) fn direction(&mut self) -> DVec3 {
+        loop {
+            let v = self.vector();
+            if (0.1..=1.0).contains(&v.length()) {
+                return v.normalize();
+            }
+        }
+    }
+
+    /// Any rotation.
+    pub(crate) fn rotation(&mut self) -> Rotation {
+        Rotation::from_rotation_vector(self.direction() * self.between(0.0, std::f64::consts::PI))
+    }
+}
+
+/// A box.
+pub(crate) fn cuboid(x: f64, y: f64, z: f64) -> Shape {
+    Shape::cuboid(DVec3::new(x, y, z)).expect("a box with positive sizes")
+}
+
+/// Vertices of an upright prism with a regular base: the lower ring, then the upper one.
+pub(crate) fn prism_points(sides: u32, radius: f64, height: f64) -> Vec<DVec3> {
+    let ring = |z: f64| {
+        (0..sides).map(move |k| {
+            let angle = f64::from(k) / f64::from(sides) * std::f64::consts::TAU;
+            DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), z)
+        })
+    };
+    ring(-0.5 * height).chain(ring(0.5 * height)).collect()
+}
+
+/// An upright prism with a regular base.
+pub(crate) fn prism(sides: u32, radius: f64, height: f64) -> Shape {
+    let points = prism_points(sides, radius, height);
+    Shape::convex(ConvexPolyhedron::from_points(&points).expect("a prism is convex"))
+}
+
+/// Rotation about the z axis, rad.
+pub(crate) fn yaw(angle: f64) -> Rotation {
+    Rotation::from_rotation_vector(DVec3::Z * angle)
+}
+
+/// A pose without rotation.
+pub(crate) fn at(x: f64, y: f64, z: f64) -> Pose {
+    Pose::from_translation(DVec3::new(x, y, z))
+}
+
+/// Constant acceleration of the centre of mass; a spin that precesses: `R(t) = exp(precession t) exp(spin t) R_0`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Flight {
+    pub(crate) start: Pose,
+    /// Velocity at time zero, without the precession.
+    pub(crate) velocity: Velocity,
+    pub(crate) acceleration: DVec3,
+    pub(crate) precession: DVec3,
+}
+
+impl Flight {
+    /// Without acceleration and precession.
+    pub(crate) fn new(start: Pose, linear: DVec3, angular: DVec3) -> Self {
+        let velocity = Velocity::new(linear, angular);
+        Self { start, velocity, acceleration: DVec3::ZERO, precession: DVec3::ZERO }
+    }
+}
+
+impl Motion for Flight {
+    fn pose(&self, t: f64) -> Pose {
+        let spin = Rotation::from_rotation_vector(self.velocity.angular * t);
+        let turn = Rotation::from_rotation_vector(self.precession * t) * spin;
+        let path = self.velocity.linear * t + self.acceleration * (0.5 * t * t);
+        Pose::new(turn * self.start.rotation, self.start.translation + path)
+    }
+
+    fn velocity(&self, t: f64) -> Velocity {
+        let spin = Rotation::from_rotation_vector(self.precession * t).rotate(self.velocity.angular);
+        Velocity::new(self.velocity.linear + self.acceleration * t, self.precession + spin)
+    }
+
+    fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        let speed = |t: f64| (self.velocity.linear + self.acceleration * t).length();
+        MotionBounds {
+            speed: speed(t0).max(speed(t1)),
+            acceleration: self.acceleration.length(),
+            angular_speed: self.precession.length() + self.velocity.angular.length(),
+            angular_acceleration: self.precession.length() * self.velocity.angular.length(),
+        }
+    }
+}

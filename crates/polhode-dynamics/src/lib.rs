@@ -1,0 +1,64 @@
+//! Free motion of rigid bodies: states, exact flights, integrators over systems, conserved quantities.
+//!
+//! This crate knows neither shapes nor contacts: it moves what has mass and inertia (docs/ARCHITECTURE.md,
+//! invariant 1). The moving frame of a body is its central frame C: axes of the body, origin at the centre of mass.
+//! SI units; the world is W, the body B, its principal axes P; momenta are in world axes.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`rigid_body`] | [`RigidBody`]: mass, inertia, their inverses, principal axes |
+//! | [`state`] | [`BodyState`]: pose, velocity, angular momentum, and the flat layout of [`state::WIDTH`] numbers |
+//! | [`energy`] | potential and total energy |
+//! | [`momentum`] | linear momentum, angular momentum about a point of the world |
+//! | [`exact_rotation`] | free rotation to round-off over any time: [`exact_rotation::drift`], [`FreeRotation`] |
+//! | [`flight`] | [`Flight`]: the record of a body in free flight, evaluated at any time and never chained |
+//! | [`system`] | [`System`]: rates of a flat state, what the integrators integrate |
+//! | [`free_fall`] | [`FreeFall`]: bodies under gravity alone, as a system |
+//! | [`rk4`] | the classical Runge-Kutta method of order 4, as the thesis uses it |
+//! | [`dop853`] | [`Dop853`]: the Runge-Kutta method of order 8 by Dormand and Prince, with its error estimate |
+//! | [`dense_step`] | [`DenseStep`]: the state at any time within a step, to order 7 |
+//! | [`integrated_motion`] | [`IntegratedMotion`]: one body's motion over a step, with rigorous bounds |
+//! | [`carlson`] | Carlson's symmetric elliptic integrals RF, RJ |
+//! | [`jacobi`] | Jacobi's elliptic functions sn, cn, dn |
+//!
+//! ```
+//! use polhode_dynamics::{Flight, RigidBody};
+//! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
+//! let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0))?;
+//! let body = RigidBody::new(&MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia));
+//! let start = body.at_velocity(Pose::IDENTITY, Velocity::new(DVec3::ZERO, DVec3::new(0.01, 2.0, 0.01)));
+//! let flight = Flight::new(&body, 0.0, &start, DVec3::new(0.0, 0.0, -9.81));
+//! // One evaluation, however far: the body has flipped over nine times by now, and its energy is that of the start.
+//! let end = flight.state(100.0);
+//! let rotational = |s| body.rotational_energy(s);
+//! assert!((rotational(&end) / rotational(&start) - 1.0).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod carlson;
+pub mod dense_step;
+pub mod dop853;
+mod dop853_coefficients;
+mod double_double;
+pub mod energy;
+pub mod exact_rotation;
+pub mod flight;
+pub mod free_fall;
+pub mod integrated_motion;
+pub mod jacobi;
+pub mod momentum;
+pub mod rigid_body;
+pub mod rk4;
+pub mod state;
+pub mod system;
+
+pub use dense_step::DenseStep;
+pub use dop853::Dop853;
+pub use exact_rotation::FreeRotation;
+pub use flight::Flight;
+pub use free_fall::FreeFall;
+pub use integrated_motion::IntegratedMotion;
+pub use rigid_body::RigidBody;
+pub use rk4::Rk4;
+pub use state::BodyState;
+pub use system::System;

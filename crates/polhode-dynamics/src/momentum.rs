@@ -1,0 +1,17 @@
+//! Momentum of bodies: `P = m v` and `L_Q = L_cm + (x - Q) x m v` about a point Q fixed in the world.
+//!
+//! Both are constant in free flight without gravity; contact forces between two bodies conserve their sums.
+
+use crate::{BodyState, RigidBody};
+use glam::DVec3;
+
+/// Linear momentum `m v`, kg m/s.
+pub fn linear_momentum(body: &RigidBody, state: &BodyState) -> DVec3 {
+    state.linear_velocity * body.mass()
+}
+
+/// Angular momentum about the world's `point` (m), kg m^2/s. A point near the bodies keeps the digits that the lever
+/// arm to a far origin would cost.
+pub fn angular_momentum_about(point: DVec3, body: &RigidBody, state: &BodyState) -> DVec3 {
+    state.angular_momentum + (state.pose.translation - point).cross(linear_momentum(body, state))
+}

@@ -1,0 +1,149 @@
+//! What a rigid body is to dynamics: its mass and its inertia about the centre of mass.
+//!
+//! `w = R I^-1 R^T L` (thesis 3.3, below equation 4), `2 T = m |v|^2 + w . L`. Inverses are formed through principal
+//! axes, where they are three divisions: elimination on the matrix of a needle would lose the digits of its small
+//! moment. Assumes that the mass properties are about the centre of mass, which [`MassProperties`] grants; a moment
+//! whose reciprocal overflows (below 1e-308 kg m^2) gives infinite rates, which the next check of a state reports.
+
+use crate::BodyState;
+use glam::{DMat3, DVec3};
+use polhode_spatial::{MassProperties, Pose, PrincipalAxes, Rotation, Velocity};
+
+/// Mass and inertia of a body, with their inverses. The frame is the central one: axes of the body, origin at the
+/// centre of mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidBody {
+    mass: f64,
+    inverse_mass: f64,
+    inertia: DMat3,
+    inverse_inertia: DMat3,
+    principal: PrincipalAxes,
+    /// Principal moments in the order of `axes`, kg m^2.
+    moments: DVec3,
+    /// `R_BP` that belongs to `moments`; exactly the identity when the inertia is diagonal in body axes.
+    axes: Rotation,
+}
+
+impl RigidBody {
+    /// From mass properties; only the inertia about the centre of mass and the mass are used.
+    pub fn new(properties: &MassProperties) -> Self {
+        let inertia = properties.inertia().matrix();
+        let principal = properties.principal_axes();
+        // Sorting the moments of a diagonal inertia turns the axes by a right angle, whose quaternion is rounded; a
+        // spin about a body axis would then no longer be one exactly. So a diagonal inertia keeps the body's axes.
+        let diagonal = inertia.x_axis.y == 0.0 && inertia.x_axis.z == 0.0 && inertia.y_axis.z == 0.0;
+        let (moments, axes) = if diagonal {
+            (DVec3::new(inertia.x_axis.x, inertia.y_axis.y, inertia.z_axis.z), Rotation::IDENTITY)
+        } else {
+            (principal.moments(), principal.rotation())
+        };
+        let mass = properties.mass();
+        Self {
+            mass,
+            inverse_mass: 1.0 / mass,
+            inertia,
+            inverse_inertia: matrix_from_principal(axes, moments.recip()),
+            principal,
+            moments,
+            axes,
+        }
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Reciprocal of the mass, 1/kg.
+    pub const fn inverse_mass(&self) -> f64 {
+        self.inverse_mass
+    }
+
+    /// `I_BBcm_B`, kg m^2, in body axes.
+    pub const fn inertia(&self) -> DMat3 {
+        self.inertia
+    }
+
+    /// Inverse of the inertia, 1/(kg m^2), in body axes.
+    pub const fn inverse_inertia(&self) -> DMat3 {
+        self.inverse_inertia
+    }
+
+    /// Principal moments in ascending order, and their axes.
+    pub const fn principal(&self) -> &PrincipalAxes {
+        &self.principal
+    }
+
+    /// Principal moments, kg m^2, in the order of [`RigidBody::axes`] (which need not be ascending).
+    pub const fn moments(&self) -> DVec3 {
+        self.moments
+    }
+
+    /// `R_BP` of the principal axes that the dynamics computes in: the identity when the inertia is diagonal in body
+    /// axes, else that of [`RigidBody::principal`].
+    pub const fn axes(&self) -> Rotation {
+        self.axes
+    }
+
+    /// `R I^-1 R^T`, 1/(kg m^2), in world axes, of the body turned by `rotation` (`R_WB`).
+    pub fn inverse_inertia_world(&self, rotation: Rotation) -> DMat3 {
+        matrix_from_principal(rotation * self.axes, self.moments.recip())
+    }
+
+    /// Angular velocity `w_WB`, rad/s, in world axes.
+    pub fn angular_velocity(&self, state: &BodyState) -> DVec3 {
+        self.angular_velocity_at(state.pose.rotation, state.angular_momentum)
+    }
+
+    /// Angular velocity `w_WB = R I^-1 R^T L`, rad/s, of the body turned by `rotation` (`R_WB`) with angular momentum
+    /// `L` (kg m^2/s, about the centre of mass, world axes).
+    pub fn angular_velocity_at(&self, rotation: Rotation, angular_momentum: DVec3) -> DVec3 {
+        let in_body = rotation.inverse_rotate(angular_momentum);
+        let in_principal = self.axes.inverse_rotate(in_body);
+        rotation.rotate(self.axes.rotate(in_principal / self.moments))
+    }
+
+    /// Angular momentum `L = R I R^T w`, kg m^2/s, in world axes.
+    pub fn angular_momentum_at(&self, rotation: Rotation, angular_velocity: DVec3) -> DVec3 {
+        let in_principal = self.axes.inverse_rotate(rotation.inverse_rotate(angular_velocity));
+        rotation.rotate(self.axes.rotate(in_principal * self.moments))
+    }
+
+    /// Velocity of the centre of mass and angular velocity.
+    pub fn velocity(&self, state: &BodyState) -> Velocity {
+        Velocity::new(state.linear_velocity, self.angular_velocity(state))
+    }
+
+    /// The state at `pose` (`X_WC`) with `velocity`.
+    pub fn at_velocity(&self, pose: Pose, velocity: Velocity) -> BodyState {
+        BodyState {
+            pose,
+            linear_velocity: velocity.linear,
+            angular_momentum: self.angular_momentum_at(pose.rotation, velocity.angular),
+        }
+    }
+
+    /// Kinetic energy of the motion of the centre of mass, J.
+    pub fn translational_energy(&self, state: &BodyState) -> f64 {
+        0.5 * self.mass * state.linear_velocity.length_squared()
+    }
+
+    /// Kinetic energy of the rotation, `w . L / 2`, J.
+    pub fn rotational_energy(&self, state: &BodyState) -> f64 {
+        // As a sum of squares in principal axes: no term can cancel another.
+        let p = self.axes.inverse_rotate(state.pose.rotation.inverse_rotate(state.angular_momentum));
+        0.5 * p.dot(p / self.moments)
+    }
+
+    /// Kinetic energy, J.
+    pub fn kinetic_energy(&self, state: &BodyState) -> f64 {
+        self.translational_energy(state) + self.rotational_energy(state)
+    }
+}
+
+/// `R diag(values) R^T`, symmetric to the last bit.
+fn matrix_from_principal(rotation: Rotation, values: DVec3) -> DMat3 {
+    let r = rotation.to_matrix();
+    let m = r * DMat3::from_diagonal(values) * r.transpose();
+    (m + m.transpose()) * 0.5
+}

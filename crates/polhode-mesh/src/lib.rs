@@ -1,0 +1,52 @@
+//! Triangle meshes: a reader, a diagnosis that says what is wrong and where, and exact mass properties.
+//!
+//! The mass properties of a mesh are exact: a solid of uniform density bounded by triangles has polynomial integrals,
+//! which are summed here with errors of a few units in the last place, also for a mesh that is not convex, has voids,
+//! or lies far from the origin of its file (thesis 3.2). SI units, f64, right-handed; triangles run anticlockwise
+//! seen from outside. Nothing here reads a file, prints or panics.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`triangle_mesh`] | [`TriangleMesh`]: vertices and triangles that are known to be readable; [`MeshError`] |
+//! | [`obj`] | [`obj::read`]: Wavefront OBJ in f64, errors with line and token |
+//! | [`diagnosis`] | [`diagnose`]: open edges, wrong winding, inside out, ... each with count and place |
+//! | [`solid_mesh`] | [`SolidMesh`]: a mesh that is known to bound a solid |
+//! | [`volume_integrals`] | volume, centroid and second moment of a solid |
+//! | [`surface_integrals`] | area, centroid and second moment of a surface |
+//! | [`mass_properties`] | [`solid_mass_properties`], [`hollow_mass_properties`] from an [`Amount`] |
+//! | [`primitives`] | box and sphere, solid and hollow, in closed form; a box as a mesh |
+//! | [`mod@convexity`] | [`convexity()`]: how far a solid is from convex |
+//!
+//! ```
+//! use polhode_mesh::{SolidMesh, obj, solid_mass_properties};
+//! use polhode_spatial::Density;
+//!
+//! let file = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+//! let solid = SolidMesh::new(obj::read(file)?)?;
+//! let properties = solid_mass_properties(&solid, Density::new(6.0)?)?;
+//! assert!((properties.mass() - 1.0).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod convexity;
+pub mod diagnosis;
+pub mod mass_properties;
+pub mod obj;
+pub mod primitives;
+pub mod solid_mesh;
+pub mod surface_integrals;
+pub mod triangle_mesh;
+pub mod volume_integrals;
+
+mod nesting;
+mod topology;
+
+pub use convexity::{Convexity, convexity};
+pub use diagnosis::{Defect, DefectKind, Diagnosis, Location, diagnose};
+pub use mass_properties::{Amount, hollow_mass_properties, solid_mass_properties};
+pub use obj::{ObjError, ObjErrorKind};
+pub use primitives::{PrimitiveError, box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere};
+pub use solid_mesh::SolidMesh;
+pub use surface_integrals::SurfaceIntegrals;
+pub use triangle_mesh::{Bounds, MeshError, TriangleMesh};
+pub use volume_integrals::VolumeIntegrals;

@@ -1,0 +1,50 @@
+//! Contact forces by complementarity: `0 <= f _|_ w = G f + b >= 0`.
+//!
+//! `f_i` is the force of contact `i` (N; impulse, N s), `w_i` its acceleration of separation (m/s^2; velocity, m/s),
+//! `b_i` that without contact forces (thesis, equation 18). The law is the thesis's (a), (b), (c) of section 3.4 with
+//! the signs of errata E11 and E16. `G` is positive semidefinite, so this is the optimality condition of the convex
+//! problem `min 1/2 f.G f + b.f, f >= 0`: the motion is unique (Gauss's principle), the forces in general are not
+//! (errata E13, E14); [`minimum_norm`](crate::minimum_norm()) chooses among them.
+//!
+//! Method: an active set, exact up to rounding, warm-started from the rows that carried force last time; when it
+//! does not succeed, a cold start, then an interior point in lifted form polished by the active set.
+
+pub(crate) mod active_set;
+mod solver;
+
+pub use solver::{ComplementaritySolver, solve_complementarity};
+
+use crate::report::SolverReport;
+
+/// The rows that carried force, to start the next solve from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct WarmStart {
+    rows: Vec<usize>,
+}
+
+impl WarmStart {
+    /// Starts from these rows; rows that do not exist and repetitions are ignored.
+    pub fn new(rows: Vec<usize>) -> Self {
+        Self { rows }
+    }
+
+    /// The rows, in the order in which they entered.
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+}
+
+/// Forces and accelerations that satisfy the law of contact.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ContactSolution {
+    /// `f`, never negative.
+    pub forces: Vec<f64>,
+    /// `w`: exactly 0 for held rows.
+    pub residual_accelerations: Vec<f64>,
+    /// Which rows are held: `w = 0` to within `closed_cut`, with or without a force. This set is unique.
+    pub held: Vec<bool>,
+    /// Start for a similar problem.
+    pub warm_start: WarmStart,
+    /// The certificate.
+    pub report: SolverReport,
+}

@@ -1,0 +1,116 @@
+//! The Delassus matrix `G = J M^-1 J^T`: how a unit force at one contact accelerates every contact.
+//!
+//! The thesis calls it `M_ij` (equation 18). It is symmetric and positive semidefinite, in general rank-deficient
+//! (errata E13: the five-diamond has 82 rows and rank 50). Entries have the unit of inverse mass, 1/kg.
+//!
+//! Only pairs of rows that share a body are formed. The matrix is exactly symmetric, and an entry is the mean of
+//! `J_i (M^-1 J_j)` and `J_j (M^-1 J_i)`, so that its bits depend neither on the order of the rows nor on which of
+//! two mirror images is described.
+
+use crate::dense::kernels::axpy;
+use crate::error::{ResponseError, check_length};
+use crate::problem::{ContactProblem, RowEntry};
+
+/// A dense, exactly symmetric Delassus matrix.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Delassus {
+    size: usize,
+    entries: Vec<f64>,
+    not_finite: Option<usize>,
+}
+
+impl Delassus {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.size
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.size == 0
+    }
+
+    /// The entry of `row` and `column`; 0 outside the matrix.
+    pub fn get(&self, row: usize, column: usize) -> f64 {
+        if row < self.size && column < self.size { self.entries[row * self.size + column] } else { 0.0 }
+    }
+
+    /// Row `row`, which is also column `row`; empty outside the matrix.
+    pub fn row(&self, row: usize) -> &[f64] {
+        if row < self.size { &self.entries[row * self.size..(row + 1) * self.size] } else { &[] }
+    }
+
+    /// `G f`.
+    ///
+    /// # Errors
+    /// When `forces` has not one number for each row.
+    pub fn times(&self, forces: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        check_length("forces", self.size, forces.len())?;
+        let mut product = vec![0.0; self.size];
+        for (row, &force) in forces.iter().enumerate() {
+            if force != 0.0 {
+                axpy(force, self.row(row), &mut product);
+            }
+        }
+        Ok(product)
+    }
+
+    /// All entries, row-major.
+    pub(crate) fn entries(&self) -> &[f64] {
+        &self.entries
+    }
+
+    /// Refuses a matrix with an entry that overflowed.
+    pub(crate) fn check_finite(&self) -> Result<(), ResponseError> {
+        self.not_finite.map_or(Ok(()), |index| Err(ResponseError::NotFinite { what: "Delassus matrix", index }))
+    }
+}
+
+impl ContactProblem {
+    /// The Delassus matrix of all rows.
+    pub fn delassus(&self) -> Delassus {
+        let mut delassus = Delassus::default();
+        self.delassus_into(&mut delassus);
+        delassus
+    }
+
+    /// The Delassus matrix of all rows, in memory that is used again.
+    pub fn delassus_into(&self, delassus: &mut Delassus) {
+        let size = self.len();
+        delassus.size = size;
+        delassus.entries.clear();
+        delassus.entries.resize(size * size, 0.0);
+        // All (body, row, slot), sorted by body: rows of one body stand together, in the order of the rows.
+        let mut touches: Vec<(usize, usize, usize)> = (0..size)
+            .flat_map(|row| (0..self.touched(row)).map(move |slot| (self.entry(row, slot).body, row, slot)))
+            .collect();
+        touches.sort_unstable();
+        for group in touches.chunk_by(|a, b| a.0 == b.0) {
+            for (position, &(_, row, slot)) in group.iter().enumerate() {
+                let a = self.entry(row, slot);
+                for &(_, other_row, other_slot) in &group[position..] {
+                    let b = self.entry(other_row, other_slot);
+                    let value = symmetric_product(a, b);
+                    delassus.entries[row * size + other_row] += value;
+                }
+            }
+        }
+        for row in 0..size {
+            for column in 0..row {
+                delassus.entries[row * size + column] = delassus.entries[column * size + row];
+            }
+        }
+        delassus.not_finite = delassus.entries.iter().position(|entry| !entry.is_finite());
+    }
+}
+
+/// The mean of `J_a (M^-1 J_b)` and `J_b (M^-1 J_a)`. Two plain sums side by side: rows are too short for more.
+fn symmetric_product(a: RowEntry<'_>, b: RowEntry<'_>) -> f64 {
+    let (mut one, mut other) = (0.0, 0.0);
+    let lines = a.jacobian.iter().zip(b.response).zip(b.jacobian.iter().zip(a.response));
+    for ((a_jacobian, b_response), (b_jacobian, a_response)) in lines {
+        one += a_jacobian * b_response;
+        other += b_jacobian * a_response;
+    }
+    0.5 * (one + other)
+}

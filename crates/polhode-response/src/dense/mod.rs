@@ -1,0 +1,7 @@
+//! Small dense linear algebra: vector kernels, a Cholesky factor that grows and shrinks, a pivoted QR factor, sums in
+//! twice the working precision.
+
+pub(crate) mod cholesky;
+pub(crate) mod double_double;
+pub(crate) mod householder;
+pub(crate) mod kernels;

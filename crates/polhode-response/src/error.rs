@@ -1,0 +1,102 @@
+//! What can be wrong with the data of a contact problem.
+//!
+//! Errors are about data that the caller can correct: lengths, indices, numbers that are not finite, settings out of
+//! range. How well a solve went is not an error but a [`SolverStatus`](crate::SolverStatus).
+
+use thiserror::Error;
+
+/// Why a contact problem cannot be built or solved as asked.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ResponseError {
+    /// A body has no velocity components.
+    #[error("a body needs at least 1 velocity component (6 in space, 3 in a plane), found width {0}")]
+    Width(usize),
+    /// A list has the wrong number of entries.
+    #[error("{what}: expected {expected} numbers, found {found}")]
+    Length {
+        /// Which list.
+        what: &'static str,
+        /// How many it must have.
+        expected: usize,
+        /// How many it has.
+        found: usize,
+    },
+    /// A number is NaN or infinite, or became so by overflow.
+    #[error("{what}: number {index} is not finite; check the input for NaN, infinity and overflow")]
+    NotFinite {
+        /// Which list.
+        what: &'static str,
+        /// Where in the list.
+        index: usize,
+    },
+    /// The inverse mass of a body is not symmetric and positive semidefinite.
+    #[error("the inverse mass matrix of body {body} must be symmetric and positive semidefinite")]
+    InverseMass {
+        /// The body.
+        body: usize,
+    },
+    /// A row names a body that does not exist.
+    #[error("a row names body {body}, but the problem has {bodies} bodies")]
+    UnknownBody {
+        /// The body named.
+        body: usize,
+        /// Number of bodies.
+        bodies: usize,
+    },
+    /// A row names one body twice.
+    #[error("a row names body {body} twice; add the two blocks first")]
+    RepeatedBody {
+        /// The body named twice.
+        body: usize,
+    },
+    /// A row must touch one or two bodies.
+    #[error("a row touches one or two movable bodies, found {0}; leave out contacts between immovable bodies")]
+    RowBodies(usize),
+    /// A row index is out of range.
+    #[error("row {row} does not exist, the problem has {rows} rows")]
+    UnknownRow {
+        /// The row named.
+        row: usize,
+        /// Number of rows.
+        rows: usize,
+    },
+    /// A coefficient of restitution is outside `[0, 1]`.
+    #[error("the coefficient of restitution of row {row} must be between 0 and 1, found {value}")]
+    Restitution {
+        /// The row.
+        row: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// A setting is out of its range.
+    #[error("setting {field} must be {accepted}, found {value}")]
+    Setting {
+        /// Name of the field.
+        field: &'static str,
+        /// What is accepted.
+        accepted: &'static str,
+        /// The value found.
+        value: f64,
+    },
+    /// Rows that were independent no longer are.
+    #[error("row {row} depends on the rows before it (relative pivot {pivot:e}); choose the independent rows afresh")]
+    LostRank {
+        /// The first dependent row.
+        row: usize,
+        /// Its Schur complement relative to its diagonal entry.
+        pivot: f64,
+    },
+}
+
+/// Checks that `values` has `expected` entries.
+pub(crate) fn check_length(what: &'static str, expected: usize, found: usize) -> Result<(), ResponseError> {
+    if expected == found { Ok(()) } else { Err(ResponseError::Length { what, expected, found }) }
+}
+
+/// Checks that every entry of `values` is finite.
+pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), ResponseError> {
+    values
+        .iter()
+        .position(|value| !value.is_finite())
+        .map_or(Ok(()), |index| Err(ResponseError::NotFinite { what, index }))
+}

@@ -1,0 +1,153 @@
+//! What all impact laws share: inelastic solves, the end of an impact, its energy.
+
+use super::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
+use crate::complementarity::ComplementaritySolver;
+use crate::delassus::Delassus;
+use crate::dense::kernels::{axpy, compensated_dot};
+use crate::minimum_norm::least_norm;
+use crate::precise;
+use crate::problem::ContactProblem;
+use crate::report::SolverStatus;
+
+/// A velocity below this fraction of the terms `|u-| + sum |G_ik| p_k` of its row is rounding of zero (no unit): 50
+/// times the rounding unit, for sums of a few dozen terms.
+const VELOCITY_ROUNDING: f64 = 1e-14;
+
+/// A gain of energy above this fraction of `sum p_i (|u_i-| + |u_i+|) / 2` is real (no unit). Below it is what rounding
+/// and rows that are held only nearly leave (`closed_cut`), and is taken out by shortening the impulses.
+const ENERGY_ROUNDING: f64 = 1e-10;
+
+/// The problem of one impact and what is needed to solve it.
+#[derive(Debug)]
+pub(super) struct Impact<'a> {
+    pub(super) problem: &'a ContactProblem,
+    pub(super) delassus: &'a Delassus,
+    pub(super) u_before: &'a [f64],
+    pub(super) settings: &'a ImpactSettings,
+    pub(super) solver: &'a mut ComplementaritySolver,
+    /// Velocities above `-tolerance` do not approach, m/s.
+    pub(super) tolerance: f64,
+}
+
+/// Impulses of least norm with `0 <= p _|_ G p + b >= 0` on some rows.
+#[derive(Debug, Clone)]
+pub(super) struct Impulses {
+    /// In the order of the rows asked for.
+    pub(super) amounts: Vec<f64>,
+    /// `G p + b`: exactly 0 on held rows.
+    pub(super) w: Vec<f64>,
+    pub(super) held: Vec<bool>,
+}
+
+impl Impact<'_> {
+    /// Solves for the impulses of `rows` with constant terms `b`, and books the solve in `outcome`.
+    pub(super) fn solve(&mut self, rows: &[usize], b: &[f64], outcome: &mut ImpactOutcome) -> Impulses {
+        self.solver.set_settings(self.settings.solver);
+        let solution = self.solver.solve_rows(self.problem, self.delassus, rows, b);
+        outcome.solves += 1;
+        outcome.residual = outcome.residual.max(solution.report.residual);
+        if solution.report.status != SolverStatus::Solved {
+            outcome.status = ImpactStatus::NotSolved;
+        }
+        let least = least_norm(self.problem, rows, solution, &self.settings.solver);
+        let (w, held) = (solution.residual_accelerations.clone(), solution.held.clone());
+        Impulses { amounts: least.forces, w, held }
+    }
+
+    /// `u += G_{:,rows} p`.
+    pub(super) fn advance(&self, velocities: &mut [f64], rows: &[usize], impulses: &[f64]) {
+        for (&row, &impulse) in rows.iter().zip(impulses) {
+            if impulse != 0.0 {
+                axpy(impulse, self.delassus.row(row), velocities);
+            }
+        }
+    }
+
+    /// The outcome when nothing approaches.
+    pub(super) fn nothing(&self) -> ImpactOutcome {
+        ImpactOutcome {
+            impulses: vec![0.0; self.u_before.len()],
+            velocities_after: self.u_before.to_vec(),
+            ..ImpactOutcome::default()
+        }
+    }
+
+    /// Ends an impact with total impulses and velocities: rounding of zero becomes zero, what still approaches is
+    /// stopped by one inelastic solve, and the energy is booked.
+    pub(super) fn conclude(&mut self, mut velocities: Vec<f64>, outcome: &mut ImpactOutcome) {
+        let count = velocities.len();
+        let mut remains = false;
+        for row in 0..count {
+            let terms = compensated_terms(self.delassus.row(row), &outcome.impulses) + self.u_before[row].abs();
+            if velocities[row].abs() <= VELOCITY_ROUNDING * terms {
+                velocities[row] = 0.0;
+            }
+            remains |= velocities[row] < 0.0;
+        }
+        if remains {
+            let rows: Vec<usize> = (0..count).collect();
+            let last = self.solve(&rows, &velocities, outcome);
+            for (total, impulse) in outcome.impulses.iter_mut().zip(&last.amounts) {
+                *total += impulse;
+            }
+            outcome.finishing = last.amounts;
+            velocities = last.w;
+            if outcome.status == ImpactStatus::Separated {
+                outcome.status = ImpactStatus::StoppedAtThreshold;
+            }
+        }
+        outcome.velocities_after = velocities;
+        outcome.energy_change = self.energy_change(&outcome.impulses);
+        if outcome.energy_change > 0.0 && !gains_energy(self.u_before, outcome) {
+            // Rounding must not be in favour of energy: shorten the impulses by as much.
+            let gain = compensated_dot(&outcome.impulses, &outcome.velocities_after);
+            let shorter = 1.0 - outcome.energy_change / gain;
+            if shorter > 1.0 - ENERGY_ROUNDING.sqrt() {
+                outcome.impulses.iter_mut().for_each(|impulse| *impulse *= shorter);
+                outcome.energy_change = self.energy_change(&outcome.impulses);
+            }
+        }
+    }
+
+    /// `dT = p.(u- + u+)/2` with `u+ = u- + G p` in twice the precision: at large mass ratios the rounding of `G` would
+    /// pass for energy.
+    fn energy_change(&self, impulses: &[f64]) -> f64 {
+        let rows: Vec<usize> = (0..impulses.len()).collect();
+        let after = precise::accelerations(self.problem, &rows, self.u_before, impulses);
+        let mean: Vec<f64> = self.u_before.iter().zip(&after).map(|(before, after)| 0.5 * (before + after)).collect();
+        compensated_dot(impulses, &mean)
+    }
+
+    /// Lists one application for each row with an impulse, for the laws that strike all rows at once.
+    pub(super) fn list_applications(&self, outcome: &mut ImpactOutcome) {
+        let (mut rows, mut impulses) = (Vec::new(), Vec::new());
+        for (row, &total) in outcome.impulses.iter().enumerate() {
+            let impulse = total - outcome.finishing.get(row).copied().unwrap_or(0.0);
+            if impulse > 0.0 {
+                rows.push(row);
+                impulses.push(impulse);
+            }
+        }
+        let mut change = vec![0.0; self.u_before.len()];
+        self.advance(&mut change, &rows, &impulses);
+        outcome.applications = rows
+            .iter()
+            .zip(&impulses)
+            .map(|(&row, &impulse)| {
+                let energy_change = impulse * (self.u_before[row] + 0.5 * change[row]);
+                Application { row, impulse, energy_change }
+            })
+            .collect();
+    }
+}
+
+/// Whether the energy of an outcome rose by more than rounding.
+pub(super) fn gains_energy(u_before: &[f64], outcome: &ImpactOutcome) -> bool {
+    let speeds = u_before.iter().zip(&outcome.velocities_after).map(|(before, after)| before.abs() + after.abs());
+    let size: f64 = outcome.impulses.iter().zip(speeds).map(|(impulse, speed)| 0.5 * impulse * speed).sum();
+    outcome.energy_change > ENERGY_ROUNDING * size
+}
+
+fn compensated_terms(line: &[f64], impulses: &[f64]) -> f64 {
+    line.iter().zip(impulses).map(|(entry, impulse)| (entry * impulse).abs()).sum()
+}

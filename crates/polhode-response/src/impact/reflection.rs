@@ -1,0 +1,141 @@
+//! The generalised reflection: the velocities are mirrored at the contacts that approach, again and again.
+//!
+//! With `V` the rows that approach and `v_inel(V)` the velocities after an inelastic impact at `V` alone (the
+//! projection of `v` on the set where no row of `V` approaches), `v <- 2 v_inel(V) - v` keeps the energy exactly and
+//! carries momentum through a row of balls. It is repeated until no row approaches, which happens after finitely many
+//! rounds. With restitution the result is the mean of that and of the inelastic impact at all touching rows,
+//! `v+ = (1 - e) v_inel + e v_GR`; the energy is convex, so it does not rise. Restitutions that differ weight the
+//! impulses row by row; what then still approaches is stopped inelastically, and if the energy would rise, the
+//! smallest restitution is used for all rows, said by the status.
+//!
+//! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
+
+use super::finish::{Impact, gains_energy};
+use super::{ImpactOutcome, ImpactSettings, ImpactStatus, check};
+use crate::complementarity::ComplementaritySolver;
+use crate::delassus::Delassus;
+use crate::error::ResponseError;
+use crate::problem::ContactProblem;
+
+/// Impulses and velocities of one of the two parts.
+#[derive(Debug, Clone)]
+struct Part {
+    impulses: Vec<f64>,
+    velocities: Vec<f64>,
+}
+
+/// Resolves an impact by generalised reflection.
+///
+/// # Errors
+/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
+pub fn reflection(
+    problem: &ContactProblem,
+    delassus: &Delassus,
+    u_before: &[f64],
+    restitution: &[f64],
+    settings: &ImpactSettings,
+    solver: &mut ComplementaritySolver,
+) -> Result<ImpactOutcome, ResponseError> {
+    let approach = check(problem, delassus, u_before, restitution, settings)?;
+    let tolerance = settings.threshold * approach;
+    let mut impact = Impact { problem, delassus, u_before, settings, solver, tolerance };
+    if approach == 0.0 {
+        return Ok(impact.nothing());
+    }
+    let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
+    let extremes = restitution.iter().fold((1.0, 0.0), |(least, most): (f64, f64), &e| (least.min(e), most.max(e)));
+    let inelastic = if extremes.0 < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
+    let elastic = if extremes.1 > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
+    let parts = (inelastic.as_ref(), elastic.as_ref());
+    if extremes.0 == extremes.1 {
+        blend_evenly(&mut impact, parts, extremes.0, &mut outcome);
+    } else {
+        let start = outcome.clone();
+        blend_by_row(&mut impact, parts, restitution, &mut outcome);
+        if gains_energy(u_before, &outcome) {
+            outcome = start;
+            blend_evenly(&mut impact, parts, extremes.0, &mut outcome);
+            if outcome.status == ImpactStatus::Separated {
+                outcome.status = ImpactStatus::RestitutionLowered;
+            }
+        }
+    }
+    impact.list_applications(&mut outcome);
+    Ok(outcome)
+}
+
+/// The inelastic impact at all touching rows: no row approaches afterwards.
+fn inelastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
+    let rows: Vec<usize> = (0..impact.u_before.len()).collect();
+    let solved = impact.solve(&rows, impact.u_before, outcome);
+    Part { impulses: solved.amounts, velocities: solved.w }
+}
+
+/// The rounds of reflections.
+fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
+    let mut part = Part { impulses: vec![0.0; impact.u_before.len()], velocities: impact.u_before.to_vec() };
+    for round in 0.. {
+        let velocities = &mut part.velocities;
+        let approaching: Vec<usize> =
+            (0..velocities.len()).filter(|&row| velocities[row] < -impact.tolerance).collect();
+        if approaching.is_empty() || outcome.status == ImpactStatus::NotSolved {
+            break;
+        }
+        if round >= impact.settings.limit {
+            outcome.status = ImpactStatus::LimitReached;
+            break;
+        }
+        let before: Vec<f64> = approaching.iter().map(|&row| velocities[row]).collect();
+        let solved = impact.solve(&approaching, &before, outcome);
+        let doubled: Vec<f64> = solved.amounts.iter().map(|impulse| 2.0 * impulse).collect();
+        impact.advance(velocities, &approaching, &doubled);
+        for (k, &row) in approaching.iter().enumerate() {
+            part.impulses[row] += doubled[k];
+            if solved.held[k] {
+                velocities[row] = -before[k];
+            }
+        }
+    }
+    part
+}
+
+/// One restitution for all rows: impulses and velocities are means of the two parts, and exact zeros stay exact.
+fn blend_evenly(
+    impact: &mut Impact<'_>,
+    (inelastic, elastic): (Option<&Part>, Option<&Part>),
+    restitution: f64,
+    outcome: &mut ImpactOutcome,
+) {
+    let mut velocities = vec![0.0; impact.u_before.len()];
+    outcome.impulses.fill(0.0);
+    for (part, weight) in [(inelastic, 1.0 - restitution), (elastic, restitution)] {
+        if let (Some(part), true) = (part, weight > 0.0) {
+            for row in 0..velocities.len() {
+                velocities[row] += weight * part.velocities[row];
+                outcome.impulses[row] += weight * part.impulses[row];
+            }
+        }
+    }
+    impact.conclude(velocities, outcome);
+}
+
+/// Restitutions that differ: each row takes its own mean of the two impulses.
+fn blend_by_row(
+    impact: &mut Impact<'_>,
+    (inelastic, elastic): (Option<&Part>, Option<&Part>),
+    restitution: &[f64],
+    outcome: &mut ImpactOutcome,
+) {
+    let impulse = |part: Option<&Part>, row: usize| part.map_or(0.0, |part| part.impulses[row]);
+    for (row, &e) in restitution.iter().enumerate() {
+        outcome.impulses[row] = (1.0 - e) * impulse(inelastic, row) + e * impulse(elastic, row);
+    }
+    let mut velocities = impact.u_before.to_vec();
+    let rows: Vec<usize> = (0..velocities.len()).collect();
+    impact.advance(&mut velocities, &rows, &outcome.impulses);
+    impact.conclude(velocities, outcome);
+    // The inelastic solve at the end belongs to this blend: it is no sequence that was cut off.
+    if outcome.status == ImpactStatus::StoppedAtThreshold {
+        outcome.status = ImpactStatus::Separated;
+    }
+}

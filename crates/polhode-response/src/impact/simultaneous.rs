@@ -1,0 +1,75 @@
+//! The simultaneous law: all touching contacts at once (Moreau; thesis, end of section 3.4).
+//!
+//! `0 <= u+ + e u- _|_ p >= 0` on all rows (with errata E19: `p_i = 0` where `u_i+ > -e u_i-`). A row that separated
+//! before may come to approach, by at most `e u_i-`; then the whole is repeated with the new velocities, as the thesis
+//! asks. Energy: with one `e` for all rows
+//! `dT = -1/2 (1 - e)/(1 + e) p.G p <= 0`; restitutions that differ can raise it, and then the smallest is used for
+//! all rows, said by the status.
+//!
+//! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
+
+use super::finish::{Impact, gains_energy};
+use super::{ImpactOutcome, ImpactSettings, ImpactStatus, check};
+use crate::complementarity::ComplementaritySolver;
+use crate::delassus::Delassus;
+use crate::error::ResponseError;
+use crate::problem::ContactProblem;
+
+/// Resolves an impact at all touching contacts at once.
+///
+/// # Errors
+/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
+pub fn simultaneous(
+    problem: &ContactProblem,
+    delassus: &Delassus,
+    u_before: &[f64],
+    restitution: &[f64],
+    settings: &ImpactSettings,
+    solver: &mut ComplementaritySolver,
+) -> Result<ImpactOutcome, ResponseError> {
+    let approach = check(problem, delassus, u_before, restitution, settings)?;
+    let tolerance = settings.threshold * approach;
+    let mut impact = Impact { problem, delassus, u_before, settings, solver, tolerance };
+    if approach == 0.0 {
+        return Ok(impact.nothing());
+    }
+    let mut outcome = rounds(&mut impact, restitution);
+    if gains_energy(u_before, &outcome) {
+        let smallest = restitution.iter().fold(1.0, |least: f64, e| least.min(*e));
+        outcome = rounds(&mut impact, &vec![smallest; restitution.len()]);
+        if outcome.status == ImpactStatus::Separated {
+            outcome.status = ImpactStatus::RestitutionLowered;
+        }
+    }
+    impact.list_applications(&mut outcome);
+    Ok(outcome)
+}
+
+/// Repeats the solve until no row approaches.
+fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
+    let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
+    let mut velocities = impact.u_before.to_vec();
+    let tolerance = impact.tolerance;
+    let rows: Vec<usize> = (0..velocities.len()).collect();
+    while velocities.iter().any(|&u| u < -tolerance) {
+        if outcome.solves >= impact.settings.limit {
+            outcome.status = ImpactStatus::LimitReached;
+            break;
+        }
+        let constant: Vec<f64> = velocities.iter().zip(restitution).map(|(u, e)| (1.0 + e) * u).collect();
+        let solved = impact.solve(&rows, &constant, &mut outcome);
+        let before = velocities.clone();
+        impact.advance(&mut velocities, &rows, &solved.amounts);
+        for &row in &rows {
+            outcome.impulses[row] += solved.amounts[row];
+            if solved.held[row] {
+                velocities[row] = -restitution[row] * before[row];
+            }
+        }
+        if outcome.status == ImpactStatus::NotSolved {
+            break;
+        }
+    }
+    impact.conclude(velocities, &mut outcome);
+    outcome
+}

@@ -1,0 +1,62 @@
+//! Impact laws and contact-force problems with certificates: what bodies in contact do to each other.
+//!
+//! This crate knows no shape: it takes generalised inverse masses and Jacobian rows of any width and returns forces
+//! or impulses, each answer with a report on how exact it is. Notation: `v` velocities of all bodies, `u = J v` rates
+//! of separation of the rows, `f` forces (`p` impulses) along the rows, `G = J M^-1 J^T` the Delassus matrix.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`problem`] | [`ContactProblem`]: inverse masses and rows |
+//! | [`delassus`] | [`Delassus`]: the matrix `G` |
+//! | [`complementarity`] | [`ComplementaritySolver`]: `0 <= f _\|_ G f + b >= 0`, exactly |
+//! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
+//! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
+//! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
+//! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
+//! | [`certificate`] | residual and error bound of any answer |
+//! | [`report`] | [`SolverReport`], [`SolverStatus`] |
+//! | [`settings`] | [`SolverSettings`] |
+//! | [`error`] | [`ResponseError`] |
+//!
+//! ```
+//! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};
+//! // A beam of 1 kg and inertia 1/3 kg m^2 on three pillars at x = -1, 0, 1 (thesis, Figure 20), in a plane.
+//! let mut problem = ContactProblem::new(3, vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3.0])?;
+//! for x in [-1.0, 0.0, 1.0] {
+//!     problem.push_row(&[(0, &[0.0, 1.0, x])])?;
+//! }
+//! let (delassus, settings) = (problem.delassus(), SolverSettings::default());
+//! let solution = solve_complementarity(&problem, &delassus, &[-9.81; 3], None, &settings)?;
+//! assert_eq!(solution.residual_accelerations, [0.0; 3]);
+//! let forces = minimum_norm(&problem, &solution, &settings)?.forces;
+//! assert!(forces.iter().all(|f| (f - 3.27).abs() < 1e-14));
+//! # Ok::<(), polhode_response::ResponseError>(())
+//! ```
+
+pub mod certificate;
+pub mod complementarity;
+pub mod delassus;
+mod dense;
+pub mod error;
+pub mod held_rows;
+pub mod impact;
+mod interior_point;
+pub mod least_force;
+pub mod least_norm_hold;
+pub mod minimum_norm;
+mod precise;
+pub mod problem;
+pub mod report;
+pub mod settings;
+
+pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
+pub use delassus::Delassus;
+pub use error::ResponseError;
+pub use held_rows::{HeldForces, HeldRows, HoldCheck};
+pub use impact::{Application, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus, single_contact_impulse};
+pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
+pub use least_norm_hold::LeastNormHold;
+pub use minimum_norm::{MinimumNormForces, minimum_norm};
+pub use problem::ContactProblem;
+pub use report::{Method, SolverReport, SolverStatus};
+pub use settings::{FallbackPolicy, SolverSettings};

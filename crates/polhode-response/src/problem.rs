@@ -1,0 +1,247 @@
+//! A contact problem: inverse masses of the bodies and one Jacobian row for each contact.
+//!
+//! A body has a generalised velocity of `width` components (6 in space: linear and angular; 3 in a plane), an inverse
+//! mass block `M_b^-1` (`width x width`, symmetric, positive semidefinite), and a row `i` touches one or two bodies:
+//! `u_i = sum_b J_ib v_b` is the rate of separation of contact `i` (m/s), and a force `f_i` (N) along it accelerates
+//! the bodies by `M^-1 J^T f`. For a contact with normal `n` from B to A and arms `r_A`, `r_B` from the centres of
+//! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
+//! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
+//!
+//! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
+//! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
+
+use crate::dense::kernels::{axpy, dot};
+use crate::error::{ResponseError, check_finite, check_length};
+
+/// Largest relative asymmetry and negative pivot of an inverse mass block that counts as rounding (no unit).
+const BLOCK_ROUNDING: f64 = 1e-12;
+
+/// Inverse masses of the bodies and the sparse rows of the contacts.
+///
+/// ```
+/// use polhode_response::ContactProblem;
+/// // A ball of 2 kg on a line above an immovable floor: width 1, one contact.
+/// let mut problem = ContactProblem::new(1, vec![0.5])?;
+/// problem.push_row(&[(0, &[1.0])])?;
+/// assert_eq!(problem.delassus().get(0, 0), 0.5);
+/// # Ok::<(), polhode_response::ResponseError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct ContactProblem {
+    width: usize,
+    bodies: usize,
+    inverse_masses: Vec<f64>,
+    rows: Vec<RowBodies>,
+    /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
+    jacobian: Vec<f64>,
+    /// `M^-1 J^T` in the layout of `jacobian`.
+    response: Vec<f64>,
+}
+
+/// The bodies that a row touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct RowBodies {
+    bodies: [u32; 2],
+    count: u8,
+}
+
+/// One body's share of a row.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RowEntry<'a> {
+    /// The body.
+    pub(crate) body: usize,
+    /// `J_ib`.
+    pub(crate) jacobian: &'a [f64],
+    /// `M_b^-1 J_ib^T`.
+    pub(crate) response: &'a [f64],
+}
+
+impl ContactProblem {
+    /// A problem without rows. `inverse_masses` holds one `width x width` block for each body, row-major.
+    ///
+    /// # Errors
+    /// When the width is 0, the length is no multiple of `width^2`, a number is not finite, or a block is not
+    /// symmetric and positive semidefinite to rounding.
+    pub fn new(width: usize, inverse_masses: Vec<f64>) -> Result<Self, ResponseError> {
+        let block = width.saturating_mul(width);
+        if block == 0 {
+            return Err(ResponseError::Width(width));
+        }
+        let bodies = inverse_masses.len() / block;
+        check_length("inverse masses", bodies * block, inverse_masses.len())?;
+        check_finite("inverse masses", &inverse_masses)?;
+        for (body, matrix) in inverse_masses.chunks_exact(block).enumerate() {
+            if !is_semidefinite(matrix, width) {
+                return Err(ResponseError::InverseMass { body });
+            }
+        }
+        Ok(Self { width, bodies, inverse_masses, rows: Vec::new(), jacobian: Vec::new(), response: Vec::new() })
+    }
+
+    /// Adds a row that touches one or two bodies and returns its index. Each block has `width` numbers.
+    ///
+    /// # Errors
+    /// When there are no or more than two bodies, a body is unknown or named twice, a block has the wrong length, or
+    /// a number is not finite.
+    pub fn push_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
+        if entries.is_empty() || entries.len() > 2 {
+            return Err(ResponseError::RowBodies(entries.len()));
+        }
+        for &(body, block) in entries {
+            if body >= self.bodies {
+                return Err(ResponseError::UnknownBody { body, bodies: self.bodies });
+            }
+            check_length("Jacobian block", self.width, block.len())?;
+            check_finite("Jacobian block", block)?;
+        }
+        let mut row = RowBodies { bodies: [entries[0].0 as u32; 2], count: entries.len() as u8 };
+        if let Some(&(body, _)) = entries.get(1) {
+            if body == entries[0].0 {
+                return Err(ResponseError::RepeatedBody { body });
+            }
+            row.bodies[1] = body as u32;
+        }
+        for slot in 0..2 {
+            if let Some(&(body, block)) = entries.get(slot) {
+                self.jacobian.extend_from_slice(block);
+                self.push_response(body, block);
+            } else {
+                self.jacobian.resize(self.jacobian.len() + self.width, 0.0);
+                self.response.resize(self.response.len() + self.width, 0.0);
+            }
+        }
+        self.rows.push(row);
+        Ok(self.rows.len() - 1)
+    }
+
+    /// Removes all rows and keeps the bodies and the memory.
+    pub fn clear_rows(&mut self) {
+        self.rows.clear();
+        self.jacobian.clear();
+        self.response.clear();
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Number of bodies.
+    pub fn bodies(&self) -> usize {
+        self.bodies
+    }
+
+    /// Velocity components of a body.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// `u = J v`: rates of separation of all rows, for the velocities of all bodies one after the other.
+    ///
+    /// # Errors
+    /// When `velocities` has not `bodies * width` numbers.
+    pub fn row_velocities(&self, velocities: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        check_length("velocities", self.bodies * self.width, velocities.len())?;
+        let speed = |row| self.entries(row).map(|entry| dot(entry.jacobian, self.block(velocities, entry.body))).sum();
+        Ok((0..self.len()).map(speed).collect())
+    }
+
+    /// `M^-1 J^T f`: what the row forces (impulses) do to the accelerations (velocities) of all bodies.
+    ///
+    /// # Errors
+    /// When `forces` has not one number for each row.
+    pub fn response(&self, forces: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        check_length("forces", self.len(), forces.len())?;
+        let mut motion = vec![0.0; self.bodies * self.width];
+        for (row, &force) in forces.iter().enumerate() {
+            if force != 0.0 {
+                for entry in self.entries(row) {
+                    let start = entry.body * self.width;
+                    axpy(force, entry.response, &mut motion[start..start + self.width]);
+                }
+            }
+        }
+        Ok(motion)
+    }
+
+    /// The inverse mass block of a body, row-major.
+    pub(crate) fn inverse_mass(&self, body: usize) -> &[f64] {
+        let block = self.width * self.width;
+        &self.inverse_masses[body * block..(body + 1) * block]
+    }
+
+    /// The bodies that `row` touches, with their blocks.
+    pub(crate) fn entries(&self, row: usize) -> impl Iterator<Item = RowEntry<'_>> {
+        let bodies = self.rows[row];
+        (0..usize::from(bodies.count)).map(move |slot| self.entry(row, slot))
+    }
+
+    /// How many bodies `row` touches: 1 or 2.
+    pub(crate) fn touched(&self, row: usize) -> usize {
+        usize::from(self.rows[row].count)
+    }
+
+    /// The share of one body in a row; `slot` is 0 or 1.
+    pub(crate) fn entry(&self, row: usize, slot: usize) -> RowEntry<'_> {
+        let start = (2 * row + slot) * self.width;
+        let range = start..start + self.width;
+        RowEntry {
+            body: self.rows[row].bodies[slot] as usize,
+            jacobian: &self.jacobian[range.clone()],
+            response: &self.response[range],
+        }
+    }
+
+    fn block<'a>(&self, motion: &'a [f64], body: usize) -> &'a [f64] {
+        &motion[body * self.width..(body + 1) * self.width]
+    }
+
+    fn push_response(&mut self, body: usize, jacobian: &[f64]) {
+        let start = self.response.len();
+        for component in 0..self.width {
+            let line = &self.inverse_mass(body)[component * self.width..(component + 1) * self.width];
+            let value = dot(line, jacobian);
+            self.response.push(value);
+        }
+        debug_assert_eq!(self.response.len(), start + self.width);
+    }
+}
+
+/// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed.
+fn is_semidefinite(matrix: &[f64], width: usize) -> bool {
+    let at = |row: usize, column: usize| matrix[row * width + column];
+    let mut reduced = matrix.to_vec();
+    for k in 0..width {
+        for i in k + 1..width {
+            if (at(i, k) - at(k, i)).abs() > BLOCK_ROUNDING * (at(i, i).abs() * at(k, k).abs()).sqrt() {
+                return false;
+            }
+        }
+        let pivot = reduced[k * width + k];
+        let rounding = BLOCK_ROUNDING * at(k, k).abs();
+        if pivot < -rounding || at(k, k) < 0.0 {
+            return false;
+        }
+        if pivot <= rounding {
+            // A zero pivot of a semidefinite matrix has a zero column: that of the Schur complement is bounded by
+            // the geometric mean of the two diagonal entries, which is all that rounding leaves.
+            let bound = |i: usize| (2.0 * rounding * reduced[i * width + i].max(rounding)).sqrt();
+            if (k + 1..width).any(|i| reduced[i * width + k].abs() > bound(i)) {
+                return false;
+            }
+            continue;
+        }
+        for i in k + 1..width {
+            let factor = reduced[i * width + k] / pivot;
+            for j in k + 1..width {
+                reduced[i * width + j] -= factor * reduced[k * width + j];
+            }
+        }
+    }
+    true
+}

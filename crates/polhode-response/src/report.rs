@@ -1,0 +1,59 @@
+//! What a solver says about its own answer.
+
+/// How a solve ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SolverStatus {
+    /// The residual is within the acceptance.
+    #[default]
+    Solved,
+    /// There is an answer, its residual is larger than the acceptance.
+    Inaccurate,
+    /// No non-negative forces keep every row from approaching: bodies are squeezed between immovable ones.
+    Infeasible,
+}
+
+/// Which method gave the answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// One row: equation (14) in complementarity form. Also problems without rows.
+    #[default]
+    ClosedForm,
+    /// The active set given was right: one factorisation.
+    WarmStart,
+    /// The active set, after pivots.
+    ActiveSet,
+    /// The active set from a cold start, after a warm start that did not succeed.
+    ColdStart,
+    /// Interior point, made exact by an active set.
+    InteriorPointPolished,
+    /// Interior point alone.
+    InteriorPoint,
+    /// Linear programme (the `thesis` tier).
+    LinearProgramme,
+}
+
+impl Method {
+    /// Whether the first method tried did not succeed.
+    pub fn is_fallback(self) -> bool {
+        matches!(self, Self::ColdStart | Self::InteriorPointPolished | Self::InteriorPoint)
+    }
+}
+
+/// The certificate of one solve.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SolverReport {
+    /// How it ended.
+    pub status: SolverStatus,
+    /// Which method gave the answer.
+    pub method: Method,
+    /// Pivots of the active set plus iterations of the interior point.
+    pub iterations: usize,
+    /// Natural map residual, relative, before rows that are held are set to exactly zero:
+    /// see [`natural_map_residual`](crate::certificate::natural_map_residual).
+    pub residual: f64,
+    /// Bound of the error of the motion in the energy norm, `|a - a*|_M <= sqrt(f.w)`, before rows that are held are
+    /// set to exactly zero: see [`energy_norm_bound`](crate::certificate::energy_norm_bound).
+    pub bound: f64,
+    /// Number of independent rows that carry the forces.
+    pub rank: usize,
+}

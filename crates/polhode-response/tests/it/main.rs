@@ -1,0 +1,12 @@
+//! Integration tests of polhode-response: statements of physics, each with its number.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+mod diamonds;
+mod forces;
+mod held_rows;
+mod impacts;
+mod least_force;
+mod oracle;
+mod problem;
+mod scenes;

@@ -1,0 +1,83 @@
+//! A body: its pose, motion, shape and mass.
+
+use super::materials::Materials;
+use super::shape::{self, Form, Matter};
+use super::{Fault, mass, vector};
+use crate::document::KeyPath;
+use crate::error::Refusal;
+use crate::format::{BodyEntry, Exactly};
+use crate::mesh_file::MeshFolder;
+use glam::DVec3;
+use polhode::spatial::{Pose, Rotation, Velocity};
+use polhode::{Body, SceneError};
+
+/// The body given at `path`.
+pub(super) fn build(
+    entry: &BodyEntry,
+    materials: &Materials,
+    folder: &MeshFolder,
+    path: &KeyPath,
+) -> Result<Body, Fault> {
+    let form = entry.shape.as_ref().map(|shape| shape::build(shape, folder, &path.key("shape"))).transpose()?;
+    let mut body = if entry.fixed {
+        fixed(entry, path)?
+    } else {
+        if matches!(form, Some(Form { matter: Matter::HalfSpace, .. })) {
+            return Err((path.key("shape"), SceneError::MovingHalfSpace(entry.name.clone()).into()));
+        }
+        Body::movable(&entry.name, mass::build(entry, form.as_ref().map(|form| &form.matter), path)?)
+    };
+    body = body.pose(Pose::new(rotation(entry, path)?, optional(entry.position.as_ref(), path, "position")?));
+    body = body.velocity(Velocity::new(
+        optional(entry.velocity.as_ref(), path, "velocity")?,
+        optional(entry.angular_velocity.as_ref(), path, "angular_velocity")?,
+    ));
+    if let Some(material) = &entry.material {
+        body = body.material(materials.get(material, &path.key("material"))?);
+    }
+    if let Some(form) = form {
+        body = body.geometry(form.geometry);
+    }
+    Ok(body)
+}
+
+/// A fixed body has no mass and no velocity.
+fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
+    let moves = |velocity: &Option<Exactly<f64, 3>>| velocity.as_ref().is_some_and(|v| v.0 != [0.0; 3]);
+    let meaningless = [
+        (entry.mass.is_some(), "mass"),
+        (entry.density.is_some(), "density"),
+        (entry.inertia.is_some(), "inertia"),
+        (entry.hollow, "hollow"),
+        (moves(&entry.velocity), "velocity"),
+        (moves(&entry.angular_velocity), "angular_velocity"),
+    ];
+    match meaningless.into_iter().find(|(given, _)| *given) {
+        Some((_, key)) => Err((path.key(key), Refusal::Meaningless { key, what: "a fixed body" })),
+        None => Ok(Body::fixed(&entry.name)),
+    }
+}
+
+/// A vector that is zero when absent.
+fn optional(value: Option<&Exactly<f64, 3>>, path: &KeyPath, key: &str) -> Result<DVec3, Fault> {
+    value.map_or(Ok(DVec3::ZERO), |value| vector(value, &path.key(key)))
+}
+
+fn rotation(entry: &BodyEntry, path: &KeyPath) -> Result<Rotation, Fault> {
+    let path_of_vector = path.key("rotation_vector");
+    match (&entry.orientation, &entry.rotation_vector) {
+        (Some(_), Some(_)) => Err((path_of_vector, Refusal::Excludes { key: "rotation_vector", other: "orientation" })),
+        (Some(wxyz), None) => Rotation::from_wxyz(wxyz.0).map_err(|error| (path.key("orientation"), error.into())),
+        (None, Some(value)) => {
+            let rotation = Rotation::from_rotation_vector(vector(value, &path_of_vector)?);
+            // The length of a vector may overflow where its components do not.
+            if rotation.is_finite() {
+                Ok(rotation)
+            } else {
+                let largest = value.0.into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+                Err((path_of_vector, Refusal::Number { value: largest, accepted: "an angle whose square is finite" }))
+            }
+        }
+        (None, None) => Ok(Rotation::IDENTITY),
+    }
+}

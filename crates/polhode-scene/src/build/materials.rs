@@ -1,0 +1,57 @@
+//! Materials and rules for pairs of them.
+
+use super::Fault;
+use crate::document::KeyPath;
+use crate::error::{Refusal, list};
+use crate::format::{MaterialEntry, PairEntry};
+use polhode::SceneError;
+use polhode::scene::{Material, PairRule};
+use std::collections::BTreeMap;
+
+/// The materials of a scene by name.
+pub(super) struct Materials(BTreeMap<String, Material>);
+
+impl Materials {
+    pub(super) fn build(entries: &BTreeMap<String, MaterialEntry>) -> Result<Self, Fault> {
+        let mut materials = BTreeMap::new();
+        for (name, entry) in entries {
+            let path = KeyPath::of(&["materials", name]);
+            if name.is_empty() {
+                // The empty name is the engine's for bodies without a material.
+                let accepted = "a name that is not empty".to_owned();
+                return Err((path, Refusal::Type { found: "an empty name".to_owned(), accepted }));
+            }
+            let material = Material::new(name, entry.friction.unwrap_or(0.0), entry.restitution.unwrap_or(0.0))
+                .map_err(|error| fault(error, &path))?;
+            materials.insert(name.clone(), material);
+        }
+        Ok(Self(materials))
+    }
+
+    /// The material of this name, given at `path`.
+    pub(super) fn get(&self, name: &str, path: &KeyPath) -> Result<Material, Fault> {
+        self.0.get(name).cloned().ok_or_else(|| {
+            let names: Vec<_> = self.0.keys().collect();
+            let known = if names.is_empty() { "none, the scene has no materials".to_owned() } else { list(&names) };
+            (path.clone(), Refusal::UnknownName { kind: "material", name: name.to_owned(), known })
+        })
+    }
+
+    /// The rule for a pair of materials that are there.
+    pub(super) fn pair_rule(&self, entry: &PairEntry, path: &KeyPath) -> Result<PairRule, Fault> {
+        for (index, name) in entry.materials.0.iter().enumerate() {
+            self.get(name, &path.key("materials").index(index))?;
+        }
+        PairRule::new(entry.materials.0.clone(), entry.friction, entry.restitution).map_err(|error| fault(error, path))
+    }
+}
+
+/// An error of a material's numbers, at the number.
+fn fault(error: SceneError, path: &KeyPath) -> Fault {
+    let key = match &error {
+        SceneError::Restitution { .. } => "restitution",
+        // Friction above zero is what is not yet available.
+        _ => "friction",
+    };
+    (path.key(key), error.into())
+}

@@ -1,0 +1,75 @@
+//! Tier and knobs.
+
+use super::{Fault, positive};
+use crate::document::KeyPath;
+use crate::error::Refusal;
+use crate::format::{ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName, TierName};
+use polhode::SceneError;
+use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+
+/// The method that the file asks for.
+pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
+    let path = KeyPath::of(&["method"]);
+    // These two have one member each yet, the one that the engine has: a scene that names it gets it.
+    let (None | Some(OrientationName::Quaternion), None | Some(ResponseName::Constraint)) =
+        (entry.orientation, entry.response);
+    let step_s = entry.step.map(|step| positive(step, &path.key("step"))).transpose()?;
+    let tolerance = entry.tolerance.map(|tolerance| positive(tolerance, &path.key("tolerance"))).transpose()?;
+    if entry.max_events_per_step == Some(0) {
+        return Err((path.key("max_events_per_step"), Refusal::Number { value: 0.0, accepted: "at least 1" }));
+    }
+    let method = Method {
+        tier: entry.tier.map(tier),
+        step_s,
+        integrator: entry.integrator.map(integrator),
+        impact: entry.impact.map(impact),
+        contact: entry.contact.map(contact),
+        tolerance,
+        max_events_per_step: entry.max_events_per_step,
+    };
+    method.validate().map_err(|error| (path_of(&error, entry), error.into()))?;
+    Ok(method)
+}
+
+/// The key that an error of the method is about.
+fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
+    let path = KeyPath::of(&["method"]);
+    match error {
+        SceneError::Number { key, .. } => KeyPath::of(&key.split('.').collect::<Vec<_>>()),
+        // Two knobs that do not go together: the one that is not the tier.
+        _ if entry.contact == Some(ContactName::LeastForce) && entry.integrator != Some(IntegratorName::Rk4) => {
+            path.key("contact")
+        }
+        _ if entry.integrator.is_some() => path.key("integrator"),
+        _ => path,
+    }
+}
+
+const fn tier(name: TierName) -> Tier {
+    match name {
+        TierName::Thesis => Tier::Thesis,
+        TierName::Accurate => Tier::Accurate,
+    }
+}
+
+const fn integrator(name: IntegratorName) -> Integrator {
+    match name {
+        IntegratorName::Rk4 => Integrator::Rk4,
+        IntegratorName::Exact => Integrator::Exact,
+    }
+}
+
+const fn impact(name: ImpactName) -> ImpactLaw {
+    match name {
+        ImpactName::Propagation => ImpactLaw::Propagation,
+        ImpactName::Simultaneous => ImpactLaw::Simultaneous,
+        ImpactName::Reflection => ImpactLaw::Reflection,
+    }
+}
+
+const fn contact(name: ContactName) -> ContactMethod {
+    match name {
+        ContactName::LeastForce => ContactMethod::LeastForce,
+        ContactName::ActiveSet => ContactMethod::ActiveSet,
+    }
+}

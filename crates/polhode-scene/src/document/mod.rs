@@ -1,0 +1,105 @@
+//! A scene file that knows where each of its values stands.
+//!
+//! A document is a set of texts: the file, and one text for each value that is set from outside it. The tree of
+//! values is parsed from them with the byte range of every key and value; the ranges of later texts continue those of
+//! earlier ones, so that every error, wherever it is found, can name its place and show its line. The tree borrows
+//! from the texts and is parsed anew when an error is to be placed, which happens at most once.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `key_path` | [`KeyPath`]: where a value stands in the tree |
+//! | `overrides` | [`Override`]: values set from outside the file |
+//! | `source` | [`Sources`]: the texts, and from byte ranges to lines and columns |
+//! | `tree` | from paths to ranges and back |
+
+mod key_path;
+mod overrides;
+mod source;
+mod tree;
+
+pub(crate) use key_path::{KeyPath, Step};
+pub use overrides::Override;
+use source::Sources;
+
+use crate::error::{Place, Refusal, Refused, SceneFileError};
+use crate::format::SceneFile;
+use crate::format::planned::{self, Part};
+use serde::Deserialize;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::DeTable;
+
+/// A scene file and the values set from outside it.
+#[derive(Debug, Clone)]
+pub(crate) struct Document {
+    sources: Sources,
+}
+
+impl Document {
+    /// The document `text`, which errors say to come from `origin`, with `overrides` applied in their order.
+    pub(crate) fn new(origin: &str, text: String, overrides: &[Override]) -> Self {
+        let mut sources = Sources::new(origin, text);
+        for change in overrides {
+            sources.push(&change.origin, change.text());
+        }
+        Self { sources }
+    }
+
+    /// The document in the types of the format.
+    ///
+    /// # Errors
+    /// When the text is not TOML, or a key or a value is unknown, missing, of the wrong type or not yet available.
+    pub(crate) fn read(&self) -> Result<SceneFile, SceneFileError> {
+        let tree = self.tree()?;
+        if let Some(request) = planned::requested(tree.get_ref()) {
+            let cause = Refusal::NotYetAvailable { what: request.what, instead: request.instead.to_owned() };
+            let spans = tree::spans(&tree, &request.path);
+            let span = match request.part {
+                Part::Key => spans.key,
+                Part::Value => spans.value,
+            };
+            return Err(self.refused(&span, tree::written(tree.get_ref(), &request.path), cause));
+        }
+        SceneFile::deserialize(toml::Deserializer::from(tree)).map_err(|error| {
+            let span = error.span().unwrap_or_default();
+            let key = self
+                .tree()
+                .map_or_else(|_| String::new(), |tree| tree::written(tree.get_ref(), &tree::path_at(&tree, &span)));
+            self.refused(&span, key, Refusal::from_message(error.message()))
+        })
+    }
+
+    /// The error that `cause`, found at `path`, is.
+    pub(crate) fn refuse(&self, path: &KeyPath, cause: Refusal) -> SceneFileError {
+        match self.tree() {
+            Ok(tree) => {
+                let span = tree::spans(&tree, path).value;
+                self.refused(&span, tree::written(tree.get_ref(), path), cause)
+            }
+            Err(error) => error,
+        }
+    }
+
+    /// The tree of values.
+    fn tree(&self) -> Result<Spanned<DeTable<'_>>, SceneFileError> {
+        let (file, rest) = self.sources.texts();
+        let mut tree = DeTable::parse(file.text())
+            .map_err(|error| self.syntax(error.span().unwrap_or_default(), error.message()))?;
+        for change in rest {
+            overrides::apply(&mut tree, change).map_err(|(span, cause)| {
+                self.refused(&(span.start + change.start()..span.end + change.start()), change.key().to_owned(), cause)
+            })?;
+        }
+        Ok(tree)
+    }
+
+    fn syntax(&self, span: Range<usize>, message: &str) -> SceneFileError {
+        self.refused(&span, String::new(), Refusal::Syntax(message.to_owned()))
+    }
+
+    fn refused(&self, span: &Range<usize>, key: String, cause: Refusal) -> SceneFileError {
+        let place: Place = self.sources.place(span, key);
+        let rendered = self.sources.render(span, &place, &cause);
+        SceneFileError::Refused(Box::new(Refused { place, cause, rendered }))
+    }
+}

@@ -1,0 +1,129 @@
+//! From paths to byte ranges and back.
+
+use super::key_path::{self, KeyPath, Step};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Ranges of an entry.
+pub(super) struct Spans {
+    /// Of its key; of the element itself in an array.
+    pub(super) key: Range<usize>,
+    /// Of its value.
+    pub(super) value: Range<usize>,
+}
+
+/// Ranges of the entry at `path`, or of the nearest one above it that is there.
+pub(super) fn spans(root: &Spanned<DeTable<'_>>, path: &KeyPath) -> Spans {
+    let mut spans = Spans { key: root.span(), value: root.span() };
+    let mut container = Container::Table(root.get_ref());
+    for step in path.steps() {
+        let Some((key, value)) = container.entry(step) else { break };
+        spans = Spans { key, value: value.span() };
+        container = Container::of(value.get_ref());
+    }
+    spans
+}
+
+/// The path of the innermost key or value whose range holds `span`; the root when there is none.
+pub(super) fn path_at(root: &Spanned<DeTable<'_>>, span: &Range<usize>) -> KeyPath {
+    let mut search = Search { span: span.clone(), at: KeyPath::root(), length: usize::MAX, found: KeyPath::root() };
+    search.table(root.get_ref());
+    search.found
+}
+
+/// A path as it can be typed after `--set`: bodies by name where they have one, by number otherwise.
+pub(super) fn written(root: &DeTable<'_>, path: &KeyPath) -> String {
+    let steps = path.steps();
+    let mut text = String::new();
+    for (depth, step) in steps.iter().enumerate() {
+        if depth > 0 {
+            text.push('.');
+        }
+        match step {
+            Step::Key(key) => text.push_str(&key_path::written(key)),
+            Step::Index(index) => {
+                let in_bodies = depth == 1 && steps[0] == Step::key("bodies");
+                let name = if in_bodies { body_name(root, *index) } else { None };
+                text.push_str(&name.map_or_else(|| index.to_string(), key_path::written));
+            }
+        }
+    }
+    text
+}
+
+fn body_name<'t>(root: &'t DeTable<'_>, index: usize) -> Option<&'t str> {
+    root.get("bodies")?.get_ref().get(index)?.get_ref().get("name")?.get_ref().as_str().filter(|name| !name.is_empty())
+}
+
+/// A value that holds others.
+enum Container<'t, 'i> {
+    Table(&'t DeTable<'i>),
+    Array(&'t [Spanned<DeValue<'i>>]),
+    Leaf,
+}
+
+impl<'t, 'i> Container<'t, 'i> {
+    fn of(value: &'t DeValue<'i>) -> Self {
+        match value {
+            DeValue::Table(table) => Self::Table(table),
+            DeValue::Array(array) => Self::Array(array),
+            _ => Self::Leaf,
+        }
+    }
+
+    fn entry(&self, step: &Step) -> Option<(Range<usize>, &'t Spanned<DeValue<'i>>)> {
+        match (self, step) {
+            (Self::Table(table), Step::Key(key)) => {
+                table.get_key_value(key.as_str()).map(|(found, value)| (found.span(), value))
+            }
+            (Self::Array(array), Step::Index(index)) => array.get(*index).map(|value| (value.span(), value)),
+            _ => None,
+        }
+    }
+}
+
+/// Looks for the shortest range that holds `span`.
+struct Search {
+    span: Range<usize>,
+    /// Where the search is.
+    at: KeyPath,
+    length: usize,
+    found: KeyPath,
+}
+
+impl Search {
+    fn table(&mut self, table: &DeTable<'_>) {
+        for (key, value) in table {
+            self.at.push(Step::key(key.get_ref().as_ref()));
+            self.consider(&key.span());
+            self.value(value);
+            self.at.pop();
+        }
+    }
+
+    fn value(&mut self, value: &Spanned<DeValue<'_>>) {
+        self.consider(&value.span());
+        match value.get_ref() {
+            DeValue::Table(table) => self.table(table),
+            DeValue::Array(array) => {
+                for (index, element) in array.iter().enumerate() {
+                    self.at.push(Step::Index(index));
+                    self.value(element);
+                    self.at.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn consider(&mut self, range: &Range<usize>) {
+        let holds = range.start <= self.span.start && self.span.end <= range.end && !self.span.is_empty();
+        // Of equal ranges the first wins: the header `[[bodies]]` is the range of the body and of nothing inside it,
+        // while a dotted key is the range of the key itself and of the table it makes.
+        if holds && range.len() < self.length {
+            self.length = range.len();
+            self.found = self.at.clone();
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! What can be wrong with a scene file.
+
+use polhode::SceneError;
+use polhode::contact::ShapeError;
+use polhode::mesh::{MeshError, ObjError, PrimitiveError};
+use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
+use std::fmt::{self, Write as _};
+use std::io;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Why a scene file could not be loaded.
+#[derive(Debug, Error)]
+pub enum SceneFileError {
+    /// The file could not be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The file is larger than any scene.
+    #[error("{} is larger than {limit} bytes, which no scene is: shapes of many points belong into mesh files", path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// The largest size accepted, bytes.
+        limit: u64,
+    },
+    /// The file is not UTF-8 text.
+    #[error("{}:{line}: not a scene file: byte {offset} is not UTF-8 text", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+        /// Line of the first byte that is no text, from 1.
+        line: usize,
+        /// The byte, from 0.
+        offset: usize,
+    },
+    /// The content is refused.
+    #[error("{0}")]
+    Refused(Box<Refused>),
+}
+
+impl SceneFileError {
+    /// Whether reading a file failed, as opposed to what stands in it.
+    pub fn is_input_output(&self) -> bool {
+        match self {
+            Self::Read { .. } => true,
+            Self::Refused(refused) => matches!(refused.cause, Refusal::MeshFile(MeshFileError::Read { .. })),
+            Self::TooLarge { .. } | Self::NotText { .. } => false,
+        }
+    }
+
+    /// What is refused, when it is the content.
+    pub fn refused(&self) -> Option<&Refused> {
+        match self {
+            Self::Refused(refused) => Some(refused),
+            _ => None,
+        }
+    }
+}
+
+/// Content that is refused; shown with the place and the line.
+#[derive(Debug)]
+pub struct Refused {
+    /// Where.
+    pub place: Place,
+    /// Why.
+    pub cause: Refusal,
+    pub(crate) rendered: String,
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.rendered)
+    }
+}
+
+/// A place in a scene file or on the command line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// The file, or what else the value comes from.
+    pub origin: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Dotted path of the key; empty when no key is to blame.
+    pub key: String,
+}
+
+/// Why content is refused.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The text is not TOML.
+    #[error("not TOML: {0}")]
+    Syntax(String),
+    /// A key that the format does not have.
+    #[error("unknown key `{key}`")]
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// Keys that are accepted here.
+        accepted: String,
+    },
+    /// A word that is not among those accepted.
+    #[error("unknown value `{value}`")]
+    UnknownValue {
+        /// The value.
+        value: String,
+        /// Values that are accepted here.
+        accepted: String,
+    },
+    /// A key that must be there is not.
+    #[error("missing key `{0}`")]
+    MissingKey(String),
+    /// A value is of the wrong type or length.
+    #[error("{found} is not accepted here")]
+    Type {
+        /// What was found.
+        found: String,
+        /// What is accepted.
+        accepted: String,
+    },
+    /// A body has no kind of shape, or several.
+    #[error("a shape is exactly one of the kinds")]
+    ShapeKinds,
+    /// Something else that the format's reader refuses.
+    #[error("{0}")]
+    Other(String),
+    /// Asked for is something that is designed but not built.
+    #[error("not yet available: {what}")]
+    NotYetAvailable {
+        /// What.
+        what: String,
+        /// What can be used instead.
+        instead: String,
+    },
+    /// Another version of the format.
+    #[error("version {0} of the scene format is not known")]
+    Version(u32),
+    /// A number is outside what is accepted.
+    #[error("{value} is not accepted")]
+    Number {
+        /// The value.
+        value: f64,
+        /// What is accepted.
+        accepted: &'static str,
+    },
+    /// A value set from outside cannot be set.
+    #[error("cannot be set: {0}")]
+    Override(String),
+    /// A name that nothing bears.
+    #[error("no {kind} is named `{name}`")]
+    UnknownName {
+        /// What should bear the name.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// Names that are borne.
+        known: String,
+    },
+    /// A name is borne twice.
+    #[error("two bodies are named `{0}`")]
+    DuplicateName(String),
+    /// Two keys exclude each other.
+    #[error("`{key}` and `{other}` cannot both be given")]
+    Excludes {
+        /// The key.
+        key: &'static str,
+        /// The key it excludes.
+        other: &'static str,
+    },
+    /// A key has no meaning beside another.
+    #[error("`{key}` has no meaning for {what}")]
+    Meaningless {
+        /// The key.
+        key: &'static str,
+        /// For what it has no meaning.
+        what: &'static str,
+    },
+    /// A body lacks a key.
+    #[error("{what} needs {needed}")]
+    Needs {
+        /// What kind of body.
+        what: &'static str,
+        /// What it needs.
+        needed: &'static str,
+    },
+    /// The engine refuses the scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// Mass, density or inertia are refused.
+    #[error(transparent)]
+    MassProperties(#[from] MassPropertiesError),
+    /// A primitive is refused.
+    #[error(transparent)]
+    Primitive(#[from] PrimitiveError),
+    /// A mesh bounds no solid or has no mass properties.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// A rotation is refused.
+    #[error(transparent)]
+    Rotation(#[from] RotationError),
+    /// A direction is refused.
+    #[error(transparent)]
+    Direction(#[from] UnitVectorError),
+    /// A shape is refused.
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
+    /// A mesh file is refused.
+    #[error(transparent)]
+    MeshFile(#[from] MeshFileError),
+}
+
+impl From<InertiaError> for Refusal {
+    fn from(error: InertiaError) -> Self {
+        Self::MassProperties(error.into())
+    }
+}
+
+/// Why a mesh file could not be used.
+#[derive(Debug, Error)]
+pub enum MeshFileError {
+    /// The file could not be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The file is too large.
+    #[error("{} is larger than {limit} bytes", path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// The largest size accepted, bytes.
+        limit: u64,
+    },
+    /// The ending of the name says another format.
+    #[error("{}: the ending of a mesh file must be .obj", path.display())]
+    Ending {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The content is not an OBJ file.
+    #[error("{}: {source}", path.display())]
+    Content {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, with its line.
+        source: ObjError,
+    },
+}
+
+impl Refusal {
+    /// What the reader of the format says, in the format's own terms.
+    pub(crate) fn from_message(message: &str) -> Self {
+        let quoted = |rest: &str| rest.split_once('`').map(|(name, tail)| (name.to_owned(), tail.to_owned()));
+        let expected = |tail: &str| tail.split_once("expected ").map_or(tail, |(_, list)| list).replace("one of ", "");
+        if let Some((key, tail)) = message.strip_prefix("unknown field `").and_then(quoted) {
+            return Self::UnknownKey { key, accepted: expected(&tail) };
+        }
+        if let Some((value, tail)) = message.strip_prefix("unknown variant `").and_then(quoted) {
+            return Self::UnknownValue { value, accepted: expected(&tail) };
+        }
+        if let Some((key, _)) = message.strip_prefix("missing field `").and_then(quoted) {
+            return Self::MissingKey(key);
+        }
+        let typed = message
+            .strip_prefix("invalid type: ")
+            .or_else(|| message.strip_prefix("invalid value: "))
+            .or_else(|| message.strip_prefix("invalid "))
+            .and_then(|rest| rest.split_once(", expected "));
+        if let Some((found, accepted)) = typed {
+            return Self::Type { found: plain(found), accepted: plain(accepted) };
+        }
+        // A shape is a table with the one key that names its kind.
+        if message.starts_with("wanted exactly 1 element") {
+            return Self::ShapeKinds;
+        }
+        Self::Other(message.to_owned())
+    }
+
+    /// What is accepted instead, in a sentence; `None` when the message says it already.
+    pub(crate) fn accepted(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { accepted, .. } | Self::UnknownValue { accepted, .. } | Self::Type { accepted, .. } => {
+                Some(format!("accepted: {accepted}"))
+            }
+            Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
+            Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
+            Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
+            Self::UnknownName { known, .. } => Some(format!("accepted: {known}")),
+            Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
+            Self::Excludes { .. } => Some("give one of them".to_owned()),
+            Self::DuplicateName(_) => Some("names must differ".to_owned()),
+            Self::Meaningless { .. } => Some("remove it".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+/// Names of Rust types in the words of the format.
+fn plain(text: &str) -> String {
+    match text {
+        "f64" => "a number".to_owned(),
+        "u32" | "u64" => "a whole number of at least 0".to_owned(),
+        "a sequence" => "an array".to_owned(),
+        "map" => "a table or date".to_owned(),
+        "unit variant" => "a single word".to_owned(),
+        "newtype variant" => "a shape with its keys, such as shape.box.size = [1, 1, 1]".to_owned(),
+        _ if text.starts_with("struct ") => "a table".to_owned(),
+        _ if text.starts_with("enum ") => "a word".to_owned(),
+        _ => text.to_owned(),
+    }
+}
+
+/// Names in a message, quoted; at most [`LONGEST_LIST`] of them.
+pub(crate) fn list<S: AsRef<str>>(names: &[S]) -> String {
+    let mut text =
+        names.iter().take(LONGEST_LIST).map(|name| format!("`{}`", name.as_ref())).collect::<Vec<_>>().join(", ");
+    if names.len() > LONGEST_LIST {
+        let _ = write!(text, " and {} more", names.len() - LONGEST_LIST);
+    }
+    text
+}
+
+/// Longest list of names in a message: more do not help.
+const LONGEST_LIST: usize = 20;

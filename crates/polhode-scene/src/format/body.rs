@@ -1,0 +1,183 @@
+//! Bodies and their shapes.
+
+use super::exactly::{Exactly, Vector};
+use schemars::JsonSchema;
+use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
+
+/// A body.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyEntry {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// Immovable, of infinite mass.
+    #[serde(default)]
+    pub fixed: bool,
+    /// Shape; a body without one flies through everything.
+    pub shape: Option<ShapeEntry>,
+    /// Mass, kg; or density.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub mass: Option<f64>,
+    /// Density, kg/m^3, or kg/m^2 of the surface when hollow; or mass.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: Option<f64>,
+    /// Inertia about the centre of mass in the body's own axes, kg m^2; from the shape when absent.
+    pub inertia: Option<InertiaEntry>,
+    /// The mass is spread evenly over the surface of the shape instead of its volume.
+    #[serde(default)]
+    pub hollow: bool,
+    /// Position of the body's own origin, m.
+    pub position: Option<Vector>,
+    /// Orientation as a unit quaternion [w, x, y, z]; or rotation_vector.
+    pub orientation: Option<Exactly<f64, 4>>,
+    /// Orientation as axis times angle, rad; or orientation.
+    pub rotation_vector: Option<Vector>,
+    /// Velocity of the centre of mass, world, m/s.
+    pub velocity: Option<Vector>,
+    /// Angular velocity, world, rad/s.
+    pub angular_velocity: Option<Vector>,
+    /// Name of a material; without one friction and restitution are 0.
+    pub material: Option<String>,
+}
+
+/// A shape in the body's own frame.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ShapeEntry {
+    /// A box about the origin.
+    Box(BoxEntry),
+    /// A ball about the origin.
+    Sphere(SphereEntry),
+    /// Everything below a plane through the origin; fixed bodies only.
+    HalfSpace(HalfSpaceEntry),
+    /// Points that touch by themselves: corners without faces. Mass and inertia must be given; the centre of mass is
+    /// the origin.
+    Points(PointsEntry),
+    /// A convex solid from an OBJ file.
+    Convex(FileEntry),
+    /// Any closed solid from an OBJ file. It collides when it is convex.
+    Mesh(FileEntry),
+}
+
+/// A box.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxEntry {
+    /// Full edges along x, y, z, m.
+    pub size: Vector,
+}
+
+/// A ball.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereEntry {
+    /// Radius, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+/// A half-space.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalfSpaceEntry {
+    /// Outward normal of any length.
+    pub normal: Vector,
+}
+
+/// Points.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointsEntry {
+    /// Positions, m.
+    #[schemars(length(min = 1))]
+    pub positions: Vec<Vector>,
+}
+
+/// A mesh in a file.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FileEntry {
+    /// OBJ file, relative to the scene file; lengths in m.
+    pub file: String,
+}
+
+/// Inertia about the centre of mass, in the body's own axes.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged)]
+pub enum InertiaEntry {
+    /// [Ixx, Iyy, Izz], kg m^2.
+    Diagonal(Vector),
+    /// The symmetric 3x3 matrix, kg m^2.
+    Matrix(Exactly<Vector, 3>),
+}
+
+/// One element of `inertia`: a number of the diagonal or a row of the matrix.
+enum InertiaElement {
+    Moment(f64),
+    Row(Vector),
+}
+
+// Derived untagged enums lose the place and the reason of an error; this visitor keeps both.
+impl<'de> Deserialize<'de> for InertiaEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Elements;
+        impl<'de> Visitor<'de> for Elements {
+            type Value = InertiaEntry;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("three moments [Ixx, Iyy, Izz] or a matrix of three rows of three numbers")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut elements: A) -> Result<InertiaEntry, A::Error> {
+                let mut moments = Vec::new();
+                let mut rows = Vec::new();
+                while let Some(element) = elements.next_element()? {
+                    match element {
+                        InertiaElement::Moment(moment) => moments.push(moment),
+                        InertiaElement::Row(row) => rows.push(row),
+                    }
+                    if moments.len() + rows.len() > 3 {
+                        break;
+                    }
+                }
+                let found = moments.len() + rows.len();
+                match (moments.as_slice(), rows.as_slice()) {
+                    (&[x, y, z], []) => Ok(InertiaEntry::Diagonal(Exactly([x, y, z]))),
+                    ([], [x, y, z]) => Ok(InertiaEntry::Matrix(Exactly([x.clone(), y.clone(), z.clone()]))),
+                    _ => Err(de::Error::invalid_length(found, &self)),
+                }
+            }
+        }
+        deserializer.deserialize_seq(Elements)
+    }
+}
+
+impl<'de> Deserialize<'de> for InertiaElement {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Element;
+        impl<'de> Visitor<'de> for Element {
+            type Value = InertiaElement;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a number or a row of three numbers")
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<InertiaElement, E> {
+                Ok(InertiaElement::Moment(value))
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<InertiaElement, E> {
+                Ok(InertiaElement::Moment(value as f64))
+            }
+
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<InertiaElement, E> {
+                Ok(InertiaElement::Moment(value as f64))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, row: A) -> Result<InertiaElement, A::Error> {
+                Vector::deserialize(de::value::SeqAccessDeserializer::new(row)).map(InertiaElement::Row)
+            }
+        }
+        deserializer.deserialize_any(Element)
+    }
+}

@@ -1,0 +1,89 @@
+//! The method: one tier and the knobs behind it.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// How the scene is simulated. A knob that is given is used literally; what is absent follows the tier.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MethodEntry {
+    /// A set of methods with one promise.
+    pub tier: Option<TierName>,
+    /// Step, s: the fixed step of tier thesis, the upper bound of a step of tier accurate.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub step: Option<f64>,
+    /// How free motion and contact phases are integrated.
+    pub integrator: Option<IntegratorName>,
+    /// How the integrator represents orientation.
+    pub orientation: Option<OrientationName>,
+    /// What happens when bodies hit each other.
+    pub impact: Option<ImpactName>,
+    /// How the forces of resting contacts are found.
+    pub contact: Option<ContactName>,
+    /// How bodies in contact act on each other.
+    pub response: Option<ResponseName>,
+    /// Local error per step of contact phases, relative to size and speed of each body.
+    #[schemars(extend("exclusiveMinimum" = 0), range(max = 0.1))]
+    pub tolerance: Option<f64>,
+    /// Largest number of events within one step.
+    #[schemars(range(min = 1))]
+    pub max_events_per_step: Option<u64>,
+}
+
+/// A set of methods with one promise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TierName {
+    /// The thesis's section 3.5 to the letter.
+    Thesis,
+    /// Closed-form flight, error-controlled contact phases, located impacts and force events.
+    Accurate,
+}
+
+/// How free motion and contact phases are integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum IntegratorName {
+    /// Classical Runge-Kutta with a fixed step (tier thesis).
+    Rk4,
+    /// Closed-form flight (tier accurate).
+    Exact,
+}
+
+/// How the integrator represents orientation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum OrientationName {
+    /// By a unit quaternion.
+    Quaternion,
+}
+
+/// What happens when bodies hit each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ImpactName {
+    /// One contact after the other until none approaches (thesis 3.3).
+    Propagation,
+    /// All contacts at once after Newton and Moreau (thesis 3.4, end).
+    Simultaneous,
+    /// Generalised reflection: symmetric, and momentum still travels through chains.
+    Reflection,
+}
+
+/// How the forces of resting contacts are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactName {
+    /// The thesis's linear programme of least total force with its guesses of vanishing contacts.
+    LeastForce,
+    /// The exact complementarity problem by the active set.
+    ActiveSet,
+}
+
+/// How bodies in contact act on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ResponseName {
+    /// By forces that keep bodies from overlapping, and impulses where they hit.
+    Constraint,
+}

@@ -1,0 +1,120 @@
+//! Members of the format that are designed but not built yet.
+//!
+//! They are known by name so that a scene that asks for one is told `not yet available` and what to use instead,
+//! rather than that it has made a spelling mistake. They are no members of the format's types and so absent from the
+//! schema.
+
+use super::SHAPES;
+use crate::document::{KeyPath, Step};
+use toml::de::{DeTable, DeValue};
+
+/// A key, or some values of a key, that will come.
+struct Planned {
+    /// The path; `*` stands for any key or number.
+    path: &'static [&'static str],
+    /// The values; empty when the key itself is not available.
+    values: &'static [&'static str],
+    /// What can be used instead.
+    instead: &'static str,
+}
+
+/// What of an entry is planned.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// The key.
+    Key,
+    /// The value.
+    Value,
+}
+
+/// Something planned that a scene asks for.
+pub(crate) struct Request {
+    /// What of the entry is to blame.
+    pub(crate) part: Part,
+    /// Where.
+    pub(crate) path: KeyPath,
+    /// What was asked for.
+    pub(crate) what: String,
+    /// What can be used instead.
+    pub(crate) instead: &'static str,
+}
+
+const PLANNED: &[Planned] = &[
+    Planned { path: &["joints"], values: &[], instead: "bodies without joints" },
+    Planned { path: &["forces"], values: &[], instead: "gravity alone" },
+    Planned { path: &["bodies", "*", "pivot"], values: &[], instead: "a body that moves freely" },
+    Planned { path: &["bodies", "*", "shape", "cylinder"], values: &[], instead: SHAPES },
+    Planned { path: &["bodies", "*", "shape", "cone"], values: &[], instead: SHAPES },
+    Planned { path: &["bodies", "*", "shape", "capsule"], values: &[], instead: SHAPES },
+    Planned { path: &["bodies", "*", "shape", "torus"], values: &[], instead: SHAPES },
+    Planned { path: &["bodies", "*", "shape", "compound"], values: &[], instead: SHAPES },
+    Planned { path: &["method", "tier"], values: &["fast", "stepped"], instead: "accurate or thesis" },
+    Planned {
+        path: &["method", "integrator"],
+        values: &[
+            "explicit-euler",
+            "semi-implicit-euler",
+            "implicit-gyroscopic",
+            "rkmk4",
+            "cf4",
+            "splitting",
+            "splitting-4",
+            "splitting-6",
+            "moser-veselov",
+            "moser-veselov-4",
+            "implicit-midpoint",
+            "dop853",
+        ],
+        instead: "exact or rk4",
+    },
+    Planned { path: &["method", "orientation"], values: &["matrix", "euler-angles"], instead: "quaternion" },
+    Planned {
+        path: &["method", "impact"],
+        values: &["poisson", "energetic", "pulse"],
+        instead: "propagation, simultaneous or reflection",
+    },
+    Planned {
+        path: &["method", "contact"],
+        values: &["interior-point", "sequential-impulses"],
+        instead: "active-set or least-force",
+    },
+    Planned { path: &["method", "response"], values: &["impulse", "penalty"], instead: "constraint" },
+];
+
+/// The first planned member that a document asks for, in the order of the list.
+pub(crate) fn requested(root: &DeTable<'_>) -> Option<Request> {
+    PLANNED.iter().find_map(|planned| in_table(planned, planned.path, root, &KeyPath::root()))
+}
+
+fn in_table(planned: &Planned, path: &[&str], table: &DeTable<'_>, at: &KeyPath) -> Option<Request> {
+    let (name, rest) = path.split_first()?;
+    table
+        .iter()
+        .filter(|(key, _)| *name == "*" || key.get_ref() == name)
+        .find_map(|(key, value)| in_value(planned, rest, value.get_ref(), &at.then(Step::key(key.get_ref().as_ref()))))
+}
+
+fn in_value(planned: &Planned, rest: &[&str], value: &DeValue<'_>, at: &KeyPath) -> Option<Request> {
+    if rest.is_empty() {
+        return request(planned, value, at);
+    }
+    match value {
+        DeValue::Table(table) => in_table(planned, rest, table, at),
+        DeValue::Array(array) if rest[0] == "*" => array.iter().enumerate().find_map(|(index, element)| {
+            in_value(planned, &rest[1..], element.get_ref(), &at.then(Step::Index(index)))
+        }),
+        _ => None,
+    }
+}
+
+fn request(planned: &Planned, value: &DeValue<'_>, at: &KeyPath) -> Option<Request> {
+    let last = planned.path.last().copied().unwrap_or_default();
+    let (part, what) = match value {
+        _ if planned.values.is_empty() => (Part::Key, last.to_owned()),
+        DeValue::String(text) if planned.values.contains(&text.as_ref()) => {
+            (Part::Value, format!("{last} = \"{text}\""))
+        }
+        _ => return None,
+    };
+    Some(Request { part, path: at.clone(), what, instead: planned.instead })
+}

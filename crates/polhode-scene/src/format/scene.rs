@@ -1,0 +1,86 @@
+//! The document: everything but methods and bodies.
+
+use super::exactly::{Exactly, Vector};
+use super::{BodyEntry, MethodEntry};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A scene of rigid bodies. SI units, z up unless gravity says otherwise, quaternions [w, x, y, z].
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Polhode scene, version 1")]
+pub struct SceneFile {
+    /// Version of the format: 1.
+    #[schemars(range(min = 1, max = 1))]
+    pub format: u32,
+    /// Name of the scene; the name of the file when absent.
+    pub name: Option<String>,
+    /// Simulated time, s; 1 when absent.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub duration: Option<f64>,
+    /// Acceleration of gravity, m/s^2; [0, 0, -9.81] when absent.
+    pub gravity: Option<Vector>,
+    /// How the scene is simulated; the plan chooses what is absent.
+    #[serde(default)]
+    pub method: MethodEntry,
+    /// What is written.
+    #[serde(default)]
+    pub output: OutputEntry,
+    /// Materials by name.
+    #[serde(default)]
+    pub materials: BTreeMap<String, MaterialEntry>,
+    /// What two materials do to each other instead of the default rule.
+    #[serde(default)]
+    pub pairs: Vec<PairEntry>,
+    /// The bodies.
+    #[serde(default)]
+    pub bodies: Vec<BodyEntry>,
+    /// Groups of bodies that do not collide with each other.
+    #[serde(default)]
+    pub no_contact: Vec<NoContactEntry>,
+}
+
+/// What is written.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OutputEntry {
+    /// Time between samples, s; 0.01 when absent. The first sample is t = 0, the last exactly the duration.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub interval: Option<f64>,
+}
+
+/// A material.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialEntry {
+    /// Coefficient of friction; 0 when absent. Two materials: the geometric mean. Only 0 is available yet.
+    #[schemars(range(min = 0, max = 0))]
+    pub friction: Option<f64>,
+    /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one.
+    #[schemars(range(min = 0, max = 1))]
+    pub restitution: Option<f64>,
+}
+
+/// What two materials do to each other instead of the default rule; what is absent keeps the rule.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PairEntry {
+    /// Names of the two materials, in any order.
+    pub materials: Exactly<String, 2>,
+    /// Coefficient of friction. Only 0 is available yet.
+    #[schemars(range(min = 0, max = 0))]
+    pub friction: Option<f64>,
+    /// Coefficient of restitution in [0, 1].
+    #[schemars(range(min = 0, max = 1))]
+    pub restitution: Option<f64>,
+}
+
+/// Bodies that do not collide with each other.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NoContactEntry {
+    /// Names of two or more bodies.
+    #[schemars(length(min = 2))]
+    pub bodies: Vec<String>,
+}

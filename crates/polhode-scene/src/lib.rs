@@ -1,0 +1,58 @@
+//! Scene files in, trajectories and reports out.
+//!
+//! The only part of polhode that knows a file format. It reads no clock, starts no thread and prints nothing.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`mod@format`] | the scene format, version 1, as plain data |
+//! | [`mod@load`] | [`load`](load()): from a file to a [`polhode::Scene`] |
+//! | [`error`] | [`SceneFileError`]: file, line, column, key and what is accepted, with the line shown |
+//! | [`mod@schema`] | [`schema`](schema()): the JSON Schema of the format |
+//! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events as CSV |
+//! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
+//! | [`report`] | reports and plans as JSON |
+//! | [`mesh_file`], [`mesh_report`] | meshes from OBJ files; diagnosis and mass properties |
+//! | [`names`] | words for methods |
+//!
+//! ```
+//! let text = r#"
+//!     format = 1
+//!     duration = 2.0
+//!     [[bodies]]
+//!     name = "ball"
+//!     shape.sphere.radius = 0.1
+//!     mass = 1.0
+//! "#;
+//! let loaded = polhode_scene::load_text("ball.toml", text, &[])?;
+//! assert_eq!(loaded.scene.bodies()[0].name(), "ball");
+//!
+//! let error = polhode_scene::load_text("ball.toml", &text.replace("mass = 1.0", "mass = -1.0"), &[]).unwrap_err();
+//! assert!(error.to_string().contains("mass must be a positive number of kilograms, found -1"));
+//! # Ok::<(), polhode_scene::SceneFileError>(())
+//! ```
+
+pub mod compare;
+pub mod error;
+pub mod format;
+pub mod load;
+pub mod mesh_file;
+pub mod mesh_report;
+pub mod names;
+pub mod output;
+pub mod report;
+pub mod schema;
+
+mod build;
+mod csv;
+mod document;
+mod read;
+
+pub use compare::{CompareError, Comparison, Tolerance, compare};
+pub use document::Override;
+pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError};
+pub use load::{LoadedScene, load, load_text, load_with};
+pub use mesh_file::read_mesh;
+pub use mesh_report::{Filling, MeshReport};
+pub use output::{OutputError, Outputs};
+pub use report::{plan_json, plan_with_accelerations_json, report_json};
+pub use schema::schema;

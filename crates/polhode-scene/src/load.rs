@@ -1,0 +1,72 @@
+//! From a scene file to a scene.
+
+use crate::build;
+use crate::document::{Document, Override};
+use crate::error::{Refusal, SceneFileError};
+use crate::format::SceneFile;
+use crate::mesh_file::MeshFolder;
+use crate::read;
+use polhode::{Scene, SceneError};
+use std::path::Path;
+
+/// Largest scene file read, bytes: a hundred thousand bodies need about 20 MB.
+pub const LARGEST_SCENE_FILE: u64 = 64 << 20;
+
+/// A scene and the file it came from.
+#[derive(Debug, Clone)]
+pub struct LoadedScene {
+    /// The scene.
+    pub scene: Scene,
+    document: Document,
+    file: SceneFile,
+}
+
+impl LoadedScene {
+    /// An error that the engine found in the scene later (two bodies that overlap), shown at its place in the file.
+    pub fn explain(&self, error: SceneError) -> SceneFileError {
+        self.document.refuse(&build::path_of(&error, &self.file), Refusal::Scene(error))
+    }
+}
+
+/// Loads a scene from a file. Paths of meshes are relative to the file.
+///
+/// # Errors
+/// [`SceneFileError`]: the file, its text, a key or a value is refused, with the place and the line.
+pub fn load(path: &Path) -> Result<Scene, SceneFileError> {
+    load_with(path, &[]).map(|loaded| loaded.scene)
+}
+
+/// Loads a scene from a file after setting some of its values from outside.
+///
+/// # Errors
+/// As [`load`]; a value set from outside names its origin as the place.
+pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
+    let bytes = read::bounded(path, LARGEST_SCENE_FILE).map_err(|fault| match fault {
+        read::Fault::Io(source) => SceneFileError::Read { path: path.to_owned(), source },
+        read::Fault::TooLarge => SceneFileError::TooLarge { path: path.to_owned(), limit: LARGEST_SCENE_FILE },
+    })?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let offset = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..offset].split(|&byte| byte == b'\n').count();
+        SceneFileError::NotText { path: path.to_owned(), line, offset }
+    })?;
+    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    from_document(Document::new(&path.display().to_string(), text, overrides), &MeshFolder::beside(path), &name)
+}
+
+/// Loads a scene from text; `origin` is what errors call it, and names the folder that mesh files are relative to.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_text(origin: &str, text: &str, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
+    let folder = MeshFolder::beside(Path::new(origin));
+    from_document(Document::new(origin, text.to_owned(), overrides), &folder, origin)
+}
+
+fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
+    let file = document.read()?;
+    match build::scene(&file, folder, name) {
+        Ok(scene) => Ok(LoadedScene { scene, document, file }),
+        Err((path, refusal)) => Err(document.refuse(&path, refusal)),
+    }
+}

@@ -1,0 +1,39 @@
+//! Trajectories as JSON: one object with the bodies' names, the columns and the samples.
+//!
+//! `{"scene": .., "bodies": [name, ..], "columns": ["px", .., "wz"], "samples": [{"t": .., "states": [[13 numbers], ..]}, ..]}`
+
+use super::{COLUMNS, Sink, TrajectoryFormat, numbers};
+use polhode::BodySample;
+use serde_json::json;
+use std::io;
+
+/// JSON, streamed sample by sample.
+#[derive(Debug)]
+pub(super) struct Json {
+    scene: String,
+    bodies: Vec<String>,
+    is_first: bool,
+}
+
+impl Json {
+    pub(super) fn new(scene: &str, bodies: &[String]) -> Self {
+        Self { scene: scene.to_owned(), bodies: bodies.to_vec(), is_first: true }
+    }
+}
+
+impl TrajectoryFormat for Json {
+    fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()> {
+        let (scene, bodies) = (json!(self.scene), json!(self.bodies));
+        write!(out, "{{\"scene\":{scene},\n\"bodies\":{bodies},\n\"columns\":{},\n\"samples\":[", json!(COLUMNS[2..]))
+    }
+
+    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()> {
+        let states: Vec<_> = bodies.iter().map(numbers).collect();
+        let comma = if std::mem::take(&mut self.is_first) { "" } else { "," };
+        write!(out, "{comma}\n{{\"t\":{},\"states\":{}}}", json!(t), json!(states))
+    }
+
+    fn end(&mut self, out: &mut dyn Sink) -> io::Result<()> {
+        writeln!(out, "\n]}}")
+    }
+}

@@ -1,0 +1,72 @@
+//! Trajectories as NPY: an array of doubles of shape (samples, bodies, 14).
+//!
+//! The last axis is `t` and the numbers of the CSV columns `px` to `wz`; bodies are in the order of the scene. Format
+//! version 1.0 (docs/REFERENCES.md, NumPy enhancement proposal 1): a magic word, the length of the header, a Python
+//! dictionary padded with spaces, little-endian data. The number of samples is not known before the end of a run, so
+//! the header is written at the start with room to spare and again at the end.
+
+use super::{Sink, TrajectoryFormat, numbers};
+use polhode::BodySample;
+use std::io::{self, SeekFrom};
+
+/// Length of the last axis.
+pub const NPY_WIDTH: usize = 14;
+
+/// Length of everything before the data, bytes: a multiple of 64 with room for the largest numbers.
+const HEADER_LENGTH: usize = 192;
+
+/// Length of the magic word, the version and the header's own length, bytes.
+const PREFIX_LENGTH: usize = 10;
+
+/// NPY, double precision, little-endian, C order.
+#[derive(Debug)]
+pub(super) struct Npy {
+    bodies: usize,
+    samples: u64,
+}
+
+impl Npy {
+    pub(super) fn new(bodies: usize) -> Self {
+        Self { bodies, samples: 0 }
+    }
+
+    fn header(&self) -> Vec<u8> {
+        let shape = format!("({}, {}, {NPY_WIDTH})", self.samples, self.bodies);
+        let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+        let length = HEADER_LENGTH - PREFIX_LENGTH;
+        let mut header = b"\x93NUMPY\x01\x00".to_vec();
+        header.extend_from_slice(&(length as u16).to_le_bytes());
+        // The padding ends with a newline, as the format wants it.
+        header.extend_from_slice(format!("{dictionary:<width$}\n", width = length - 1).as_bytes());
+        header
+    }
+}
+
+/// One row of the last axis: `t` (s) and the numbers of a body.
+pub fn npy_row(t: f64, body: &BodySample) -> [f64; NPY_WIDTH] {
+    let mut row = [t; NPY_WIDTH];
+    row[1..].copy_from_slice(&numbers(body));
+    row
+}
+
+impl TrajectoryFormat for Npy {
+    fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()> {
+        out.write_all(&self.header())
+    }
+
+    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()> {
+        for body in bodies {
+            for number in npy_row(t, body) {
+                out.write_all(&number.to_le_bytes())?;
+            }
+        }
+        self.samples += 1;
+        Ok(())
+    }
+
+    fn end(&mut self, out: &mut dyn Sink) -> io::Result<()> {
+        out.seek(SeekFrom::Start(0))?;
+        out.write_all(&self.header())?;
+        out.seek(SeekFrom::End(0)).map(drop)
+    }
+}

@@ -1,0 +1,172 @@
+//! The observer that writes files.
+
+use super::atomic_file::AtomicFile;
+use super::csv::Csv;
+use super::json::Json;
+use super::npy::Npy;
+use super::{TrajectoryFormat, events};
+use polhode::{BodySample, Event, Flow, Observer, Scene};
+use std::io;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why output could not be written.
+#[derive(Debug, Error)]
+pub enum OutputError {
+    /// The ending of a file's name says no kind of trajectory.
+    #[error("{}: unknown ending; accepted: .csv, .npy, .json", path.display())]
+    Ending {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The ending says a kind of trajectory that is designed but not built.
+    #[error("not yet available: {} (.glb and .html); use .csv, .npy or .json", path.display())]
+    NotYetAvailable {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Two outputs have one name.
+    #[error("{} is named twice: every output needs a file of its own", path.display())]
+    Twice {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}
+
+impl OutputError {
+    /// Whether writing failed, as opposed to what was asked for.
+    pub fn is_input_output(&self) -> bool {
+        matches!(self, Self::Write { .. })
+    }
+}
+
+/// Writes the samples and events of a run to files while it goes on.
+///
+/// The first fault stops the run at the end of the step; [`Outputs::finish`] returns it.
+#[derive(Debug)]
+pub struct Outputs {
+    bodies: Vec<String>,
+    trajectories: Vec<(AtomicFile, Box<dyn TrajectoryFormat>)>,
+    events: Option<AtomicFile>,
+    fault: Option<OutputError>,
+}
+
+impl Outputs {
+    /// Opens files for the trajectory of `scene`, of the kinds their endings say, and for its events (CSV).
+    ///
+    /// # Errors
+    /// When an ending is unknown, a name is given twice or a file cannot be opened.
+    pub fn create(scene: &Scene, trajectories: &[PathBuf], events: Option<&Path>) -> Result<Self, OutputError> {
+        let bodies: Vec<String> = scene.bodies().iter().map(|body| body.name().to_owned()).collect();
+        let mut all: Vec<&Path> = trajectories.iter().map(PathBuf::as_path).chain(events).collect();
+        all.sort();
+        if let Some(pair) = all.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(OutputError::Twice { path: pair[0].to_owned() });
+        }
+        let mut formats = Vec::with_capacity(trajectories.len());
+        for path in trajectories {
+            formats.push(format_of(path, scene.name(), &bodies)?);
+        }
+        let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, fault: None };
+        for (path, mut format) in trajectories.iter().zip(formats) {
+            let mut file = AtomicFile::create(path).map_err(|source| fault(path, source))?;
+            format.begin(&mut file).map_err(|source| fault(path, source))?;
+            outputs.trajectories.push((file, format));
+        }
+        if let Some(path) = events {
+            let mut file = AtomicFile::create(path).map_err(|source| fault(path, source))?;
+            events::begin(&mut file).map_err(|source| fault(path, source))?;
+            outputs.events = Some(file);
+        }
+        Ok(outputs)
+    }
+
+    /// Completes all files and moves them to their names.
+    ///
+    /// # Errors
+    /// The first fault of writing; no file then appears, but those that were moved before the fault.
+    pub fn finish(mut self) -> Result<(), OutputError> {
+        if let Some(fault) = self.fault.take() {
+            return Err(fault);
+        }
+        self.end()?;
+        for file in self.files() {
+            file.commit().map_err(|source| fault(file.target(), source))?;
+        }
+        Ok(())
+    }
+
+    /// After a run that failed: keeps what has been written under the names with `.partial` at their end, which are
+    /// returned. What stood under the names themselves stays.
+    ///
+    /// # Errors
+    /// As [`Outputs::finish`].
+    pub fn keep_partial(mut self) -> Result<Vec<PathBuf>, OutputError> {
+        self.end()?;
+        self.files().map(|file| file.keep_partial().map_err(|source| fault(file.target(), source))).collect()
+    }
+
+    fn end(&mut self) -> Result<(), OutputError> {
+        for (file, format) in &mut self.trajectories {
+            format.end(file).map_err(|source| fault(file.target(), source))?;
+        }
+        Ok(())
+    }
+
+    fn files(&mut self) -> impl Iterator<Item = &mut AtomicFile> {
+        self.trajectories.iter_mut().map(|(file, _)| file).chain(self.events.as_mut())
+    }
+}
+
+impl Observer for Outputs {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        if self.fault.is_some() {
+            return;
+        }
+        for (file, format) in &mut self.trajectories {
+            if let Err(source) = format.sample(file, t, bodies) {
+                self.fault = Some(fault(file.target(), source));
+                return;
+            }
+        }
+    }
+
+    fn event(&mut self, event: &Event) {
+        if self.fault.is_some() {
+            return;
+        }
+        if let Some(file) = &mut self.events
+            && let Err(source) = events::row(file, event, &self.bodies)
+        {
+            self.fault = Some(fault(file.target(), source));
+        }
+    }
+
+    fn progress(&mut self, _t: f64) -> Flow {
+        if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+fn fault(path: &Path, source: io::Error) -> OutputError {
+    OutputError::Write { path: path.to_owned(), source }
+}
+
+/// The kind of trajectory that the ending of a name says.
+fn format_of(path: &Path, scene: &str, bodies: &[String]) -> Result<Box<dyn TrajectoryFormat>, OutputError> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    match ending.as_deref() {
+        Some("csv") => Ok(Box::new(Csv::new(bodies).map_err(|source| fault(path, source))?)),
+        Some("npy") => Ok(Box::new(Npy::new(bodies.len()))),
+        Some("json") => Ok(Box::new(Json::new(scene, bodies))),
+        Some("glb" | "html") => Err(OutputError::NotYetAvailable { path: path.to_owned() }),
+        _ => Err(OutputError::Ending { path: path.to_owned() }),
+    }
+}

@@ -1,0 +1,104 @@
+//! Reports as JSON.
+
+use crate::names;
+use glam::DVec3;
+use polhode::{Acceleration, BodySample, Outcome, Plan, RunReport, Scene};
+use serde_json::{Value, json};
+
+/// The report of a run; `wall_s` is the time it took, s.
+pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
+    let (energy, ledger, certificate) = (&report.energy, &report.ledger, &report.certificate);
+    json!({
+        "scene": report.scene,
+        "tier": names::tier(report.plan.tier),
+        "outcome": match report.outcome {
+            Outcome::Completed => "completed",
+            Outcome::Stopped => "stopped",
+        },
+        "duration_s": report.duration_s,
+        "simulated_s": report.simulated_s,
+        "steps": report.steps,
+        "wall_s": wall_s,
+        "plan": plan_json(&report.plan),
+        "energy": {
+            "initial_j": energy.initial_j,
+            "final_j": energy.final_j,
+            "kinetic_j": energy.kinetic_j,
+            "potential_j": energy.potential_j,
+        },
+        "ledger": {
+            "impact_j": ledger.impact.value(),
+            "friction_j": ledger.friction.value(),
+            "rest_j": ledger.rest.value(),
+            "damping_j": ledger.damping.value(),
+            "external_j": ledger.external.value(),
+            "projection_j": ledger.projection.value(),
+            "numerical_j": ledger.numerical.value(),
+            "closure_relative": ledger.closure_relative(),
+        },
+        "max_penetration_m": certificate.max_penetration_m,
+        "max_residual": certificate.max_residual,
+        "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
+        "max_step_error": certificate.max_step_error,
+        "fallbacks": certificate.fallbacks,
+        "events": report.events,
+        "warnings": report.warnings,
+        "bodies": report.bodies.iter().map(|(name, sample)| body_json(name, sample)).collect::<Vec<_>>(),
+    })
+}
+
+/// A plan.
+pub fn plan_json(plan: &Plan) -> Value {
+    let effects: Vec<_> = plan
+        .effects
+        .iter()
+        .map(|decision| {
+            json!({
+                "effect": decision.effect.name(),
+                "decision": names::decision(decision.decision),
+                "fact": decision.fact,
+                "saves": decision.saves,
+            })
+        })
+        .collect();
+    json!({
+        "tier": names::tier(plan.tier),
+        "tier_reason": plan.tier_reason,
+        "integrator": names::integrator(plan.integrator),
+        "impact": names::impact(plan.impact),
+        "contact": names::contact(plan.contact),
+        "step_s": plan.step_s,
+        "tolerance": plan.tolerance,
+        "max_events_per_step": plan.max_events_per_step,
+        "effects": effects,
+    })
+}
+
+/// A plan with the accelerations of all bodies at t = 0, in the order of the scene: linear of the centre of mass,
+/// m/s^2, angular, rad/s^2, in the world.
+pub fn plan_with_accelerations_json(scene: &Scene, plan: &Plan, accelerations: &[Acceleration]) -> Value {
+    let mut value = plan_json(plan);
+    let list: Vec<_> = scene
+        .bodies()
+        .iter()
+        .zip(accelerations)
+        .map(|(body, a)| json!({ "body": body.name(), "linear": triple(a.linear), "angular": triple(a.angular) }))
+        .collect();
+    value["scene"] = json!(scene.name());
+    value["accelerations"] = json!(list);
+    value
+}
+
+fn body_json(name: &str, sample: &BodySample) -> Value {
+    json!({
+        "name": name,
+        "position": triple(sample.pose.translation),
+        "orientation": sample.pose.rotation.to_wxyz(),
+        "velocity": triple(sample.velocity.linear),
+        "angular_velocity": triple(sample.velocity.angular),
+    })
+}
+
+pub(crate) fn triple(v: DVec3) -> [f64; 3] {
+    v.to_array()
+}

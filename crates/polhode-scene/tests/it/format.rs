@@ -1,0 +1,92 @@
+//! What is accepted, and what absent keys mean.
+
+use crate::{BASE, scene};
+use polhode::scene::{ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Tier};
+use polhode::spatial::{DVec3, Rotation};
+
+/// Absent keys: gravity, pose, velocity, material, method; the name is that of the file.
+#[test]
+fn defaults() {
+    let scene = scene("format = 1\n[[bodies]]\nname = \"a\"\nmass = 1\ninertia = [1, 1, 1]\n");
+    assert_eq!(scene.name(), "test.toml");
+    assert_eq!(scene.gravity(), DEFAULT_GRAVITY);
+    assert_eq!((scene.duration_s(), scene.output_interval_s()), (1.0, 0.01));
+    assert_eq!(scene.method(), &polhode::scene::Method::default());
+    let body = &scene.bodies()[0];
+    assert_eq!(body.initial_pose().translation, DVec3::ZERO);
+    assert_eq!(body.initial_pose().rotation, Rotation::IDENTITY);
+    assert!(body.initial_velocity().is_zero());
+    assert!(body.shape().is_none());
+}
+
+/// Every knob of the method arrives.
+#[test]
+fn method() {
+    let text = BASE.replace(
+        "name = \"base\"",
+        "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"quaternion\", \
+         impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", tolerance = 1e-9, \
+         max_events_per_step = 77 }",
+    );
+    let method = scene(&text).method().clone();
+    assert_eq!(method.tier, Some(Tier::Thesis));
+    assert_eq!(method.step_s, Some(0.001));
+    assert_eq!(method.integrator, Some(Integrator::Rk4));
+    assert_eq!(method.impact, Some(ImpactLaw::Simultaneous));
+    assert_eq!(method.contact, Some(ContactMethod::LeastForce));
+    assert_eq!(method.tolerance, Some(1e-9));
+    assert_eq!(method.max_events_per_step, Some(77));
+}
+
+/// Every word of every knob is accepted.
+#[test]
+fn words() {
+    for (knob, words) in [
+        ("tier = \"thesis\"\nmethod.integrator", &["rk4"][..]),
+        ("integrator", &["exact"]),
+        ("impact", &["propagation", "simultaneous", "reflection"]),
+        ("contact", &["active-set"]),
+        ("tier = \"thesis\"\nmethod.contact", &["least-force", "active-set"]),
+    ] {
+        for word in words {
+            scene(&BASE.replace("name = \"base\"", &format!("method.{knob} = \"{word}\"")));
+        }
+    }
+}
+
+/// Poses: `orientation` is scalar first and normalised within 1e-6, `rotation_vector` is axis times angle.
+#[test]
+fn poses() {
+    let pose = |line: &str| {
+        *scene(&BASE.replace("position = [0, 0, 10]", &format!("position = [1, 2, 3]\n{line}"))).bodies()[1]
+            .initial_pose()
+    };
+    let half = std::f64::consts::FRAC_PI_2;
+    let by_vector = pose(&format!("rotation_vector = [0, 0, {half}]"));
+    let by_quaternion = pose("orientation = [0.7071068, 0, 0, 0.7071068]");
+    assert_eq!(by_vector.translation, DVec3::new(1.0, 2.0, 3.0));
+    assert!(by_vector.rotation.angle_to(by_quaternion.rotation) < 1e-7);
+    assert!(by_quaternion.rotation.rotate(DVec3::X).distance(DVec3::Y) < 1e-7);
+    let norm = by_quaternion.rotation.quaternion().length();
+    assert!((norm - 1.0).abs() < 1e-15);
+}
+
+/// Materials combine by their rule: geometric mean of friction, larger restitution, unless a pair overrides it.
+#[test]
+fn materials() {
+    let text =
+        BASE.replace("fixed = true", "fixed = true\nmaterial = \"rubber\"") + "[materials.rubber]\nrestitution = 0.9\n";
+    assert_eq!(scene(&text).pair_material(0, 1).restitution(), 0.9);
+    assert_eq!(scene(BASE).pair_material(0, 1).restitution(), 0.5);
+    let pair = format!("{text}[[pairs]]\nmaterials = [\"ice\", \"rubber\"]\nrestitution = 0.1\n");
+    assert_eq!(scene(&pair).pair_material(0, 1).restitution(), 0.1);
+    assert_eq!(scene(&pair).pair_material(1, 0).restitution(), 0.1);
+}
+
+/// Bodies of a `no_contact` group do not collide.
+#[test]
+fn no_contact() {
+    assert!(scene(BASE).may_collide(0, 1));
+    let group = format!("{BASE}[[no_contact]]\nbodies = [\"floor\", \"brick\"]\n");
+    assert!(!scene(&group).may_collide(0, 1));
+}

@@ -1,0 +1,53 @@
+//! Scene files in, trajectories out: what is accepted, what is refused and how, and what is written.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod comparison;
+mod documentation;
+mod fixtures;
+mod format;
+mod mass;
+mod mesh_report;
+mod outputs;
+mod overrides;
+mod refusals;
+mod robustness;
+mod schema;
+
+use polhode::Scene;
+use polhode_scene::{Refused, SceneFileError, load_text};
+
+/// A scene of a floor and a brick that every test changes a little.
+pub(crate) const BASE: &str = r#"
+format = 1
+name = "base"
+
+[materials.ice]
+restitution = 0.5
+
+[[bodies]]
+name = "floor"
+fixed = true
+shape.half_space.normal = [0, 0, 1]
+
+[[bodies]]
+name = "brick"
+shape.box.size = [1.0, 2.0, 3.0]
+mass = 6.0
+position = [0, 0, 10]
+material = "ice"
+"#;
+
+/// The scene that `text` describes.
+pub(crate) fn scene(text: &str) -> Scene {
+    load_text("test.toml", text, &[]).unwrap_or_else(|error| panic!("{error}")).scene
+}
+
+/// What is refused of `text`.
+pub(crate) fn refused(text: &str) -> Box<Refused> {
+    match load_text("test.toml", text, &[]) {
+        Ok(_) => panic!("accepted:\n{text}"),
+        Err(SceneFileError::Refused(refused)) => refused,
+        Err(error) => panic!("{error}"),
+    }
+}

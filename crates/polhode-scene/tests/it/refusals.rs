@@ -1,0 +1,345 @@
+//! Every mistake is refused with its place, its key, and what is accepted.
+
+use crate::{BASE, refused};
+use polhode_scene::{Refusal, SceneFileError, load, load_text};
+use std::time::{Duration, Instant};
+
+/// `BASE` with `brick`'s line that begins with `old` replaced.
+fn brick(old: &str, new: &str) -> String {
+    let (head, body) = BASE.split_once("name = \"brick\"").unwrap();
+    let line = body.lines().find(|line| line.starts_with(old)).unwrap();
+    format!("{head}name = \"brick\"{}", body.replace(line, new))
+}
+
+/// Checks that `text` is refused at `key`, on the line that holds `shown`, with a message that holds `message`.
+#[track_caller]
+fn check(text: &str, key: &str, shown: &str, message: &str) {
+    let refused = refused(text);
+    let rendered = refused.to_string();
+    assert_eq!(refused.place.key, key, "{rendered}");
+    let line = text.lines().nth(refused.place.line - 1).unwrap();
+    assert!(line.contains(shown), "line {}: {line}\n{rendered}", refused.place.line);
+    assert!(rendered.contains(message), "{rendered}");
+    assert!(rendered.contains(&format!("test.toml:{}:{}", refused.place.line, refused.place.column)), "{rendered}");
+}
+
+/// Numbers that no body can have are refused at their key.
+#[test]
+fn numbers_out_of_range() {
+    let cases = [
+        ("mass", "mass = 0", "bodies.brick.mass", "positive number of kilograms, found 0"),
+        ("mass", "mass = -1.5", "bodies.brick.mass", "found -1.5"),
+        ("mass", "mass = nan", "bodies.brick.mass", "found NaN"),
+        ("mass", "mass = inf", "bodies.brick.mass", "found inf"),
+        ("mass", "density = 0.0", "bodies.brick.density", "positive number of kg/m^3"),
+        ("mass", "density = -inf", "bodies.brick.density", "found -inf"),
+        ("shape", "shape.box.size = [1, 0, 1]", "bodies.brick.shape.box.size.1", "0 is not accepted"),
+        ("shape", "shape.box.size = [1, 1, -2]", "bodies.brick.shape.box.size.2", "-2 is not accepted"),
+        ("shape", "shape.box.size = [nan, 1, 1]", "bodies.brick.shape.box.size.0", "NaN is not accepted"),
+        ("shape", "shape.box.size = [1e-200, 1e-200, 1e-200]", "bodies.brick.shape.box.size", "at least"),
+        ("shape", "shape.sphere.radius = 0", "bodies.brick.shape.sphere.radius", "a positive, finite number"),
+        ("shape", "shape.sphere.radius = inf", "bodies.brick.shape.sphere.radius", "inf is not accepted"),
+        (
+            "shape",
+            "shape.points.positions = [[0, 0, 0], [0, nan, 0]]",
+            "bodies.brick.shape.points.positions.1.1",
+            "NaN",
+        ),
+        ("shape", "shape.points.positions = []", "bodies.brick.shape.points.positions", "at least 1"),
+        ("position", "position = [0, inf, 0]", "bodies.brick.position.1", "a finite number"),
+        ("position", "velocity = [nan, 0, 0]", "bodies.brick.velocity.0", "a finite number"),
+        ("position", "angular_velocity = [0, 0, nan]", "bodies.brick.angular_velocity.2", "a finite number"),
+        ("position", "rotation_vector = [0, 0, nan]", "bodies.brick.rotation_vector.2", "a finite number"),
+        ("position", "rotation_vector = [1e200, 0, 0]", "bodies.brick.rotation_vector", "1e200"),
+        ("position", "orientation = [1, 0, 0, 0.01]", "bodies.brick.orientation", "must be 1 within 1e-6"),
+        ("position", "orientation = [0, 0, 0, 0]", "bodies.brick.orientation", "must be 1 within 1e-6"),
+        ("position", "orientation = [nan, 0, 0, 0]", "bodies.brick.orientation", "not finite"),
+        ("position", "inertia = [1, 1, 2.1]", "bodies.brick.inertia", "triangle inequality"),
+        ("position", "inertia = [1, 1, 0]", "bodies.brick.inertia", "must be positive"),
+        ("position", "inertia = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]", "bodies.brick.inertia", "symmetric"),
+        ("position", "inertia = [1, nan, 1]", "bodies.brick.inertia", "not finite"),
+    ];
+    for (old, new, key, message) in cases {
+        let shown = new.split(" =").next().unwrap();
+        let text = brick(old, new);
+        // A shape without volume needs an inertia; what is tested comes first.
+        check(&text, key, shown, message);
+    }
+}
+
+/// Numbers of the scene itself.
+#[test]
+fn numbers_of_the_scene() {
+    let cases = [
+        ("duration = 0", "duration", "positive"),
+        ("duration = -1", "duration", "-1 is not accepted"),
+        ("duration = nan", "duration", "NaN is not accepted"),
+        ("duration = 1e999", "duration", "overflowed"),
+        ("gravity = [0, 0, inf]", "gravity.2", "inf is not accepted"),
+        ("gravity = [0, 0]", "gravity", "an array of length 3"),
+        ("gravity = [0, 0, 0, 0]", "gravity", "an array of length 3"),
+        ("output.interval = 0", "output.interval", "positive"),
+        ("method.step = -0.1", "method.step", "positive"),
+        ("method.tolerance = 0.5", "method.tolerance", "(0, 0.1]"),
+        ("method.max_events_per_step = 0", "method.max_events_per_step", "at least 1"),
+        ("method.max_events_per_step = -3", "method.max_events_per_step", "whole number"),
+    ];
+    for (line, key, message) in cases {
+        let text = BASE.replace("name = \"base\"", &format!("name = \"base\"\n{line}"));
+        check(&text, key, line, message);
+    }
+}
+
+/// What a body must have, and what it must not have together.
+#[test]
+fn combinations() {
+    let cases = [
+        ("mass", "mass = 1\ndensity = 1", "bodies.brick.density", "density = 1", "give one of them"),
+        ("mass", "", "bodies.brick", "[[bodies]]", "`mass` or `density`"),
+        ("shape", "", "bodies.brick", "[[bodies]]", "a body without a shape needs `mass` and `inertia`"),
+        ("shape", "shape.points.positions = [[0, 0, 0]]", "bodies.brick", "[[bodies]]", "needs `mass` and `inertia`"),
+        ("position", "fixed = true", "bodies.brick.mass", "mass", "no meaning for a fixed body"),
+        (
+            "mass",
+            "fixed = true\nvelocity = [1, 0, 0]",
+            "bodies.brick.velocity",
+            "velocity",
+            "no meaning for a fixed body",
+        ),
+        ("mass", "fixed = true\nhollow = true", "bodies.brick.hollow", "hollow", "no meaning for a fixed body"),
+        (
+            "position",
+            "orientation = [1, 0, 0, 0]\nrotation_vector = [0, 0, 1]",
+            "bodies.brick.rotation_vector",
+            "rotation_vector",
+            "give one of them",
+        ),
+        ("shape", "shape.half_space.normal = [0, 0, 1]", "bodies.brick.shape", "half_space", "must be fixed"),
+        ("material", "material = \"steel\"", "bodies.brick.material", "steel", "accepted: `ice`"),
+    ];
+    for (old, new, key, shown, message) in cases {
+        check(&brick(old, new), key, shown, message);
+    }
+    let without_shape = brick("shape", "").replace("mass = 6.0", "density = 6.0\ninertia = [1, 1, 1]");
+    check(&without_shape, "bodies.brick.density", "density", "no meaning for a body without a shape");
+    let zero_normal = BASE.replace("[0, 0, 1]", "[0, 0, 0]");
+    check(&zero_normal, "bodies.floor.shape.half_space.normal", "normal", "no direction");
+}
+
+/// Names: empty, twice, unknown.
+#[test]
+fn names() {
+    check(&BASE.replace("\"brick\"", "\"floor\""), "bodies.floor.name", "floor", "two bodies are named `floor`");
+    check(&BASE.replace("\"brick\"", "\"\""), "bodies.1.name", "name", "empty name");
+    let group = format!("{BASE}\n[[no_contact]]\nbodies = [\"brick\", \"wall\"]\n");
+    check(&group, "no_contact.0.bodies.1", "wall", "accepted: `floor`, `brick`");
+    let alone = format!("{BASE}\n[[no_contact]]\nbodies = [\"brick\"]\n");
+    check(&alone, "no_contact.0.bodies", "bodies", "two or more");
+    let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"fire\"]\nrestitution = 0.1\n");
+    check(&pair, "pairs.0.materials.1", "fire", "no material is named `fire`");
+    check(&BASE.replace("materials.ice", "materials.\"\""), "materials.\"\"", "materials", "a name that is not empty");
+}
+
+/// Materials out of range, in a material and in a pair.
+#[test]
+fn materials() {
+    let restitution = |value: &str| BASE.replace("restitution = 0.5", &format!("restitution = {value}"));
+    for value in ["-0.1", "1.1", "nan", "inf"] {
+        check(&restitution(value), "materials.ice.restitution", "restitution", "a number in [0, 1] is needed");
+    }
+    let friction = |value: &str| BASE.replace("restitution = 0.5", &format!("friction = {value}"));
+    check(&friction("-1"), "materials.ice.friction", "friction", "at least 0");
+    check(&friction("0.3"), "materials.ice.friction", "friction", "not yet available");
+    let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"ice\"]\nfriction = 0.02\n");
+    check(&pair, "pairs.0.friction", "friction = 0.02", "not yet available");
+}
+
+/// A key or value that the format does not have is named, with those that it has.
+#[test]
+fn unknown_keys_and_values() {
+    check(&brick("mass", "weight = 1"), "bodies.brick.weight", "weight", "`mass`, `density`");
+    check(&BASE.replace("format = 1", "format = 1\nspeed = 1"), "speed", "speed", "unknown key `speed`");
+    check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
+    check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
+    let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
+    check(&tier, "method.tier", "quick", "accepted: `thesis` or `accurate`");
+    let pivot_elsewhere = BASE.replace("name = \"base\"", "output.pivot = 1");
+    check(&pivot_elsewhere, "output.pivot", "pivot", "unknown key `pivot`");
+}
+
+/// What is designed but not built is refused as such, wherever it is asked for.
+#[test]
+fn planned_members() {
+    let top = |line: &str| BASE.replace("name = \"base\"", line);
+    let mut cases = vec![
+        (format!("{BASE}\n[[joints]]\ntype.hinge = {{ bodies = [\"a\", \"b\"] }}\n"), "joints"),
+        (format!("{BASE}\n[[forces]]\n"), "forces"),
+        (brick("position", "pivot = [0, 0, 0]"), "bodies.brick.pivot"),
+    ];
+    for shape in ["cylinder", "cone", "capsule", "torus", "compound"] {
+        cases.push((brick("shape", &format!("shape.{shape}.radius = 1")), "bodies.brick.shape"));
+    }
+    let knobs = [
+        ("tier", &["fast", "stepped"][..]),
+        ("impact", &["poisson", "energetic", "pulse"]),
+        ("contact", &["interior-point", "sequential-impulses"]),
+        ("response", &["impulse", "penalty"]),
+        ("orientation", &["matrix", "euler-angles"]),
+        (
+            "integrator",
+            &[
+                "explicit-euler",
+                "semi-implicit-euler",
+                "implicit-gyroscopic",
+                "rkmk4",
+                "cf4",
+                "splitting",
+                "splitting-4",
+                "splitting-6",
+                "moser-veselov",
+                "moser-veselov-4",
+                "implicit-midpoint",
+                "dop853",
+            ],
+        ),
+    ];
+    for (knob, values) in knobs {
+        for value in values {
+            cases.push((top(&format!("method.{knob} = \"{value}\"")), "method"));
+        }
+    }
+    for (text, key) in cases {
+        let refused = refused(&text);
+        assert!(refused.place.key.starts_with(key), "{refused}");
+        assert!(refused.to_string().contains("not yet available"), "{refused}");
+        assert!(refused.to_string().contains("use "), "{refused}");
+    }
+}
+
+/// Knobs that do not go together are refused at the knob.
+#[test]
+fn knobs_that_do_not_go_together() {
+    let cases = [
+        ("integrator = \"rk4\"", "method.integrator"),
+        ("tier = \"thesis\"\nmethod.integrator = \"exact\"", "method.integrator"),
+        ("contact = \"least-force\"", "method.contact"),
+    ];
+    for (knobs, key) in cases {
+        let refused = refused(&BASE.replace("name = \"base\"", &format!("method.{knobs}")));
+        assert_eq!(refused.place.key, key, "{refused}");
+        assert!(refused.to_string().contains("not yet available"), "{refused}");
+    }
+}
+
+/// Values of the wrong type or length say what is needed.
+#[test]
+fn types() {
+    check(&brick("mass", "mass = \"heavy\""), "bodies.brick.mass", "heavy", "accepted: a number");
+    check(&brick("shape", "shape = \"box\""), "bodies.brick.shape", "shape", "shape.box.size");
+    check(&brick("shape", "shape.box = 1"), "bodies.brick.shape.box", "shape", "accepted: a table");
+    check(&brick("shape", "shape.box.size = [1, 2]"), "bodies.brick.shape.box.size", "size", "an array of length 3");
+    let two = "shape.box.size = [1, 1, 1]\nshape.sphere.radius = 1";
+    check(&brick("shape", two), "bodies.brick.shape", "shape", "exactly one");
+    check(&brick("shape", "shape = {}"), "bodies.brick.shape", "shape", "exactly one");
+    check(&brick("position", "inertia = [1, [1, 2, 3], 3]"), "bodies.brick.inertia", "inertia", "three rows");
+    check(&brick("position", "inertia = [1, 2, 3, 4]"), "bodies.brick.inertia", "inertia", "three moments");
+    check(&brick("position", "inertia = 3"), "bodies.brick.inertia", "inertia", "three moments");
+    check(&BASE.replace("format = 1", "format = 2"), "format", "format = 2", "accepted: 1");
+    check(&BASE.replace("format = 1", ""), "", "", "missing key `format`");
+    check(&BASE.replace("name = \"brick\"", ""), "bodies.1", "[[bodies]]", "missing key `name`");
+    assert!(matches!(refused("bodies = 3\nformat = 1").cause, Refusal::Type { .. }));
+}
+
+/// Text that is not TOML is refused with its line; nesting without end is no way to overflow the stack.
+#[test]
+fn syntax() {
+    let refused_at = |text: &str| refused(text).place;
+    assert_eq!(refused_at("format = 1\nname = = 2\n").line, 2);
+    assert_eq!(refused_at("format = 1\nformat = 1\n").line, 2);
+    assert!(matches!(refused("{{{{").cause, Refusal::Syntax(_)));
+    let deep = format!("format = 1\na = {}", "[".repeat(100_000));
+    assert!(matches!(refused(&deep).cause, Refusal::Syntax(_)));
+    assert_eq!(refused_at("").line, 1);
+}
+
+/// A line without end is shown in part, and its column is still the true one.
+#[test]
+fn long_lines() {
+    let points = "[0, 0, 0], ".repeat(20_000);
+    let text = format!("format = 1\n[[bodies]]\nname = \"cloud\"\nshape.points.positions = [{points}[0, 0]]\n");
+    let refused = refused(&text);
+    assert_eq!((refused.place.line, refused.place.column), (4, 27 + points.len()));
+    assert!(refused.to_string().len() < 1000, "{refused}");
+    assert!(refused.to_string().contains("[0, 0]]"), "{refused}");
+}
+
+/// Errors name characters, not bytes, as columns, and stand lines that hold any character.
+#[test]
+fn characters() {
+    let refused = refused("format = 1\nname = \"äöü\u{1F600}\"; x");
+    assert_eq!((refused.place.line, refused.place.column), (2, 14), "{refused}");
+}
+
+/// A missing mesh is a fault of input, a mesh that is none a fault of the scene; both name the key.
+#[test]
+fn meshes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("garbage.obj", "v 0 0 zero\n");
+    write("l.obj", include_str!("../../../../fixtures/meshes/l-shape.obj"));
+    let load_shape = |shape: &str| {
+        write("scene.toml", &brick("shape", shape));
+        load(&path).unwrap_err()
+    };
+    let missing = load_shape("shape.mesh.file = \"missing.obj\"");
+    assert!(missing.is_input_output());
+    assert!(missing.to_string().contains("bodies.brick.shape.mesh.file"), "{missing}");
+    for (shape, message) in [
+        ("shape.mesh.file = \"flat.obj\"", "open edges"),
+        ("shape.mesh.file = \"garbage.obj\"", "line 1: 'zero' is not a number"),
+        ("shape.mesh.file = \"mesh.stl\"", "must be .obj"),
+        ("shape.convex.file = \"l.obj\"", "not convex"),
+    ] {
+        let error = load_shape(shape);
+        assert!(!error.is_input_output());
+        assert!(error.to_string().contains(message), "{error}");
+        assert!(error.to_string().contains("scene.toml:"), "{error}");
+    }
+    // A mesh that is not convex has mass, but cannot meet the floor yet.
+    let error = load_shape("shape.mesh.file = \"l.obj\"");
+    assert!(error.to_string().contains("not yet available: collision"), "{error}");
+    assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
+}
+
+/// Files that are missing, folders, too large or no text give typed errors at once.
+#[test]
+fn files() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    assert!(matches!(load(&path).unwrap_err(), SceneFileError::Read { .. }));
+    assert!(load(folder.path()).unwrap_err().is_input_output());
+    std::fs::write(&path, b"format = 1\nname = \"\xff\"\n").unwrap();
+    assert!(matches!(load(&path).unwrap_err(), SceneFileError::NotText { line: 2, offset: 19, .. }));
+    let file = std::fs::File::create(&path).unwrap();
+    file.set_len(100 << 20).unwrap();
+    let started = Instant::now();
+    assert!(matches!(load(&path).unwrap_err(), SceneFileError::TooLarge { .. }));
+    assert!(started.elapsed() < Duration::from_secs(5));
+}
+
+/// Errors that the engine finds later are shown at the body they are about.
+#[test]
+fn errors_of_the_engine() {
+    let loaded = load_text("test.toml", BASE, &[]).unwrap();
+    let overlap = polhode::SceneError::InitialOverlap {
+        body_a: "floor".to_owned(),
+        body_b: "brick".to_owned(),
+        depth_m: 0.1,
+        allowed_m: 1e-9,
+    };
+    let error = loaded.explain(overlap);
+    assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
+    assert!(error.to_string().contains("overlap by 1e-1 m"), "{error}");
+}

@@ -1,0 +1,57 @@
+//! The JSON Schema lists what is accepted, and nothing that is not yet available.
+
+use polhode_scene::schema;
+use serde_json::Value;
+
+/// All keys of all `properties`, and all words of all enumerations.
+fn collect(value: &Value, words: &mut Vec<String>) {
+    match value {
+        Value::Object(map) => {
+            for (key, value) in map {
+                match (key.as_str(), value) {
+                    ("properties", Value::Object(properties)) => words.extend(properties.keys().cloned()),
+                    ("const", Value::String(word)) => words.push(word.clone()),
+                    ("enum", Value::Array(members)) => {
+                        words.extend(members.iter().filter_map(|word| word.as_str().map(str::to_owned)));
+                    }
+                    _ => {}
+                }
+                collect(value, words);
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| collect(value, words)),
+        _ => {}
+    }
+}
+
+/// Every key and word of the format is there.
+#[test]
+fn lists_what_is_accepted() {
+    let schema = schema();
+    assert_eq!(serde_json::from_str::<Value>(&schema.to_string()).unwrap(), schema);
+    assert!(schema["$schema"].as_str().is_some_and(|draft| draft.contains("json-schema.org")));
+    let mut words = Vec::new();
+    collect(&schema, &mut words);
+    let accepted = "format name duration gravity method output materials pairs bodies no_contact interval friction \
+        restitution tier step integrator orientation impact contact response tolerance max_events_per_step fixed shape \
+        mass density inertia hollow position rotation_vector velocity angular_velocity material box sphere half_space \
+        points convex mesh size radius normal positions file thesis accurate rk4 exact quaternion propagation \
+        simultaneous reflection least-force active-set constraint";
+    for word in accepted.split_whitespace() {
+        assert!(words.iter().any(|known| known == word), "{word} is missing");
+    }
+    let planned = "joints forces pivot cylinder cone capsule torus compound fast stepped poisson energetic pulse \
+        interior-point sequential-impulses impulse penalty matrix euler-angles dop853 splitting";
+    for word in planned.split_whitespace() {
+        assert!(!words.iter().any(|known| known == word), "{word} is not yet available");
+    }
+}
+
+/// Tables are closed, so that editors mark spelling mistakes.
+#[test]
+fn refuses_unknown_keys() {
+    let schema = schema();
+    assert_eq!(schema["additionalProperties"], false);
+    assert_eq!(schema["$defs"]["BodyEntry"]["additionalProperties"], false);
+    assert_eq!(schema["required"], serde_json::json!(["format"]));
+}

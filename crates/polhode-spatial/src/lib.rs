@@ -1,0 +1,47 @@
+//! Poses, velocities, inertia algebra and mass properties of rigid bodies: the leaf crate of polhode.
+//!
+//! Notation (docs/NOTATION.md, after Drake's monogram notation): W is the world, B a body, Bo the origin of its
+//! frame, Bcm its centre of mass. `X_WB` is the pose of B in W, `R_WB` its rotation, `p_WB` its position,
+//! `v_WBcm` and `w_WB` are velocities measured and expressed in W, `I_BBcm_B` is the inertia about the centre of
+//! mass in body axes. SI units, right-handed, quaternions are scalar first and turn body axes into world axes.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`rotation`] | [`Rotation`]: a unit quaternion that is known to be one |
+//! | [`pose`] | [`Pose`]: rotation and translation of one frame in another |
+//! | [`velocity`] | [`Velocity`] of a body, velocity of its points |
+//! | [`unit_vector`] | [`UnitVector`]: a direction |
+//! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds; [`Still`] |
+//! | [`inertia`] | [`Inertia`]: a valid rotational inertia and its algebra |
+//! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |
+//! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
+//! | [`compensated_sum`] | [`CompensatedSum`] after Neumaier |
+//!
+//! ```
+//! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties};
+//! let mass = Mass::new(6.0)?;
+//! let brick = MassProperties::new(mass, DVec3::ZERO, Inertia::from_diagonal(DVec3::new(6.5, 5.0, 2.5))?);
+//! assert_eq!(brick.principal_axes().moments(), DVec3::new(2.5, 5.0, 6.5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod compensated_sum;
+pub mod inertia;
+pub mod mass_properties;
+pub mod motion;
+pub mod pose;
+pub mod principal_axes;
+pub mod rotation;
+pub mod unit_vector;
+pub mod velocity;
+
+pub use compensated_sum::CompensatedSum;
+pub use glam::{DMat3, DQuat, DVec3};
+pub use inertia::{Inertia, InertiaError};
+pub use mass_properties::{Density, Mass, MassProperties, MassPropertiesError};
+pub use motion::{Motion, MotionBounds, Still};
+pub use pose::Pose;
+pub use principal_axes::PrincipalAxes;
+pub use rotation::{Rotation, RotationError};
+pub use unit_vector::{UnitVector, UnitVectorError};
+pub use velocity::Velocity;

@@ -1,0 +1,50 @@
+//! Motions: poses as functions of time, with bounds that hold over an interval.
+//!
+//! Collision detection takes motions and so needs no dynamics: a free flight, a step of an integrator and a body
+//! that stands still all look the same to it. The frame that moves is the body's central frame C: axes of the body,
+//! origin at the centre of mass.
+
+use crate::{Pose, Velocity};
+
+/// Upper bounds that hold at every time of an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MotionBounds {
+    /// Speed of the centre of mass, m/s.
+    pub speed: f64,
+    /// Magnitude of the acceleration of the centre of mass, m/s^2.
+    pub acceleration: f64,
+    /// Magnitude of the angular velocity, rad/s.
+    pub angular_speed: f64,
+    /// Magnitude of the angular acceleration, rad/s^2.
+    pub angular_acceleration: f64,
+}
+
+/// A rigid motion over time.
+pub trait Motion {
+    /// `X_WC` at time `t` (s).
+    fn pose(&self, t: f64) -> Pose;
+
+    /// Velocity of the centre of mass and angular velocity at time `t` (s).
+    fn velocity(&self, t: f64) -> Velocity;
+
+    /// Bounds that hold for every time in `[t0, t1]`. They may be generous, never too small.
+    fn bounds(&self, t0: f64, t1: f64) -> MotionBounds;
+}
+
+/// The motion of a body that does not move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Still(pub Pose);
+
+impl Motion for Still {
+    fn pose(&self, _t: f64) -> Pose {
+        self.0
+    }
+
+    fn velocity(&self, _t: f64) -> Velocity {
+        Velocity::ZERO
+    }
+
+    fn bounds(&self, _t0: f64, _t1: f64) -> MotionBounds {
+        MotionBounds::default()
+    }
+}

@@ -1,0 +1,437 @@
+//! The state of a run and one step of it.
+
+use super::hold::Forces;
+use super::projection;
+use super::trial::Trial;
+use crate::books::{Books, energy_of};
+use crate::interaction::contact_set::{ContactId, Hold, Touch};
+use crate::interaction::groups::{Group, groups};
+use crate::observer::Observer;
+use crate::settings::Settings;
+use crate::world::World;
+use crate::{Acceleration, Certificate, Effects, Energy, Event, RunReport, SimulationError};
+use polhode_contact::Bvh;
+use polhode_dynamics::{BodyState, Flight};
+use polhode_response::{ComplementaritySolver, ResponseError, SolverReport, SolverStatus};
+use polhode_spatial::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
+const STALL_RELATIVE: f64 = 1e-9;
+
+/// Events of the same instant after which what is still found wrong is put up with for one step.
+const PATIENCE: u32 = 16;
+
+/// How a body moves until the next event.
+#[derive(Debug, Clone)]
+pub(super) enum Mode {
+    /// Never.
+    Fixed,
+    /// Freely, by its flight record.
+    Flight(Box<Flight>),
+    /// With held contacts, integrated.
+    Constrained,
+    /// Not at all: its group is in certified equilibrium at zero velocity.
+    Rest,
+}
+
+/// A run in progress.
+#[derive(Debug)]
+pub(crate) struct Engine {
+    pub(super) world: World,
+    pub(super) settings: Settings,
+    effects: Effects,
+    pub(super) t: f64,
+    /// States at `t`.
+    pub(super) states: Vec<BodyState>,
+    pub(super) modes: Vec<Mode>,
+    /// Contacts that touch at `t`, sorted by identity.
+    pub(super) touches: Vec<Touch>,
+    pub(super) solver: ComplementaritySolver,
+    pub(super) broad_phase: Bvh,
+    pub(super) books: Books,
+    pub(super) certificate: Certificate,
+    warnings: Vec<String>,
+    /// Events of the current step, in order of time.
+    pub(super) events: Vec<Event>,
+    event_count: u64,
+    /// Events since time last advanced by a whole step.
+    events_in_step: u64,
+    /// Step proposed by the error control of the contact phases, s.
+    pub(super) proposed_step_s: f64,
+    steps: u64,
+    next_sample: u64,
+    /// Largest speed of any body so far, or what gravity gives over a body's size, m/s.
+    pub(super) speed_scale: f64,
+    /// Contacts whose forces have been found to reach zero at the end of the present step.
+    pub(super) departing: BTreeSet<ContactId>,
+    /// How many events in a row have not let time advance.
+    pub(super) stalls: u32,
+    /// Bodies that the present instant has woken from rest.
+    pub(super) woken: BTreeSet<usize>,
+    /// When bounces that were summed up at the present instant end, by body, s.
+    pub(super) rest_times: BTreeMap<usize, f64>,
+}
+
+impl Engine {
+    /// Prepares a run: finds what touches, moves touching bodies out of their round-off, decides which contacts hold.
+    ///
+    /// # Errors
+    /// When bodies overlap at the start or the contact forces of the start cannot be found.
+    pub(crate) fn new(
+        world: World,
+        states: Vec<BodyState>,
+        settings: Settings,
+        effects: Effects,
+    ) -> Result<Self, SimulationError> {
+        let books = Books::open(&world, &states);
+        let modes = vec![Mode::Fixed; world.bodies.len()];
+        let mut engine = Self {
+            world,
+            settings,
+            effects,
+            t: 0.0,
+            states,
+            modes,
+            touches: Vec::new(),
+            solver: ComplementaritySolver::default(),
+            broad_phase: Bvh::default(),
+            books,
+            certificate: Certificate::default(),
+            warnings: Vec::new(),
+            events: Vec::new(),
+            event_count: 0,
+            events_in_step: 0,
+            proposed_step_s: settings.step_s,
+            steps: 0,
+            next_sample: 0,
+            speed_scale: 0.0,
+            departing: BTreeSet::new(),
+            stalls: 0,
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+        };
+        engine.find_initial_contacts()?;
+        Ok(engine)
+    }
+
+    /// Number of pairs that touch.
+    pub(crate) fn touching_pairs(&self) -> usize {
+        let mut pairs: Vec<_> = self.touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
+        pairs.dedup();
+        pairs.len()
+    }
+
+    /// Time reached, s.
+    pub(crate) fn time(&self) -> f64 {
+        self.t
+    }
+
+    /// Advances to the end of one step, or to the first event in it.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub(crate) fn step(&mut self, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        if self.steps == 0 {
+            self.emit_sample(0.0, observer);
+            self.next_sample = 1;
+            self.resolve(&[])?;
+        }
+        self.refresh_resting_forces()?;
+        let trial = self.integrate()?;
+        let contact_change = self.locate_contact_change(&trial)?;
+        let limit = contact_change.unwrap_or(trial.end());
+        let near = self.near_pairs(&trial);
+        let impact = self.first_impact(&trial, &near, limit)?;
+        let t_next = impact.map_or(limit, |impact| impact.min(limit));
+        if t_next < limit {
+            self.departing.clear();
+        }
+
+        self.stalls = if self.is_stall(t_next) { self.stalls + 1 } else { 0 };
+        if self.stalls == PATIENCE {
+            self.warn("contacts undo each other at one instant: what is still wrong is put up with for one step");
+        }
+        self.emit_samples(&trial, t_next, observer);
+        self.advance(&trial, t_next)?;
+        if contact_change.is_some() || impact.is_some() {
+            self.resolve(&near)?;
+            self.count_events()?;
+        } else {
+            self.events_in_step = 0;
+        }
+        self.audit()?;
+        self.emit_events(observer);
+        self.steps += 1;
+        if self.t >= self.world.scene.duration_s() {
+            self.emit_sample(self.t, observer);
+        }
+        Ok(())
+    }
+
+    /// Moving groups: bodies with held contacts that are not at rest.
+    pub(super) fn constrained_groups(&self) -> Vec<Group> {
+        let held = self.touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
+        let constrained = |body: usize| matches!(self.modes[body], Mode::Constrained);
+        groups(
+            &self.world,
+            held.filter(|(_, touch)| constrained(touch.id.a) || constrained(touch.id.b))
+                .map(|(index, touch)| (index, touch.id.a, touch.id.b)),
+        )
+    }
+
+    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
+    fn refresh_resting_forces(&mut self) -> Result<(), SimulationError> {
+        if self.effects == Effects::Planned {
+            return Ok(());
+        }
+        let rest = |body: usize| matches!(self.modes[body], Mode::Rest);
+        let resting = groups(
+            &self.world,
+            self.touches
+                .iter()
+                .enumerate()
+                .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
+                .map(|(index, touch)| (index, touch.id.a, touch.id.b)),
+        );
+        for group in resting {
+            let mut pairs: Vec<_> =
+                group.contacts.iter().map(|&i| (self.touches[i].id.a, self.touches[i].id.b)).collect();
+            pairs.dedup();
+            let mut contacts = Vec::with_capacity(group.contacts.len());
+            for (a, b) in pairs {
+                let reach = self.world.touch_distance(&self.states, a, b);
+                contacts.extend(self.world.contacts_of_pair(&self.states, a, b, reach));
+            }
+            for touch in &mut contacts {
+                // The set was sorted by identity when it was made; its members keep their status as a warm start.
+                if let Ok(index) = self.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
+                    touch.hold = self.touches[index].hold;
+                }
+            }
+            let forces = Forces::solve(&self.world, &self.states, &group.bodies, &contacts, &mut self.solver)
+                .map_err(|source| self.response_error(source))?;
+            self.note_solve(&forces.solution.report)?;
+        }
+        Ok(())
+    }
+
+    /// Longest step that may be tried now, s.
+    pub(super) fn step_limit(&self) -> f64 {
+        let remaining = self.world.scene.duration_s() - self.t;
+        let nothing_moves = self.modes.iter().all(|mode| matches!(mode, Mode::Fixed | Mode::Rest));
+        if nothing_moves && self.effects == Effects::Planned { remaining } else { remaining.min(self.settings.step_s) }
+    }
+
+    /// Whether an event at `t` comes without time having advanced.
+    pub(super) fn is_stall(&self, t: f64) -> bool {
+        t - self.t <= STALL_RELATIVE * self.settings.step_s
+    }
+
+    /// Whether the present instant has been resolved so often that what is still found wrong with it is put up with
+    /// for one step: degenerate contacts can leave two answers that undo each other at the level of rounding.
+    pub(super) fn puts_up(&self) -> bool {
+        self.stalls >= PATIENCE
+    }
+
+    /// Brings all states to `t_next`; the smooth stage that ends there is booked.
+    fn advance(&mut self, trial: &Trial, t_next: f64) -> Result<(), SimulationError> {
+        let ends = self.states_at_end(trial, t_next)?;
+        self.t = t_next;
+        for (body, mode) in self.modes.iter().enumerate() {
+            if let Mode::Flight(flight) = mode {
+                self.states[body] = flight.state(t_next);
+            }
+        }
+        for (group, end) in trial.groups.iter().zip(ends) {
+            let before = energy_of(&self.world, &self.states, &group.bodies);
+            for (&body, state) in group.bodies.iter().zip(end) {
+                self.states[body] = state;
+            }
+            let integrated = energy_of(&self.world, &self.states, &group.bodies);
+            self.books.ledger.numerical.add(before - integrated);
+            projection::project(&self.world, &mut self.states, &group.bodies, &group.held)
+                .map_err(|source| self.response_error(source))?;
+            let projected = energy_of(&self.world, &self.states, &group.bodies);
+            self.books.ledger.projection.add(integrated - projected);
+        }
+        self.refresh_kinematics();
+        Ok(())
+    }
+
+    /// Evaluates every touching contact at the current states; those that no longer exist are dropped.
+    pub(super) fn refresh_kinematics(&mut self) {
+        let (world, states) = (&self.world, &self.states);
+        self.touches.retain_mut(|touch| match world.kinematics(states, touch.id) {
+            Some(kinematics) => {
+                touch.kinematics = kinematics;
+                true
+            }
+            None => false,
+        });
+    }
+
+    /// Puts a body on a new flight record from its present state.
+    pub(super) fn take_off(&mut self, body: usize) {
+        if let Some(rigid) = &self.world.bodies[body].rigid {
+            self.modes[body] =
+                Mode::Flight(Box::new(Flight::new(rigid, self.t, &self.states[body], self.world.gravity())));
+        }
+    }
+
+    /// Ends a body's flight record, if it has one: what the record lost or gained in energy is booked.
+    pub(super) fn land(&mut self, body: usize) {
+        if let Mode::Flight(flight) = &self.modes[body] {
+            let (start, end) = (*flight.start(), flight.state(self.t));
+            let total = |state| {
+                let (kinetic, potential) = self.world.energies(body, state);
+                kinetic + potential
+            };
+            let lost = total(&start) - total(&end);
+            self.books.ledger.numerical.add(lost);
+        }
+    }
+
+    /// Takes a solver's report into the certificate.
+    ///
+    /// # Errors
+    /// When the problem was not solved to its tolerance.
+    pub(super) fn note_solve(&mut self, report: &SolverReport) -> Result<(), SimulationError> {
+        self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
+        self.certificate.max_acceleration_error_bound = self.certificate.max_acceleration_error_bound.max(report.bound);
+        self.certificate.fallbacks += u64::from(report.method.is_fallback());
+        if report.status == SolverStatus::Solved {
+            Ok(())
+        } else {
+            Err(SimulationError::ContactSolve { t: self.t, residual: report.residual })
+        }
+    }
+
+    pub(super) fn warn(&mut self, what: &str) {
+        self.warnings.push(format!("t = {} s: {what}", self.t));
+    }
+
+    pub(super) fn response_error(&self, source: ResponseError) -> SimulationError {
+        SimulationError::ContactProblem { t: self.t, source }
+    }
+
+    /// Checks that the states are finite, and measures energy and penetration.
+    fn audit(&mut self) -> Result<(), SimulationError> {
+        if let Some(body) = self.states.iter().position(|state| !state.is_finite()) {
+            return Err(SimulationError::Diverged { body: self.world.bodies[body].name.clone(), t: self.t });
+        }
+        let energy = self.books.observe(&self.world, &self.states);
+        if !energy.final_j.is_finite() {
+            return Err(SimulationError::EnergyOverflow { t: self.t });
+        }
+        for body in 0..self.states.len() {
+            self.speed_scale = self.speed_scale.max(self.speed(body));
+        }
+        // The separation of a contact point measures penetration only while the point lies on its features, as that of
+        // held contacts does; others are measured when they are detected.
+        let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);
+        let deepest = held.fold(0.0f64, |depth, touch| depth.max(-touch.kinematics.geometry.separation));
+        self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(deepest);
+        Ok(())
+    }
+
+    fn count_events(&mut self) -> Result<(), SimulationError> {
+        self.events_in_step += 1;
+        let limit = self.settings.max_events_per_step;
+        if self.events_in_step > limit { Err(SimulationError::TooManyEvents { limit, t: self.t }) } else { Ok(()) }
+    }
+
+    fn emit_events(&mut self, observer: &mut dyn Observer) {
+        // The end of bounces that have been summed up lies a little ahead; it is reported in its turn.
+        self.events.sort_by(|x, y| x.t.total_cmp(&y.t));
+        let due = self.events.partition_point(|event| event.t <= self.t);
+        self.event_count += due as u64;
+        for event in self.events.drain(..due) {
+            observer.event(&event);
+        }
+    }
+
+    /// Time of sample number `k`, s.
+    fn sample_time(&self, k: u64) -> f64 {
+        k as f64 * self.world.scene.output_interval_s()
+    }
+
+    /// Samples that fall before `t_next`, evaluated within the step.
+    fn emit_samples(&mut self, trial: &Trial, t_next: f64, observer: &mut dyn Observer) {
+        while self.sample_time(self.next_sample) < t_next {
+            let t = self.sample_time(self.next_sample);
+            let samples: Vec<_> = (0..self.world.bodies.len())
+                .map(|body| self.world.sample(body, &self.state_within(trial, body, t)))
+                .collect();
+            observer.sample(t, &samples);
+            self.next_sample += 1;
+        }
+    }
+
+    /// A sample of the present states.
+    fn emit_sample(&self, t: f64, observer: &mut dyn Observer) {
+        let samples: Vec<_> =
+            self.states.iter().enumerate().map(|(body, state)| self.world.sample(body, state)).collect();
+        observer.sample(t, &samples);
+    }
+
+    /// Accelerations of all bodies now, under the contact forces of now.
+    ///
+    /// # Errors
+    /// When the forces cannot be found.
+    pub(crate) fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
+        let mut out: Vec<_> = (0..self.world.bodies.len()).map(|body| self.free_acceleration(body)).collect();
+        for (bodies, members) in self.sustained_groups() {
+            let forces = Forces::solve(&self.world, &self.states, &bodies, &members, &mut self.solver)
+                .map_err(|source| self.response_error(source))?;
+            self.note_solve(&forces.solution.report)?;
+            for (body, linear, angular) in forces.accelerations() {
+                out[body] = Acceleration { linear, angular };
+            }
+        }
+        Ok(out)
+    }
+
+    /// Bodies connected by contacts that neither approach nor part, and those contacts.
+    fn sustained_groups(&self) -> Vec<(Vec<usize>, Vec<Touch>)> {
+        let sustained = self.touches.iter().enumerate().filter(|(_, touch)| self.is_sustained(touch));
+        groups(&self.world, sustained.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
+            .into_iter()
+            .map(|group| (group.bodies, group.contacts.iter().map(|&i| self.touches[i]).collect()))
+            .collect()
+    }
+
+    fn free_acceleration(&self, body: usize) -> Acceleration {
+        let state = &self.states[body];
+        self.world.bodies[body].rigid.as_ref().map_or(
+            Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO },
+            |rigid| {
+                let w = rigid.angular_velocity(state);
+                let inverse = rigid.inverse_inertia_world(state.pose.rotation);
+                Acceleration { linear: self.world.gravity(), angular: -(inverse * w.cross(state.angular_momentum)) }
+            },
+        )
+    }
+
+    /// Writes the results of the run into its report.
+    pub(crate) fn fill(&mut self, report: &mut RunReport) {
+        report.energy = self.close_books();
+        report.ledger = self.books.ledger;
+        report.certificate = self.certificate;
+        report.warnings.clone_from(&self.warnings);
+        report.steps = self.steps;
+        report.events = self.event_count;
+        report.bodies = self.world.named_samples(&self.states);
+    }
+
+    /// Closes the books: flights still in the air are booked up to now.
+    fn close_books(&mut self) -> Energy {
+        for body in 0..self.modes.len() {
+            if matches!(self.modes[body], Mode::Flight(_)) {
+                self.land(body);
+                self.take_off(body);
+            }
+        }
+        self.books.observe(&self.world, &self.states)
+    }
+}

@@ -1,0 +1,119 @@
+//! Which touching contacts stay, and with what forces.
+//!
+//! The complementarity problem of thesis 3.4, `0 <= f _|_ chi'' = G f + b >= 0`, decides: a contact that needs a force
+//! stays, one that accelerates apart opens. The motion it gives is unique though the forces may not be (erratum E13).
+
+use crate::interaction::assembly::Assembly;
+use crate::interaction::contact_set::{Hold, Touch};
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};
+use polhode_spatial::DVec3;
+use std::collections::BTreeSet;
+
+/// A contact that accelerates apart by more than this opens: relative to the largest relative acceleration that the
+/// group's contacts would have without forces. Round-off of the solve is some 1e-15 of it.
+const OPENING_RELATIVE: f64 = 1e-11;
+
+/// The same where contacts depend on each other. Directions in which they differ by less than some 3e-7 of the lever
+/// arm are lost in the rounding of `G`, whose pivots are quadratic in it, and show as accelerations of that size.
+const OPENING_RELATIVE_DEPENDENT: f64 = 1e-6;
+
+/// The net force on a body in equilibrium is at most this fraction of the sum of the magnitudes of the forces on it;
+/// likewise for moments. Round-off of a few hundred contacts stays below 1e-13.
+const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
+
+/// Forces of some contacts of a group, and the accelerations of its bodies, at one instant.
+#[derive(Debug)]
+pub(super) struct Forces {
+    pub(super) solution: ContactSolution,
+    pub(super) assembly: Assembly,
+    /// Generalised accelerations of the group's bodies.
+    accelerations: Vec<f64>,
+    /// What counts as opening, m/s^2.
+    pub(super) opening: f64,
+    /// The same for bodies that are all exactly at rest, m/s^2.
+    pub(super) opening_from_rest: f64,
+}
+
+impl Forces {
+    /// Solves for the forces of `contacts` on `bodies` (movable, ascending).
+    ///
+    /// # Errors
+    /// When the problem is not finite.
+    pub(super) fn solve(
+        world: &World,
+        states: &[BodyState],
+        bodies: &[usize],
+        contacts: &[Touch],
+        solver: &mut ComplementaritySolver,
+    ) -> Result<Self, ResponseError> {
+        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+        let assembly = Assembly::new(world, states, bodies, rows)?;
+        let free = assembly.free_accelerations(world, states);
+        let b = assembly.acceleration_constants(&free, contacts.iter().map(|touch| &touch.kinematics))?;
+        let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
+        let delassus = assembly.problem.delassus();
+        let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();
+        let relative =
+            if solution.report.rank < contacts.len() { OPENING_RELATIVE_DEPENDENT } else { OPENING_RELATIVE };
+        let largest = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let (opening, opening_from_rest) = (relative * largest, OPENING_RELATIVE * largest);
+        let mut accelerations = assembly.problem.response(&solution.forces)?;
+        for (a, f) in accelerations.iter_mut().zip(&free) {
+            *a += f;
+        }
+        Ok(Self { solution, assembly, accelerations, opening, opening_from_rest })
+    }
+
+    /// Generalised accelerations: (body, linear, angular).
+    pub(super) fn accelerations(&self) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
+        self.assembly.split(&self.accelerations)
+    }
+
+    /// Relative acceleration along the normal of a contact of these bodies that is not among those solved for, under
+    /// these forces, m/s^2.
+    pub(super) fn relative_acceleration(&self, states: &[BodyState], touch: &Touch) -> f64 {
+        let geometry = &touch.kinematics.geometry;
+        let mut relative = touch.kinematics.acceleration_bias;
+        for (body, linear, angular) in self.accelerations() {
+            let sign = if body == touch.id.a {
+                1.0
+            } else if body == touch.id.b {
+                -1.0
+            } else {
+                continue;
+            };
+            let arm = geometry.point - states[body].pose.translation;
+            relative += sign * geometry.normal.dot(linear + angular.cross(arm));
+        }
+        relative
+    }
+
+    /// Bodies on which the forces certify equilibrium: net force and net moment vanish against their parts.
+    pub(super) fn balanced_bodies(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
+        let mut force_sums = vec![0.0; world.bodies.len()];
+        let mut moment_sums = vec![0.0; world.bodies.len()];
+        for (touch, force) in contacts.iter().zip(&self.solution.forces) {
+            for body in [touch.id.a, touch.id.b] {
+                let arm = touch.kinematics.geometry.point - states[body].pose.translation;
+                force_sums[body] += force;
+                moment_sums[body] += force * arm.length();
+            }
+        }
+        self.accelerations()
+            .filter(|&(body, linear, angular)| {
+                world.bodies[body].rigid.as_ref().is_some_and(|rigid| {
+                    let weight = rigid.mass() * world.gravity().length();
+                    let net_force = rigid.mass() * linear.length();
+                    let rotation = states[body].pose.rotation;
+                    let net_moment = (rigid.inertia() * rotation.inverse_rotate(angular)).length();
+                    let weight_moment = weight * world.bodies[body].size;
+                    net_force <= EQUILIBRIUM_RELATIVE * (force_sums[body] + weight)
+                        && net_moment <= EQUILIBRIUM_RELATIVE * (moment_sums[body] + weight_moment)
+                })
+            })
+            .map(|(body, _, _)| body)
+            .collect()
+    }
+}

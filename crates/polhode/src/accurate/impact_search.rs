@@ -1,0 +1,84 @@
+//! The first impact within a step: pairs that close on their true motion.
+//!
+//! Pairs held together by a contact are watched by the location of contact changes; every other pair whose swept
+//! boxes meet is searched by conservative advancement, which is never late.
+
+use super::engine::{Engine, Mode};
+use super::trial::Trial;
+use crate::SimulationError;
+use crate::interaction::contact_set::Hold;
+use polhode_contact::{Aabb, BroadPhase, ImpactSearch, Shape, swept_aabb, time_of_impact};
+use polhode_spatial::Motion;
+use std::collections::BTreeSet;
+
+impl Engine {
+    /// The time of the first impact of the pairs `near` in `(t, limit]`.
+    ///
+    /// # Errors
+    /// When a search does not end.
+    pub(super) fn first_impact(
+        &self,
+        trial: &Trial,
+        near: &[(usize, usize)],
+        limit: f64,
+    ) -> Result<Option<f64>, SimulationError> {
+        let held: BTreeSet<_> = self
+            .touches
+            .iter()
+            .filter(|touch| touch.hold == Hold::Held)
+            .map(|touch| (touch.id.a, touch.id.b))
+            .collect();
+        let mut first = None;
+        let mut limit = limit;
+        for &(a, b) in near {
+            if held.contains(&(a, b)) {
+                continue;
+            }
+            let Some((shape_a, shape_b)) = self.world.shapes(a, b) else { continue };
+            let (motion_a, motion_b) = (self.motion_within(trial, a), self.motion_within(trial, b));
+            let found =
+                time_of_impact(shape_a, &*motion_a, shape_b, &*motion_b, trial.t, limit, &ImpactSearch::default())
+                    .map_err(|source| SimulationError::ImpactSearch {
+                        t: self.t,
+                        body_a: self.world.bodies[a].name.clone(),
+                        body_b: self.world.bodies[b].name.clone(),
+                        source,
+                    })?;
+            if let Some(t) = found.filter(|&t| !(self.puts_up() && self.is_stall(t))) {
+                limit = t;
+                first = Some(t);
+            }
+        }
+        Ok(first)
+    }
+
+    /// Pairs that may collide, of which one moves and whose boxes, swept over the step, meet; ascending.
+    pub(super) fn near_pairs(&mut self, trial: &Trial) -> Vec<(usize, usize)> {
+        let colliders: Vec<usize> =
+            (0..self.world.bodies.len()).filter(|&body| self.world.bodies[body].shape.is_some()).collect();
+        let motions: Vec<Box<dyn Motion>> = colliders.iter().map(|&body| self.motion_within(trial, body)).collect();
+        let boxes: Vec<_> = colliders
+            .iter()
+            .zip(&motions)
+            .filter_map(|(&body, motion)| {
+                let shape = self.world.bodies[body].shape.as_ref()?;
+                let margin = self.world.touch_distance(&self.states, body, body);
+                Some(swept_box(shape, &**motion, (trial.t, trial.end()), margin))
+            })
+            .collect();
+        let moves = |body: usize| matches!(self.modes[body], Mode::Flight(_) | Mode::Constrained);
+        self.broad_phase
+            .pairs(&boxes)
+            .into_iter()
+            .flatten()
+            .map(|(i, j)| (colliders[i as usize], colliders[j as usize]))
+            .map(|(a, b)| (a.min(b), a.max(b)))
+            .filter(|&(a, b)| (moves(a) || moves(b)) && self.world.scene.may_collide(a, b))
+            .collect()
+    }
+}
+
+/// Box of a moving shape with a margin. What cannot be bounded may be anywhere: the search itself then says why.
+pub(super) fn swept_box(shape: &Shape, motion: &dyn Motion, interval: (f64, f64), margin: f64) -> Aabb {
+    swept_aabb(shape, motion, interval.0, interval.1).and_then(|aabb| aabb.inflated(margin)).unwrap_or(Aabb::UNBOUNDED)
+}

@@ -1,0 +1,216 @@
+//! When the held contacts of a moving group cease to be the right ones.
+//!
+//! Within a step the set of held contacts is frozen. It is right as long as (a) every held contact lies on its
+//! features (margin), (b) no other contact of the bodies it holds together penetrates, and (c) forces that only push
+//! can hold it: the complementarity problem over it has `chi'' = 0` everywhere. The first instant at which one of
+//! these fails is found by bisection on the dense output of the step, to 1e-13 of the step.
+
+use super::engine::Engine;
+use super::hold::Forces;
+use super::trial::{GroupTrial, Trial};
+use crate::SimulationError;
+use crate::interaction::contact_set::{ContactId, Hold, Touch};
+use crate::world::TOUCH_RELATIVE;
+use polhode_dynamics::BodyState;
+use std::collections::BTreeSet;
+
+/// Bisections of a step: 2^-44 is below 1e-13.
+const BISECTIONS: usize = 44;
+
+/// How far after the opening of a contact its acceleration is measured again, as a fraction of the step: long enough
+/// to tell its growth from rounding, so short that the growth is linear.
+const EXTRAPOLATION: f64 = 1e-5;
+
+/// Longest extrapolation back, in units of the distance of the two times: beyond it the growth is not linear.
+const LONGEST_EXTRAPOLATION: f64 = 100.0;
+
+/// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
+/// judged by (1e-12).
+const PENETRATION_RELATIVE: f64 = 2.5e-13;
+
+impl Engine {
+    /// The first time in the trial at which the held contacts of some group cease to be right.
+    ///
+    /// # Errors
+    /// When contact forces cannot be found.
+    pub(super) fn locate_contact_change(&mut self, trial: &Trial) -> Result<Option<f64>, SimulationError> {
+        let mut states = self.states.clone();
+        let mut limit = trial.end();
+        let mut found = None;
+        self.departing.clear();
+        for group in &trial.groups {
+            let mut tolerated = BTreeSet::new();
+            let mut wrong = self.first_wrong(group, trial.t, limit, &tolerated, &mut states)?;
+            while let Some(t) = wrong.filter(|&t| self.puts_up() && self.is_stall(t)) {
+                let before = tolerated.len();
+                tolerated.extend(self.violations(group, t, &tolerated, &mut states)?);
+                if tolerated.len() == before {
+                    break;
+                }
+                wrong = self.first_wrong(group, trial.t, limit, &tolerated, &mut states)?;
+            }
+            let Some(wrong) = wrong else { continue };
+            self.departing.clear();
+            let change = match self.closing_time(group, trial.t, wrong, &mut states) {
+                Some(closing) => closing,
+                None => self.opening_time(group, trial, wrong, &mut states)?.unwrap_or(wrong),
+            };
+            limit = change;
+            found = Some(change);
+        }
+        Ok(found)
+    }
+
+    /// The end of the shortest interval, to 1e-13 of the step, at whose start the set is right and at whose end wrong.
+    fn first_wrong(
+        &mut self,
+        group: &GroupTrial,
+        start: f64,
+        limit: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Result<Option<f64>, SimulationError> {
+        if self.violations(group, limit, tolerated, states)?.is_empty() {
+            return Ok(None);
+        }
+        let (mut right, mut wrong) = (start, limit);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (right + wrong);
+            if middle <= right || middle >= wrong {
+                break;
+            }
+            if self.violations(group, middle, tolerated, states)?.is_empty() {
+                right = middle;
+            } else {
+                wrong = middle;
+            }
+        }
+        Ok(Some(wrong))
+    }
+
+    /// What is wrong with the held contacts of a group at time `t` of its trial: the contacts of the first kind of
+    /// violation found, those tolerated left out.
+    fn violations(
+        &mut self,
+        group: &GroupTrial,
+        t: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Result<Vec<ContactId>, SimulationError> {
+        group.states_at(t, states);
+        let mut touches = Vec::with_capacity(group.held.len());
+        let mut left = Vec::new();
+        for &id in &group.held {
+            let tolerance = TOUCH_RELATIVE * self.world.pair_size(id.a, id.b);
+            match self.world.kinematics(states, id) {
+                Some(kinematics) if kinematics.geometry.margin >= -tolerance || tolerated.contains(&id) => {
+                    touches.push(Touch { id, kinematics, hold: Hold::Held, known: true });
+                }
+                _ => left.push(id),
+            }
+        }
+        if left.is_empty() {
+            left.extend(self.penetrating(group, states, tolerated));
+        }
+        if left.is_empty() {
+            let forces = self.forces_of(group, states, &touches)?;
+            let opens = touches.iter().zip(&forces.solution.residual_accelerations);
+            let opens = opens.filter(|&(touch, &w)| w > forces.opening && !tolerated.contains(&touch.id));
+            left.extend(opens.map(|(touch, _)| touch.id));
+        }
+        Ok(left)
+    }
+
+    fn forces_of(
+        &mut self,
+        group: &GroupTrial,
+        states: &[BodyState],
+        touches: &[Touch],
+    ) -> Result<Forces, SimulationError> {
+        let forces = Forces::solve(&self.world, states, &group.bodies, touches, &mut self.solver)
+            .map_err(|source| self.response_error(source))?;
+        self.note_solve(&forces.solution.report)?;
+        Ok(forces)
+    }
+
+    /// When the forces of contacts that open after `wrong` reach zero: their accelerations, which grow from zero, are
+    /// extrapolated back from two times just after. The contacts are noted, because at that instant nothing but the
+    /// past tells them from those that hold.
+    fn opening_time(
+        &mut self,
+        group: &GroupTrial,
+        trial: &Trial,
+        wrong: f64,
+        states: &mut [BodyState],
+    ) -> Result<Option<f64>, SimulationError> {
+        let late = (wrong + EXTRAPOLATION * (trial.end() - trial.t)).min(trial.end());
+        let mut openings = Vec::with_capacity(2);
+        for t in [wrong, late] {
+            group.states_at(t, states);
+            let touches: Vec<Touch> = group
+                .held
+                .iter()
+                .filter_map(|&id| {
+                    let kinematics = self.world.kinematics(states, id)?;
+                    Some(Touch { id, kinematics, hold: Hold::Held, known: true })
+                })
+                .collect();
+            let forces = self.forces_of(group, states, &touches)?;
+            let accelerations = forces.solution.residual_accelerations;
+            let opening = touches.iter().zip(&accelerations).filter(|&(_, &w)| w > forces.opening);
+            self.departing.extend(opening.map(|(touch, _)| touch.id));
+            openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
+        }
+        let (first, second) = (openings[0], openings[1]);
+        if self.departing.is_empty() || second <= first {
+            return Ok(None);
+        }
+        let back = first * (late - wrong) / (second - first);
+        Ok(Some((wrong - back.min(LONGEST_EXTRAPOLATION * (late - wrong))).max(trial.t)))
+    }
+
+    /// A contact of the group's touching pairs that is not held, penetrates and closes.
+    fn penetrating(
+        &self,
+        group: &GroupTrial,
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> Option<ContactId> {
+        let mut pairs: Vec<_> = group.held.iter().map(|id| (id.a, id.b)).collect();
+        pairs.dedup();
+        pairs.into_iter().find_map(|(a, b)| {
+            let depth = PENETRATION_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(states, a, b);
+            // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
+            let contacts = self.world.contacts_of_pair(states, a, b, self.world.touch_distance(states, a, b));
+            // What parts already needs no contact: it leaves by itself.
+            let closing = contacts.iter().filter(|touch| {
+                touch.kinematics.geometry.separation < -depth && touch.kinematics.separation_rate < 0.0
+            });
+            closing.map(|touch| touch.id).find(|id| group.held.binary_search(id).is_err() && !tolerated.contains(id))
+        })
+    }
+
+    /// When a contact that was clear at the start of the step closes within it: the time at which its separation is
+    /// zero, not that at which it shows as penetration.
+    fn closing_time(&self, group: &GroupTrial, start: f64, wrong: f64, states: &mut [BodyState]) -> Option<f64> {
+        group.states_at(wrong, states);
+        let id = self.penetrating(group, states, &BTreeSet::new())?;
+        let mut separation = |t: f64| {
+            group.states_at(t, states);
+            Some(self.world.kinematics(states, id)?.geometry.separation)
+        };
+        let (mut open, mut closed) = (start, wrong);
+        if separation(open)? <= TOUCH_RELATIVE * self.world.pair_size(id.a, id.b) {
+            return None;
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (open + closed);
+            if separation(middle)? > 0.0 {
+                open = middle;
+            } else {
+                closed = middle;
+            }
+        }
+        Some(closed)
+    }
+}

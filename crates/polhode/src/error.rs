@@ -1,0 +1,85 @@
+//! What can go wrong while simulating.
+
+use crate::scene::SceneError;
+use polhode_contact::ImpactError;
+use polhode_response::ResponseError;
+use thiserror::Error;
+
+/// Why a simulation could not be made or could not go on.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SimulationError {
+    /// The scene is refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The state is no longer finite.
+    #[error("the state of body {body} is not finite at t = {t} s: the run diverged")]
+    Diverged {
+        /// The body.
+        body: String,
+        /// When, s.
+        t: f64,
+    },
+    /// The total energy is too large for a number.
+    #[error("the energy of the scene is no longer a finite number at t = {t} s: speeds or accelerations are too large")]
+    EnergyOverflow {
+        /// When, s.
+        t: f64,
+    },
+    /// More events in one step than allowed.
+    #[error(
+        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, or give the contact a restitution below 1"
+    )]
+    TooManyEvents {
+        /// The limit.
+        limit: u64,
+        /// When, s.
+        t: f64,
+    },
+    /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
+    #[error("contact forces not found at t = {t} s: the residual stays at {residual:e}")]
+    ContactSolve {
+        /// When, s.
+        t: f64,
+        /// Residual reached (relative).
+        residual: f64,
+    },
+    /// A contact problem was not valid.
+    #[error("contact problem refused at t = {t} s: {source}")]
+    ContactProblem {
+        /// When, s.
+        t: f64,
+        /// Why.
+        source: ResponseError,
+    },
+    /// A stage of a step that had been accepted at another length failed.
+    #[error("step to an event failed at t = {t} s: {reason}")]
+    Stage {
+        /// When, s.
+        t: f64,
+        /// Why.
+        reason: String,
+    },
+    /// Steps became too short to make progress.
+    #[error(
+        "the step fell below {smallest_s:e} s at t = {t} s: the motion cannot be resolved to the tolerance asked for"
+    )]
+    StepTooSmall {
+        /// When, s.
+        t: f64,
+        /// Shortest step allowed, s.
+        smallest_s: f64,
+    },
+    /// A time of impact could not be found.
+    #[error("time of impact of bodies {body_a} and {body_b} not found at t = {t} s: {source}")]
+    ImpactSearch {
+        /// When, s.
+        t: f64,
+        /// One body.
+        body_a: String,
+        /// The other body.
+        body_b: String,
+        /// Why.
+        source: ImpactError,
+    },
+}

@@ -1,0 +1,95 @@
+//! The contacts that touch now, with their identities.
+//!
+//! A contact is known by its bodies and features, so that its status survives from one event to the next while its
+//! geometry is always evaluated afresh. Between events the set is frozen; at an event it is detected again.
+
+use crate::interaction::vertex_vertex::counterpart;
+use crate::world::{TOUCH_RELATIVE, World};
+use polhode_contact::{ContactFeature, ContactKinematics, Shape};
+use polhode_dynamics::BodyState;
+use polhode_spatial::Velocity;
+
+/// Vertices that meet within this fraction of touch are treated alike from both sides; a contact that has left its
+/// face by the whole of it is given up, so that the two rules do not undo each other.
+const COUNTERPART_FRACTION: f64 = 0.25;
+
+/// Identity of a contact point: two bodies (by number, A before B) and the features that meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct ContactId {
+    pub(crate) a: usize,
+    pub(crate) b: usize,
+    pub(crate) feature: ContactFeature,
+}
+
+/// What becomes of a touching contact until the next event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Hold {
+    /// It stays: its relative acceleration along the normal is zero and a force may act.
+    Held,
+    /// It opens, or moves apart: no force acts.
+    Open,
+}
+
+/// A contact that touches now.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Touch {
+    pub(crate) id: ContactId,
+    pub(crate) kinematics: ContactKinematics,
+    pub(crate) hold: Hold,
+    /// Whether `hold` is a decision that was made; a contact that has just been found has none.
+    pub(crate) known: bool,
+}
+
+impl World {
+    /// The shapes of a pair that may collide.
+    pub(crate) fn shapes(&self, a: usize, b: usize) -> Option<(&Shape, &Shape)> {
+        Some((self.bodies[a].shape.as_ref()?, self.bodies[b].shape.as_ref()?))
+    }
+
+    /// Velocity of a body; zero for one that never moves.
+    pub(crate) fn velocity(&self, index: usize, state: &BodyState) -> Velocity {
+        self.bodies[index].rigid.as_ref().map_or(Velocity::ZERO, |rigid| rigid.velocity(state))
+    }
+
+    /// Geometry, approach and acceleration terms of a contact at the given states; none when its features no longer
+    /// define a contact (edges have become parallel).
+    pub(crate) fn kinematics(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+        let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
+        let (state_a, state_b) = (&states[id.a], &states[id.b]);
+        polhode_contact::kinematics(
+            id.feature,
+            shape_a,
+            &state_a.pose,
+            &self.velocity(id.a, state_a),
+            shape_b,
+            &state_b.pose,
+            &self.velocity(id.b, state_b),
+        )
+    }
+
+    /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
+    pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<Touch> {
+        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return Vec::new() };
+        let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
+        let manifold = polhode_contact::manifold(shape_a, pose_a, shape_b, pose_b, reach);
+        let mut features: Vec<_> = manifold.contacts.iter().map(|contact| contact.feature).collect();
+        let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
+        for i in 0..features.len() {
+            features.extend(counterpart(features[i], (shape_a, pose_a), (shape_b, pose_b), distance));
+        }
+        features.sort_unstable();
+        features.dedup();
+        let touch = |feature| {
+            let id = ContactId { a, b, feature };
+            let kinematics = self.kinematics(states, id)?;
+            Some(Touch { id, kinematics, hold: Hold::Open, known: false })
+        };
+        // A contact that has left its features is none, also where collision detection keeps it as the last of its pair.
+        let border = -TOUCH_RELATIVE * self.pair_size(a, b);
+        let within = |touch: &Touch| {
+            let geometry = &touch.kinematics.geometry;
+            geometry.separation <= reach && geometry.margin >= border
+        };
+        features.into_iter().filter_map(touch).filter(within).collect()
+    }
+}

@@ -1,0 +1,60 @@
+//! Impacts: contacts that approach are struck, together with everything that touches them.
+
+use crate::event::{Event, EventKind};
+use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::contact_set::Touch;
+use crate::interaction::groups::Group;
+use crate::scene::ImpactLaw;
+use crate::world::World;
+use polhode_contact::ContactGeometry;
+use polhode_dynamics::BodyState;
+use polhode_response::impact::{self, Application, ImpactOutcome, ImpactSettings};
+use polhode_response::{ComplementaritySolver, ResponseError};
+
+/// Strikes the contacts of a group and updates the momenta of its bodies.
+///
+/// # Errors
+/// When the problem is not finite.
+pub(crate) fn strike(
+    world: &World,
+    states: &mut [BodyState],
+    group: &Group,
+    touches: &[Touch],
+    law: ImpactLaw,
+    settings: &ImpactSettings,
+    solver: &mut ComplementaritySolver,
+) -> Result<ImpactOutcome, ResponseError> {
+    let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
+    let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+    let assembly = Assembly::new(world, states, &group.bodies, rows)?;
+    let before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    let restitution: Vec<f64> =
+        members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    let law = match law {
+        ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
+        ImpactLaw::Simultaneous => impact::ImpactLaw::Simultaneous,
+        ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
+    };
+    let delassus = assembly.problem.delassus();
+    let outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
+    let geometries: Vec<ContactGeometry> = members.iter().map(|touch| touch.kinematics.geometry).collect();
+    let impulses =
+        members.iter().zip(&geometries).zip(&outcome.impulses).map(|((touch, geometry), &p)| (touch.id, geometry, p));
+    apply_impulses(world, states, impulses);
+    Ok(outcome)
+}
+
+/// The event of one impulse at one contact point.
+pub(crate) fn impulse_event(t: f64, touch: &Touch, application: &Application) -> Event {
+    let geometry = touch.kinematics.geometry;
+    Event {
+        t,
+        kind: EventKind::Impact,
+        body_a: touch.id.a,
+        body_b: Some(touch.id.b),
+        point: geometry.point,
+        normal: geometry.normal,
+        impulse: application.impulse,
+        energy_change_j: application.energy_change,
+    }
+}

@@ -1,0 +1,61 @@
+//! Vertices that meet: the other half of a degenerate contact.
+//!
+//! Where a vertex of one body meets a vertex of the other, the direction of the force is not defined by the two
+//! points (thesis 3.3 calls the case degenerate and leaves the choice open). What defines it are the two faces: the
+//! vertex of A must stay outside the face of B and the vertex of B outside the face of A. Collision detection reports
+//! one contact per place, the first of these; the second is added here, so that the pair is treated alike from both
+//! sides. Without it a pair of bodies that is its own mirror image would be pushed along one of the two normals only
+//! and lose its symmetry.
+
+use polhode_contact::{ContactFeature, ConvexPolyhedron, Shape, Side};
+use polhode_spatial::Pose;
+
+/// Faces are parallel when the cosine of their normals is -1 within this: angles above some 2e-8 are told apart.
+const PARALLEL_COSINE: f64 = 2.0 * f64::EPSILON;
+
+/// The counterpart of a vertex-face contact whose vertex stands at a vertex of the face, within `distance` (m).
+pub(crate) fn counterpart(
+    feature: ContactFeature,
+    (shape_a, pose_a): (&Shape, &Pose),
+    (shape_b, pose_b): (&Shape, &Pose),
+    distance: f64,
+) -> Option<ContactFeature> {
+    let ContactFeature::VertexFace { vertex_of, vertex, face } = feature else { return None };
+    let (Shape::Convex(a), Shape::Convex(b)) = (shape_a, shape_b) else { return None };
+    // The owner of the vertex and the owner of the face.
+    let ((owner, owner_pose), (other, other_pose)) = match vertex_of {
+        Side::A => ((a, pose_a), (b, pose_b)),
+        Side::B => ((b, pose_b), (a, pose_a)),
+    };
+    let in_other = other_pose.relative(owner_pose);
+    let point = in_other.transform_point(*owner.vertices().get(vertex as usize)?);
+    let other_face = other.face(face as usize)?;
+    let partner = other_face
+        .vertices
+        .iter()
+        .copied()
+        .find(|&u| other.vertices().get(u as usize).is_some_and(|p| (*p - point).length() <= distance))?;
+    let (facing, cosine) = most_opposed_face(owner, vertex, &in_other, other_face.normal)?;
+    // Parallel faces push along one line: the second contact would be the first over again.
+    if 1.0 + cosine <= PARALLEL_COSINE {
+        return None;
+    }
+    Some(ContactFeature::VertexFace { vertex_of: vertex_of.other(), vertex: partner, face: facing })
+}
+
+/// The face at a vertex whose normal is most opposed to `normal`; of equal ones the first.
+fn most_opposed_face(
+    owner: &ConvexPolyhedron,
+    vertex: u32,
+    pose: &Pose,
+    normal: polhode_spatial::DVec3,
+) -> Option<(u32, f64)> {
+    let mut best: Option<(u32, f64)> = None;
+    for (index, face) in owner.faces().enumerate().filter(|(_, face)| face.vertices.contains(&vertex)) {
+        let cosine = pose.rotation.rotate(face.normal).dot(normal);
+        if best.is_none_or(|(_, least)| cosine < least) {
+            best = Some((index as u32, cosine));
+        }
+    }
+    best
+}

@@ -1,0 +1,35 @@
+//! Rigid-body simulation that accounts for its accuracy.
+//!
+//! ```text
+//! Scene --> Plan --> Simulation --> samples, events --> RunReport (energies, ledger, certificate)
+//! ```
+
+mod accurate;
+mod books;
+pub mod error;
+pub mod event;
+mod interaction;
+pub mod ledger;
+pub mod observer;
+pub mod plan;
+pub mod report;
+pub mod scene;
+mod settings;
+mod simulation;
+mod thesis;
+mod world;
+
+pub use error::SimulationError;
+pub use event::{Event, EventKind};
+pub use ledger::Ledger;
+pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
+pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
+pub use report::{Certificate, Energy, Outcome, RunReport};
+pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
+pub use simulation::{Acceleration, Simulation};
+
+pub use polhode_contact as contact;
+pub use polhode_dynamics as dynamics;
+pub use polhode_mesh as mesh;
+pub use polhode_response as response;
+pub use polhode_spatial as spatial;

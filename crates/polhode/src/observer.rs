@@ -1,0 +1,69 @@
+//! Who watches a run.
+
+use crate::Event;
+use polhode_spatial::{Pose, Velocity};
+
+/// A body at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodySample {
+    /// `X_WB`: pose of the body's own origin.
+    pub pose: Pose,
+    /// Velocity of the centre of mass and angular velocity, world.
+    pub velocity: Velocity,
+}
+
+/// Whether a run goes on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Flow {
+    /// Go on.
+    Continue,
+    /// Stop after this step; what has been computed stays.
+    Stop,
+}
+
+/// Receives samples and events while a simulation runs.
+pub trait Observer {
+    /// All bodies at time `t` (s), in the order of the scene. The first is t = 0, the last exactly the duration.
+    fn sample(&mut self, t: f64, bodies: &[BodySample]);
+
+    /// An event, in order of time.
+    fn event(&mut self, event: &Event) {
+        let _ = event;
+    }
+
+    /// Called after every step with the time reached, s.
+    fn progress(&mut self, t: f64) -> Flow {
+        let _ = t;
+        Flow::Continue
+    }
+}
+
+/// Keeps everything in memory.
+#[derive(Debug, Clone, Default)]
+pub struct Recorder {
+    /// Times of the samples, s.
+    pub times: Vec<f64>,
+    /// Samples: one row of all bodies per time.
+    pub samples: Vec<Vec<BodySample>>,
+    /// Events.
+    pub events: Vec<Event>,
+}
+
+impl Observer for Recorder {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        self.times.push(t);
+        self.samples.push(bodies.to_vec());
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.events.push(*event);
+    }
+}
+
+/// Watches nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unobserved;
+
+impl Observer for Unobserved {
+    fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+}

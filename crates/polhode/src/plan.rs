@@ -1,0 +1,225 @@
+//! The plan: which effects a scene calls for, and why.
+//!
+//! A plan is derived from the scene and printed; it decides nothing in secret. For every [`Effect`] it holds whether
+//! it is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
+//! skipping rest gives the same bits as simulating everything (`Effects::All`).
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Scene, Tier};
+use crate::settings::Settings;
+use polhode_spatial::DVec3;
+
+/// An effect that a scene may or may not call for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effect {
+    /// Uniform gravity.
+    Gravity,
+    /// Rotation with three different principal moments (otherwise: spherical inertia or steady axes).
+    GeneralRotation,
+    /// Flights in closed form, with no force but gravity.
+    BallisticFlight,
+    /// Contact between bodies.
+    Contact,
+    /// Restitution above zero.
+    Restitution,
+    /// Islands in certified equilibrium are skipped until an event.
+    Rest,
+    /// Friction.
+    Friction,
+    /// Joints.
+    Joints,
+    /// Drag and other force fields.
+    ForceFields,
+}
+
+impl Effect {
+    /// The name used in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Gravity => "gravity",
+            Self::GeneralRotation => "general rotation",
+            Self::BallisticFlight => "ballistic flight",
+            Self::Contact => "contact",
+            Self::Restitution => "restitution",
+            Self::Rest => "rest",
+            Self::Friction => "friction",
+            Self::Joints => "joints",
+            Self::ForceFields => "force fields",
+        }
+    }
+}
+
+/// Which effects a run simulates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Effects {
+    /// Those that the plan finds the scene to call for.
+    #[default]
+    Planned,
+    /// All, whether called for or not: the reference for what the plan leaves out.
+    All,
+}
+
+/// Whether an effect is simulated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Decision {
+    /// Simulated, or used.
+    On,
+    /// Left out.
+    Off,
+}
+
+/// The decision about one effect.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EffectDecision {
+    /// The effect.
+    pub effect: Effect,
+    /// Whether it is on.
+    pub decision: Decision,
+    /// The measured fact that decides it.
+    pub fact: String,
+    /// What the decision saves, or costs.
+    pub saves: String,
+}
+
+/// Methods and effects of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The tier.
+    pub tier: Tier,
+    /// Why this tier.
+    pub tier_reason: String,
+    /// Integrator of free motion and contact phases.
+    pub integrator: Integrator,
+    /// Impact law.
+    pub impact: ImpactLaw,
+    /// Method of contact forces.
+    pub contact: ContactMethod,
+    /// Step, s: fixed in tier `thesis`, an upper bound in tier `accurate`.
+    pub step_s: f64,
+    /// Local error per step of contact phases (dimensionless).
+    pub tolerance: f64,
+    /// Largest number of events in one step.
+    pub max_events_per_step: u64,
+    /// One decision per effect.
+    pub effects: Vec<EffectDecision>,
+}
+
+impl Plan {
+    /// The plan for a scene: what it calls for, and why.
+    pub(crate) fn derive(scene: &Scene, settings: &Settings, effects: Effects, touching_pairs: usize) -> Self {
+        let tier_reason = match (scene.method().tier, settings.tier) {
+            (Some(_), _) => "asked for".to_owned(),
+            (None, _) => "the default: located events and exact contact forces".to_owned(),
+        };
+        Self {
+            tier: settings.tier,
+            tier_reason,
+            integrator: settings.integrator,
+            impact: settings.impact,
+            contact: settings.contact,
+            step_s: settings.step_s,
+            tolerance: settings.tolerance,
+            max_events_per_step: settings.max_events_per_step,
+            effects: decisions(scene, effects, touching_pairs),
+        }
+    }
+}
+
+/// One decision per effect.
+fn decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<EffectDecision> {
+    let gravity = scene.gravity();
+    let movable = scene.bodies().iter().filter(|body| !body.is_fixed()).count();
+    let pairs = collidable_pairs(scene);
+    let mut list = vec![
+        decision(
+            Effect::Gravity,
+            gravity != DVec3::ZERO,
+            format!("g = ({}, {}, {}) m/s^2", gravity.x, gravity.y, gravity.z),
+            "nothing: it is part of the closed form of flight",
+        ),
+        rotation_decision(scene),
+        decision(
+            Effect::BallisticFlight,
+            movable > 0,
+            format!("{movable} bodies move and no force but gravity acts on them between contacts"),
+            "one evaluation per flight, whatever its length; no error from the step",
+        ),
+        decision(
+            Effect::Contact,
+            pairs.count > 0,
+            format!("{} pairs may collide, {touching_pairs} touch at t = 0", pairs.count),
+            if pairs.count > 0 { "nothing: searched for at every step" } else { "all collision detection" },
+        ),
+        decision(
+            Effect::Restitution,
+            pairs.largest_restitution > 0.0,
+            format!("largest coefficient of restitution of a pair: {}", pairs.largest_restitution),
+            if pairs.largest_restitution > 0.0 { "nothing" } else { "the phase of restitution of every impact" },
+        ),
+    ];
+    list.push(match effects {
+        Effects::Planned => decision(
+            Effect::Rest,
+            pairs.count > 0,
+            "groups whose forces certify equilibrium at zero velocity are skipped until an event".to_owned(),
+            "all work on resting groups; the same bits as without",
+        ),
+        Effects::All => decision(
+            Effect::Rest,
+            false,
+            "all effects asked for: contacts and forces of resting groups are computed at every step".to_owned(),
+            "nothing",
+        ),
+    });
+    for (effect, fact) in [
+        (Effect::Friction, "every pair has friction 0"),
+        (Effect::Joints, "the scene has none"),
+        (Effect::ForceFields, "the scene has none"),
+    ] {
+        list.push(decision(effect, false, fact.to_owned(), "everything about it"));
+    }
+    list
+}
+
+fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecision {
+    let decision = if on { Decision::On } else { Decision::Off };
+    EffectDecision { effect, decision, fact, saves: saves.to_owned() }
+}
+
+/// Rotation needs the general solution unless every body's inertia is spherical or none turns.
+fn rotation_decision(scene: &Scene) -> EffectDecision {
+    let mut general = 0;
+    let mut spherical = 0;
+    for properties in scene.bodies().iter().filter_map(|body| body.mass_properties()) {
+        let moments = properties.principal_axes().moments();
+        if moments.x == moments.z { spherical += 1 } else { general += 1 }
+    }
+    decision(
+        Effect::GeneralRotation,
+        general > 0,
+        format!("{general} bodies with different principal moments, {spherical} with equal ones"),
+        if general > 0 {
+            "nothing; spherical bodies and steady axes take one rotation instead of elliptic functions"
+        } else {
+            "elliptic functions: every rotation is about a fixed axis"
+        },
+    )
+}
+
+/// What pairs of bodies that may collide have in common.
+struct CollidablePairs {
+    count: usize,
+    largest_restitution: f64,
+}
+
+fn collidable_pairs(scene: &Scene) -> CollidablePairs {
+    let mut pairs = CollidablePairs { count: 0, largest_restitution: 0.0 };
+    for a in 0..scene.bodies().len() {
+        for b in a + 1..scene.bodies().len() {
+            if scene.may_collide(a, b) {
+                pairs.count += 1;
+                pairs.largest_restitution = pairs.largest_restitution.max(scene.pair_material(a, b).restitution());
+            }
+        }
+    }
+    pairs
+}

@@ -1,0 +1,107 @@
+//! Bodies of a scene.
+
+use super::{Geometry, Material};
+use polhode_spatial::{MassProperties, Pose, Velocity};
+
+/// Whether and how a body moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BodyMass {
+    /// Immovable, of infinite mass (thesis 3.3): it never moves, whatever hits it.
+    Fixed,
+    /// Moves by its mass properties (in the body's own frame).
+    Movable(MassProperties),
+}
+
+/// A body: a name, what it is made of, where it is and how it moves.
+///
+/// `pose` is that of the body's own origin (a primitive's origin is its centre of mass, a mesh's is the file's);
+/// `velocity` is that of the centre of mass, in the world.
+#[derive(Debug, Clone)]
+pub struct Body {
+    pub(crate) name: String,
+    pub(crate) mass: BodyMass,
+    pub(crate) geometry: Option<Geometry>,
+    pub(crate) pose: Pose,
+    pub(crate) velocity: Velocity,
+    pub(crate) material: Material,
+}
+
+impl Body {
+    /// An immovable body at the world's origin, without a shape.
+    pub fn fixed(name: impl Into<String>) -> Self {
+        Self::with_mass(name.into(), BodyMass::Fixed)
+    }
+
+    /// A body that moves, at rest at the world's origin, without a shape.
+    pub fn movable(name: impl Into<String>, mass_properties: MassProperties) -> Self {
+        Self::with_mass(name.into(), BodyMass::Movable(mass_properties))
+    }
+
+    fn with_mass(name: String, mass: BodyMass) -> Self {
+        Self {
+            name,
+            mass,
+            geometry: None,
+            pose: Pose::IDENTITY,
+            velocity: Velocity::ZERO,
+            material: Material::default(),
+        }
+    }
+
+    /// With this shape.
+    pub fn geometry(mut self, geometry: Geometry) -> Self {
+        self.geometry = Some(geometry);
+        self
+    }
+
+    /// With its own origin at this pose in the world.
+    pub fn pose(mut self, pose: Pose) -> Self {
+        self.pose = pose;
+        self
+    }
+
+    /// With this velocity of its centre of mass and this angular velocity, in the world.
+    pub fn velocity(mut self, velocity: Velocity) -> Self {
+        self.velocity = velocity;
+        self
+    }
+
+    /// Made of this material.
+    pub fn material(mut self, material: Material) -> Self {
+        self.material = material;
+        self
+    }
+
+    /// The body's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether the body is immovable.
+    pub fn is_fixed(&self) -> bool {
+        matches!(self.mass, BodyMass::Fixed)
+    }
+
+    /// Mass properties in the body's own frame, when it moves.
+    pub fn mass_properties(&self) -> Option<&MassProperties> {
+        match &self.mass {
+            BodyMass::Fixed => None,
+            BodyMass::Movable(properties) => Some(properties),
+        }
+    }
+
+    /// The body's shape.
+    pub fn shape(&self) -> Option<&Geometry> {
+        self.geometry.as_ref()
+    }
+
+    /// `X_WB` at the start.
+    pub fn initial_pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Velocity at the start.
+    pub fn initial_velocity(&self) -> &Velocity {
+        &self.velocity
+    }
+}

@@ -1,0 +1,170 @@
+//! Building and checking a scene.
+
+use super::{Body, DEFAULT_GRAVITY, Geometry, Method, PairRule, Scene, SceneError};
+use polhode_contact::Shape;
+use polhode_spatial::DVec3;
+
+/// Simulated time when none is given, s.
+const DEFAULT_DURATION_S: f64 = 1.0;
+
+/// Time between samples when none is given, s.
+const DEFAULT_OUTPUT_INTERVAL_S: f64 = 0.01;
+
+/// Samples or steps of a run at the most.
+const MOST_STEPS: f64 = 1e12;
+
+/// Collects the parts of a scene; [`SceneBuilder::build`] checks them together.
+#[derive(Debug, Clone)]
+pub struct SceneBuilder {
+    scene: Scene,
+}
+
+impl SceneBuilder {
+    pub(super) fn new(name: String) -> Self {
+        Self {
+            scene: Scene {
+                name,
+                duration_s: DEFAULT_DURATION_S,
+                output_interval_s: DEFAULT_OUTPUT_INTERVAL_S,
+                gravity: DEFAULT_GRAVITY,
+                method: Method::default(),
+                bodies: Vec::new(),
+                pair_rules: Vec::new(),
+                no_contact: Vec::new(),
+            },
+        }
+    }
+
+    /// Simulated time, s.
+    pub fn duration_s(mut self, duration_s: f64) -> Self {
+        self.scene.duration_s = duration_s;
+        self
+    }
+
+    /// Time between samples, s.
+    pub fn output_interval_s(mut self, interval_s: f64) -> Self {
+        self.scene.output_interval_s = interval_s;
+        self
+    }
+
+    /// Acceleration of gravity, m/s^2.
+    pub fn gravity(mut self, gravity: DVec3) -> Self {
+        self.scene.gravity = gravity;
+        self
+    }
+
+    /// The method.
+    pub fn method(mut self, method: Method) -> Self {
+        self.scene.method = method;
+        self
+    }
+
+    /// One more body.
+    pub fn body(mut self, body: Body) -> Self {
+        self.scene.bodies.push(body);
+        self
+    }
+
+    /// One more rule for a pair of materials.
+    pub fn pair_rule(mut self, rule: PairRule) -> Self {
+        self.scene.pair_rules.push(rule);
+        self
+    }
+
+    /// Bodies (by number, in the order added) that do not collide with each other.
+    pub fn no_contact(mut self, bodies: Vec<usize>) -> Self {
+        self.scene.no_contact.push(bodies);
+        self
+    }
+
+    /// The scene.
+    ///
+    /// # Errors
+    /// When a number is out of range, a name is empty or used twice, or something not yet available is asked for.
+    /// Overlap at the start is found when a simulation is made.
+    pub fn build(self) -> Result<Scene, SceneError> {
+        let scene = self.scene;
+        positive("duration", scene.duration_s)?;
+        positive("output.interval", scene.output_interval_s)?;
+        if !scene.gravity.is_finite() {
+            return Err(SceneError::Number {
+                key: "gravity",
+                value: scene.gravity.length(),
+                accepted: "three finite numbers",
+            });
+        }
+        scene.method.validate()?;
+        check_counts(&scene)?;
+        for (number, body) in scene.bodies.iter().enumerate() {
+            check_body(number, body)?;
+            if scene.bodies[..number].iter().any(|other| other.name == body.name) {
+                return Err(SceneError::DuplicateName(body.name.clone()));
+            }
+        }
+        if let Some(&unknown) = scene.no_contact.iter().flatten().find(|&&index| index >= scene.bodies.len()) {
+            return Err(SceneError::UnknownBody(unknown));
+        }
+        check_meshes_stay_alone(&scene)?;
+        Ok(scene)
+    }
+}
+
+/// A run must end: neither samples nor steps may be more than can be counted down in a lifetime.
+fn check_counts(scene: &Scene) -> Result<(), SceneError> {
+    let too_many = |interval: f64| scene.duration_s / interval > MOST_STEPS;
+    if too_many(scene.output_interval_s) {
+        let (key, accepted) = ("output.interval", "at least duration / 1e12");
+        return Err(SceneError::Number { key, value: scene.output_interval_s, accepted });
+    }
+    if let Some(value) = scene.method.step_s.filter(|&step| too_many(step)) {
+        let (key, accepted) = ("method.step", "at least duration / 1e12");
+        return Err(SceneError::Number { key, value, accepted });
+    }
+    Ok(())
+}
+
+fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
+    if body.name.is_empty() {
+        return Err(SceneError::EmptyName(number));
+    }
+    let not_finite = |quantity| Err(SceneError::NotFinite { body: body.name.clone(), quantity });
+    if !body.pose.is_finite() {
+        return not_finite("its pose");
+    }
+    if !body.velocity.is_finite() {
+        return not_finite("its velocity");
+    }
+    if body.is_fixed() && !body.velocity.is_zero() {
+        return Err(SceneError::FixedBodyMoves(body.name.clone()));
+    }
+    if !body.is_fixed() && matches!(&body.geometry, Some(Geometry::Shape(Shape::HalfSpace(_)))) {
+        return Err(SceneError::MovingHalfSpace(body.name.clone()));
+    }
+    Ok(())
+}
+
+/// Meshes that are not convex have mass properties but cannot collide yet.
+fn check_meshes_stay_alone(scene: &Scene) -> Result<(), SceneError> {
+    for (a, body) in scene.bodies.iter().enumerate() {
+        let Some(Geometry::Mesh(_)) = body.geometry else { continue };
+        if let Some(b) = (0..scene.bodies.len()).find(|&b| scene.may_collide(a, b)) {
+            return Err(SceneError::NotYetAvailable {
+                what: format!(
+                    "collision of the non-convex mesh of body {} (with body {})",
+                    body.name, scene.bodies[b].name
+                ),
+                instead: "a convex shape, or a no_contact group with both".to_owned(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// `value` when it is positive and finite.
+pub(super) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(SceneError::Number { key, value, accepted: "a positive number" })
+    }
+}

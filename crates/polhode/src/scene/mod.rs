@@ -1,0 +1,108 @@
+//! The scene: everything a simulation starts from.
+//!
+//! A [`Scene`] is plain, validated data. Bodies meet in pairs; what two materials do to each other is combined by the
+//! rule of [`Material::combined`] unless a [`PairRule`] overrides it. The file format lives in polhode-scene.
+
+mod body;
+mod builder;
+mod error;
+mod geometry;
+mod material;
+mod method;
+
+pub use body::{Body, BodyMass};
+pub use builder::SceneBuilder;
+pub use error::SceneError;
+pub use geometry::Geometry;
+pub use material::{Material, PairRule};
+pub use method::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+
+use polhode_spatial::DVec3;
+
+/// Standard gravity of the scene format, m/s^2.
+pub const DEFAULT_GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -9.81);
+
+/// A validated scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    pub(crate) name: String,
+    pub(crate) duration_s: f64,
+    pub(crate) output_interval_s: f64,
+    pub(crate) gravity: DVec3,
+    pub(crate) method: Method,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) pair_rules: Vec<PairRule>,
+    pub(crate) no_contact: Vec<Vec<usize>>,
+}
+
+impl Scene {
+    /// Starts a scene: gravity [`DEFAULT_GRAVITY`], no bodies, method chosen by the plan.
+    pub fn builder(name: impl Into<String>) -> SceneBuilder {
+        SceneBuilder::new(name.into())
+    }
+
+    /// The scene's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Simulated time, s.
+    pub fn duration_s(&self) -> f64 {
+        self.duration_s
+    }
+
+    /// Time between samples, s.
+    pub fn output_interval_s(&self) -> f64 {
+        self.output_interval_s
+    }
+
+    /// Acceleration of gravity, m/s^2.
+    pub fn gravity(&self) -> DVec3 {
+        self.gravity
+    }
+
+    /// The method asked for.
+    pub fn method(&self) -> &Method {
+        &self.method
+    }
+
+    /// The same scene by another method.
+    pub fn with_method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// The same scene for another time.
+    ///
+    /// # Errors
+    /// When the duration is not positive and finite.
+    pub fn with_duration(mut self, duration_s: f64) -> Result<Self, SceneError> {
+        self.duration_s = builder::positive("duration", duration_s)?;
+        Ok(self)
+    }
+
+    /// The bodies, in the order of the scene.
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// Friction and restitution of a pair of bodies (indices into [`Scene::bodies`]).
+    pub fn pair_material(&self, a: usize, b: usize) -> Material {
+        let (ma, mb) = (&self.bodies[a].material, &self.bodies[b].material);
+        let mut combined = ma.combined(mb);
+        for rule in &self.pair_rules {
+            rule.apply(ma, mb, &mut combined);
+        }
+        combined
+    }
+
+    /// Whether two bodies may collide: not both immovable, both with a shape, and not in one `no_contact` group.
+    pub fn may_collide(&self, a: usize, b: usize) -> bool {
+        let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
+        a != b
+            && !(body_a.is_fixed() && body_b.is_fixed())
+            && body_a.geometry.is_some()
+            && body_b.geometry.is_some()
+            && !self.no_contact.iter().any(|group| group.contains(&a) && group.contains(&b))
+    }
+}

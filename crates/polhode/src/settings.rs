@@ -1,0 +1,44 @@
+//! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+
+/// Upper bound of a step when none is given, s.
+const DEFAULT_STEP_S: f64 = 0.01;
+
+/// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
+const DEFAULT_TOLERANCE: f64 = 1e-11;
+
+/// Events in one step when no cap is given.
+const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
+
+/// Every knob, decided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Settings {
+    pub(crate) tier: Tier,
+    pub(crate) integrator: Integrator,
+    pub(crate) impact: ImpactLaw,
+    pub(crate) contact: ContactMethod,
+    pub(crate) step_s: f64,
+    pub(crate) tolerance: f64,
+    pub(crate) max_events_per_step: u64,
+}
+
+impl Settings {
+    /// What the method asks for, and the tier's choice for the rest.
+    pub(crate) fn resolve(method: &Method) -> Self {
+        let tier = method.tier.unwrap_or(Tier::Accurate);
+        let (integrator, impact, contact) = match tier {
+            Tier::Thesis => (Integrator::Rk4, ImpactLaw::Propagation, ContactMethod::LeastForce),
+            Tier::Accurate => (Integrator::Exact, ImpactLaw::Reflection, ContactMethod::ActiveSet),
+        };
+        Self {
+            tier,
+            integrator: method.integrator.unwrap_or(integrator),
+            impact: method.impact.unwrap_or(impact),
+            contact: method.contact.unwrap_or(contact),
+            step_s: method.step_s.unwrap_or(DEFAULT_STEP_S),
+            tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
+            max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! A simulation: a scene in motion.
+
+use crate::accurate::Engine;
+use crate::observer::{Flow, Observer};
+use crate::report::{Outcome, RunReport};
+use crate::scene::Tier;
+use crate::settings::Settings;
+use crate::thesis::ThesisEngine;
+use crate::world::World;
+use crate::{Effects, Plan, Scene, SimulationError};
+use polhode_spatial::DVec3;
+
+/// Acceleration of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Acceleration {
+    /// Of the centre of mass, world, m/s^2.
+    pub linear: DVec3,
+    /// Angular, world, rad/s^2.
+    pub angular: DVec3,
+}
+
+/// A scene in motion.
+#[derive(Debug)]
+pub struct Simulation {
+    scene: Scene,
+    plan: Plan,
+    tier: TierEngine,
+}
+
+/// The engine of a tier.
+#[derive(Debug)]
+enum TierEngine {
+    Accurate(Box<Engine>),
+    Thesis(Box<ThesisEngine>),
+}
+
+impl Simulation {
+    /// Prepares a scene: makes the plan, finds what touches and checks that nothing overlaps.
+    ///
+    /// # Errors
+    /// When bodies overlap at the start or the contact forces of the start cannot be found.
+    pub fn new(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
+        let settings = Settings::resolve(scene.method());
+        let (world, states) = World::new(scene)?;
+        let engine = Engine::new(world.clone(), states.clone(), settings, effects)?;
+        let plan = Plan::derive(scene, &settings, effects, engine.touching_pairs());
+        let tier = match settings.tier {
+            Tier::Accurate => TierEngine::Accurate(Box::new(engine)),
+            Tier::Thesis => TierEngine::Thesis(Box::new(ThesisEngine::new(world, states, settings))),
+        };
+        Ok(Self { scene: scene.clone(), plan, tier })
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Accelerations of all bodies now, in the order of the scene.
+    ///
+    /// # Errors
+    /// When the contact forces cannot be found.
+    pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
+        match &mut self.tier {
+            TierEngine::Accurate(engine) => engine.accelerations(),
+            TierEngine::Thesis(engine) => engine.accelerations(),
+        }
+    }
+
+    /// Runs to the end of the scene's duration.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn run(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
+        let mut outcome = Outcome::Completed;
+        while self.time() < self.scene.duration_s() {
+            match &mut self.tier {
+                TierEngine::Accurate(engine) => engine.step(observer)?,
+                TierEngine::Thesis(engine) => engine.step(observer)?,
+            }
+            if observer.progress(self.time()) == Flow::Stop {
+                outcome = Outcome::Stopped;
+                break;
+            }
+        }
+        Ok(self.report(outcome))
+    }
+
+    /// Time reached, s.
+    pub fn time(&self) -> f64 {
+        match &self.tier {
+            TierEngine::Accurate(engine) => engine.time(),
+            TierEngine::Thesis(engine) => engine.time(),
+        }
+    }
+
+    fn report(&mut self, outcome: Outcome) -> RunReport {
+        let simulated_s = self.time();
+        let mut report = RunReport {
+            scene: self.scene.name().to_owned(),
+            plan: self.plan.clone(),
+            outcome,
+            duration_s: self.scene.duration_s(),
+            simulated_s,
+            steps: 0,
+            events: 0,
+            energy: crate::Energy::default(),
+            ledger: crate::Ledger::default(),
+            certificate: crate::Certificate::default(),
+            warnings: Vec::new(),
+            bodies: Vec::new(),
+        };
+        match &mut self.tier {
+            TierEngine::Accurate(engine) => engine.fill(&mut report),
+            TierEngine::Thesis(engine) => engine.fill(&mut report),
+        }
+        report
+    }
+}

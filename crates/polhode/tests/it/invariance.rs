@@ -1,0 +1,73 @@
+//! Physics does not know where the origin is, which way the axes point, or how long a metre is.
+
+use crate::support::{accurate, ball, brick, elastic, floor, run};
+use polhode::contact::Shape;
+use polhode::scene::Method;
+use polhode::spatial::{DVec3, Pose, Rotation, UnitVector};
+use polhode::{Body, Effects, EventKind, Scene};
+
+/// A bounce of e = 1/2 at another scale of length: times scale with the root of it, and the ball rests when it should.
+#[test]
+fn accumulating_bounce_scales_with_the_root_of_length() {
+    for scale in [1e-4, 1.0, 1e4_f64] {
+        let time = scale.sqrt();
+        let scene = Scene::builder("scaled bounce")
+            .method(Method { step_s: Some(0.01 * time), ..accurate() })
+            .duration_s(2.0 * time)
+            .output_interval_s(0.1 * time)
+            .body(floor().material(elastic(0.5)))
+            .body(ball("ball", 1.0, 0.1 * scale, DVec3::Z * (1.1 * scale), DVec3::ZERO).material(elastic(0.5)))
+            .build()
+            .unwrap();
+        let (_, recorder) = run(&scene, Effects::Planned);
+        let rest = recorder.events.iter().find(|event| event.kind == EventKind::Rest).unwrap();
+        assert!((rest.t / time / 1.354_570_922_957_192_7 - 1.0).abs() < 1e-9, "{scale}: {}", rest.t);
+    }
+}
+
+/// A tilted box lands and tumbles on: the same in a world that has been turned and moved, to what poses far from the
+/// origin can hold.
+#[test]
+fn tilted_landing_follows_a_turned_and_moved_world() {
+    let landing = |world: Pose| {
+        let place = |body: Body, pose: Pose| body.pose(world * pose).material(elastic(0.5));
+        let up = world.rotation.rotate(DVec3::Z);
+        let ground = Body::fixed("floor").geometry(Shape::half_space(UnitVector::new(up).unwrap()).into());
+        let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), DVec3::Z);
+        let scene = Scene::builder("landing")
+            .method(accurate())
+            .gravity(up * -9.81)
+            .duration_s(0.6)
+            .body(place(ground, Pose::IDENTITY).pose(Pose::from_translation(world.translation)))
+            .body(place(brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO), tilt))
+            .build()
+            .unwrap();
+        let (report, _) = run(&scene, Effects::Planned);
+        let sample = report.bodies[1].1;
+        (world.inverse_transform_point(sample.pose.translation), world.rotation.inverse_rotate(sample.velocity.angular))
+    };
+    let home = landing(Pose::IDENTITY);
+    let turn = Rotation::from_wxyz([1.0, 2.0, 3.0, 4.0].map(|c: f64| c / 30.0_f64.sqrt())).unwrap();
+    let turned = landing(Pose::new(turn, DVec3::ZERO));
+    assert!((turned.0 - home.0).length() < 1e-12 && (turned.1 - home.1).length() < 1e-11, "{turned:?} {home:?}");
+    let moved = landing(Pose::from_translation(DVec3::new(1e6, -2e6, 0.0)));
+    assert!((moved.0 - home.0).length() < 1e-8 && (moved.1 - home.1).length() < 1e-8, "{moved:?} {home:?}");
+}
+
+/// Leaving out rest, and asking for every effect, give the same bits, while a box lands, rattles and comes to rest.
+#[test]
+fn all_effects_give_the_same_bits_as_the_plan() {
+    let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Y * 0.4), DVec3::Z);
+    let scene = Scene::builder("rattle")
+        .method(accurate())
+        .duration_s(3.0)
+        .body(floor().material(elastic(0.4)))
+        .body(brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO).pose(pose).material(elastic(0.4)))
+        .build()
+        .unwrap();
+    let (planned, _) = run(&scene, Effects::Planned);
+    let (all, _) = run(&scene, Effects::All);
+    assert_eq!(planned.bodies, all.bodies);
+    assert!(planned.bodies[1].1.velocity.is_zero(), "{:?}", planned.bodies[1]);
+    assert!(planned.ledger.closure_relative() < 1e-12);
+}

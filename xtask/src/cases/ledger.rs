@@ -1,0 +1,53 @@
+//! The ledger: every joule of every scene that the project ships is accounted for.
+
+use super::run::Run;
+use super::{CaseResult, Context};
+use crate::row::Row;
+use polhode::{Effects, Scene};
+
+/// What may be left unexplained, relative to the largest energy of the run.
+const CLOSURE: f64 = 1e-12;
+/// What a scene without losses may lose in a minute, relative to the same.
+const LOSS: f64 = 1e-12;
+
+/// Closure of the ledger in every shipped scene.
+pub(super) fn shipped_scenes(context: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    for name in context.shipped.names()? {
+        rows.push(match context.shipped.run(&name) {
+            Ok(run) => {
+                Row::at_most("ledger", &format!("{name}: closure"), CLOSURE, run.report.ledger.closure_relative())
+            }
+            Err(error) => Row::broken("ledger", &name, error.to_string()),
+        });
+    }
+    Ok(rows)
+}
+
+/// Scenes in which every contact has restitution 1 lose nothing in a minute.
+pub(super) fn elastic_scenes(context: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    for name in context.shipped.names()? {
+        let scene = context.shipped.load(&name)?;
+        if !is_elastic(&scene) {
+            continue;
+        }
+        let run = Run::of(&scene.with_duration(60.0)?, Effects::Planned)?;
+        let lost = (run.report.energy.initial_j - run.report.energy.final_j) / run.report.ledger.scale_j;
+        rows.push(Row::at_most("energy at e = 1", &format!("{name}: energy lost in 60 s"), LOSS, lost));
+    }
+    Ok(rows)
+}
+
+/// Whether there are contacts and each has restitution 1.
+fn is_elastic(scene: &Scene) -> bool {
+    let count = scene.bodies().len();
+    let mut pairs =
+        (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b))).filter(|&(a, b)| scene.may_collide(a, b));
+    let mut any = false;
+    let all = pairs.all(|(a, b)| {
+        any = true;
+        scene.pair_material(a, b).restitution() == 1.0
+    });
+    any && all
+}

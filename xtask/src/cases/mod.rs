@@ -1,0 +1,162 @@
+//! Validation cases: what the project promises, measured on what its users run.
+//!
+//! A case builds scenes, runs them through the facade with default settings (unless it is about a setting) and turns
+//! what it measures into rows. Where a quantity is internal (forces, mass properties) it calls the crate that computes
+//! it. Names of cases with a number (`RC-10`) are those of the reference values.
+
+mod bodies;
+mod diamonds;
+mod effects;
+mod free_rotation;
+mod impact_chains;
+mod impacts;
+mod ledger;
+mod mass_properties;
+mod pi_machine;
+mod resting_contact;
+mod run;
+mod speed;
+mod stacks;
+mod table_edge;
+mod thesis_tier;
+
+use crate::reference::Reference;
+use crate::row::Row;
+use run::ShippedScenes;
+use std::error::Error;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+
+pub(crate) use run::Run;
+
+/// What a case returns: rows, or why it could not measure anything.
+pub(crate) type CaseResult = Result<Vec<Row>, Box<dyn Error>>;
+
+/// How many of the random cases run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Amount {
+    /// One in a hundred.
+    Part,
+    /// All.
+    Full,
+}
+
+impl Amount {
+    /// The number of random cases to run out of `full`.
+    fn of(self, full: usize) -> usize {
+        match self {
+            Self::Part => full.div_ceil(100),
+            Self::Full => full,
+        }
+    }
+}
+
+/// What every case may use.
+#[derive(Debug)]
+pub(crate) struct Context {
+    /// Folder of the workspace.
+    pub(crate) root: PathBuf,
+    /// Reference values.
+    pub(crate) reference: Reference,
+    /// How many of the random cases to run.
+    pub(crate) amount: Amount,
+    /// Runs of the scenes that the project ships, each made once.
+    pub(crate) shipped: ShippedScenes,
+}
+
+impl Context {
+    /// For the workspace in this folder.
+    ///
+    /// # Errors
+    /// When the reference values cannot be read.
+    pub(crate) fn new(root: &Path, amount: Amount) -> Result<Self, Box<dyn Error>> {
+        Ok(Self {
+            root: root.to_owned(),
+            reference: Reference::load(&root.join("fixtures/reference"))?,
+            amount,
+            shipped: ShippedScenes::new(&root.join("fixtures/scenes")),
+        })
+    }
+}
+
+/// A validation case.
+#[derive(Debug)]
+pub(crate) struct Case {
+    /// Name, which `--only` selects by.
+    pub(crate) name: &'static str,
+    rows: fn(&Context) -> CaseResult,
+}
+
+impl Case {
+    /// Runs it. An error or a panic is a row that fails.
+    pub(crate) fn run(&self, context: &Context) -> Vec<Row> {
+        guarded(self.name, || (self.rows)(context))
+    }
+}
+
+/// The rows of a case, or one that fails with the error or panic that kept it from giving any.
+pub(crate) fn guarded(case: &str, rows: impl FnOnce() -> CaseResult) -> Vec<Row> {
+    match catch_unwind(AssertUnwindSafe(rows)) {
+        Ok(Ok(rows)) => rows,
+        Ok(Err(error)) => vec![Row::broken(case, "runs", error.to_string())],
+        Err(_) => vec![Row::broken(case, "runs", "panic: a bug, whatever the input was")],
+    }
+}
+
+/// All cases, the quick ones first.
+pub(crate) const ALL: &[Case] = &[
+    Case { name: "MP-01", rows: mass_properties::mp_01 },
+    Case { name: "MP-02", rows: mass_properties::mp_02 },
+    Case { name: "MP-04", rows: mass_properties::mp_04 },
+    Case { name: "MP-05", rows: mass_properties::mp_05 },
+    Case { name: "FR-02", rows: free_rotation::fr_02 },
+    Case { name: "FR-04", rows: free_rotation::fr_04 },
+    Case { name: "IM-01", rows: impacts::im_01 },
+    Case { name: "IM-02", rows: impact_chains::im_02 },
+    Case { name: "IM-03", rows: impact_chains::im_03 },
+    Case { name: "IM-04", rows: impact_chains::im_04 },
+    Case { name: "IM-05", rows: impacts::im_05 },
+    Case { name: "IM-06", rows: pi_machine::im_06 },
+    Case { name: "IM-12", rows: impacts::im_12 },
+    Case { name: "IM-13", rows: impacts::im_13 },
+    Case { name: "IM-14", rows: impacts::im_14 },
+    Case { name: "RC-02", rows: diamonds::rc_02 },
+    Case { name: "RC-03", rows: diamonds::rc_03 },
+    Case { name: "RC-05", rows: stacks::rc_05 },
+    Case { name: "RC-06", rows: stacks::rc_06 },
+    Case { name: "RC-07", rows: resting_contact::rc_07 },
+    Case { name: "RC-08", rows: resting_contact::rc_08 },
+    Case { name: "RC-09", rows: resting_contact::rc_09 },
+    Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "least-force bound", rows: resting_contact::least_force_bound },
+    Case { name: "diamonds stand", rows: diamonds::stand },
+    Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },
+    Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
+    Case { name: "tier thesis", rows: thesis_tier::diamonds },
+    Case { name: "ledger", rows: ledger::shipped_scenes },
+    Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
+    Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "speed", rows: speed::diamond_4 },
+    Case { name: "memory", rows: speed::peak_memory },
+];
+
+#[cfg(test)]
+mod tests {
+    //! `--only` selects by name, so names differ; every reference value is used by some case or it is dead weight.
+    use super::*;
+
+    #[test]
+    fn names_differ() {
+        let mut names: Vec<&str> = ALL.iter().map(|case| case.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ALL.len());
+    }
+
+    #[test]
+    fn part_of_the_random_cases_is_one_in_a_hundred_and_never_none() {
+        assert_eq!(Amount::Part.of(100_000), 1000);
+        assert_eq!(Amount::Part.of(5), 1);
+        assert_eq!(Amount::Full.of(5), 5);
+    }
+}

@@ -1,0 +1,60 @@
+//! Child processes: formatting, lints, documentation, tests. Their output is shown when they fail.
+
+use crate::golden;
+use crate::row::Row;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// A command that must succeed.
+#[derive(Debug)]
+pub(crate) struct Check {
+    /// Arguments of cargo.
+    arguments: &'static [&'static str],
+    /// Variables of its environment.
+    environment: &'static [(&'static str, &'static str)],
+}
+
+/// What cargo must be content with, the cheapest first.
+pub(crate) const CHECKS: &[Check] = &[
+    Check { arguments: &["fmt", "--all", "--check"], environment: &[] },
+    Check {
+        arguments: &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"],
+        environment: &[],
+    },
+    Check {
+        arguments: &["doc", "--workspace", "--no-deps", "--quiet"],
+        environment: &[("RUSTDOCFLAGS", "-D warnings")],
+    },
+    Check { arguments: &["test", "--workspace", "--no-fail-fast", "--quiet"], environment: &[] },
+];
+
+impl Check {
+    /// The command as one types it.
+    pub(crate) fn name(&self) -> String {
+        format!("cargo {}", self.arguments.join(" ").replace(" --quiet", ""))
+    }
+
+    /// Runs it in `root`; what it printed goes to stderr when it fails.
+    pub(crate) fn run(&self, root: &Path) -> Row {
+        let mut command = cargo(root);
+        command.args(self.arguments).envs(self.environment.iter().copied());
+        let measured = match command.stdin(Stdio::null()).output() {
+            Ok(output) if output.status.success() => "success".to_owned(),
+            Ok(output) => {
+                eprintln!("{}", String::from_utf8_lossy(&output.stdout));
+                eprintln!("{}", String::from_utf8_lossy(&output.stderr));
+                output.status.to_string()
+            }
+            Err(error) => error.to_string(),
+        };
+        Row::exact("cargo", &self.name(), "success", measured)
+    }
+}
+
+/// The cargo that runs this program, in `root`.
+pub(crate) fn cargo(root: &Path) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(root);
+    golden::without_snapshot_environment(&mut command);
+    command
+}

@@ -1,0 +1,120 @@
+//! Golden trajectories: one snapshot for each scene that the project ships.
+//!
+//! A snapshot (`fixtures/golden/<scene>.snap`, written and read by insta) holds about twenty samples of all bodies,
+//! the final energies, the number of events of each kind, and a strict hash of all bits of all samples and events.
+//! Numbers are compared within the tolerance that stands, with its reason, in the description of the snapshot; the
+//! hash is compared exactly, so that a change of a single bit shows.
+
+mod comparator;
+mod trajectory;
+
+use crate::cases::{CaseResult, Context, Run, guarded};
+use crate::row::{Row, Tolerance};
+use comparator::{Comparison, ToleranceComparator};
+use polhode::Effects;
+use std::error::Error;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+/// What insta is told by its environment: never to stop the run, never to print, and when to write.
+const ENVIRONMENT: [&str; 3] = ["INSTA_UPDATE", "INSTA_FORCE_PASS", "INSTA_OUTPUT"];
+
+/// Tolerance and reason of a new snapshot; those of an old one are kept.
+const DEFAULT_DESCRIPTION: &str = "tolerance 1e-9 of max(1, |number|): a change of the order of operations moves the \
+last digits, and impacts and falls amplify that; anything larger is a change of the method";
+
+/// Runs this program again with the environment that insta needs, unless it is there already; returns the exit code
+/// of that run.
+///
+/// # Errors
+/// When the program cannot be started.
+pub(crate) fn in_snapshot_environment(bless: bool) -> Result<Option<ExitCode>, Box<dyn Error>> {
+    let values = [if bless { "force" } else { "no" }, "1", "none"];
+    if ENVIRONMENT.iter().zip(values).all(|(name, value)| std::env::var(name).is_ok_and(|found| found == value)) {
+        return Ok(None);
+    }
+    let status = Command::new(std::env::current_exe()?)
+        .args(std::env::args_os().skip(1))
+        .envs(ENVIRONMENT.into_iter().zip(values))
+        .status()?;
+    let code = status.code().and_then(|code| u8::try_from(code).ok());
+    Ok(Some(code.map_or(ExitCode::FAILURE, ExitCode::from)))
+}
+
+/// Takes insta's environment away from a child, whose own snapshots are its own business.
+pub(crate) fn without_snapshot_environment(command: &mut Command) {
+    for name in ENVIRONMENT {
+        command.env_remove(name);
+    }
+}
+
+/// Name of the case for a scene.
+pub(crate) fn case_name(scene: &str) -> String {
+    format!("golden {scene}")
+}
+
+/// Runs a scene twice and compares it with its snapshot; under `--bless` the snapshot is rewritten.
+pub(crate) fn check(context: &Context, scene: &str) -> Vec<Row> {
+    let case = case_name(scene);
+    guarded(&case, || compare(context, scene, &case))
+}
+
+fn compare(context: &Context, scene: &str, case: &str) -> CaseResult {
+    let first = context.shipped.run(scene)?;
+    let second = Run::of(&first.scene, Effects::Planned)?;
+    let hash = trajectory::strict_hash(&first.record);
+    let again = trajectory::strict_hash(&second.record);
+    let mut rows = vec![Row::exact(case, "same bits when run twice", hash_words(hash), hash_words(again))];
+    let folder = context.root.join("fixtures/golden");
+    let comparison = snapshot(&folder, scene, &trajectory::text(&first, hash))?;
+    let blessed = std::env::var(ENVIRONMENT[0]).is_ok_and(|value| value == "force");
+    rows.extend(match comparison {
+        None if blessed => vec![Row::info(case, "written for the first time", "", "")],
+        None => {
+            vec![Row::broken(case, "snapshot", "missing: run cargo xtask verify --bless and look at what it writes")]
+        }
+        Some(found) if blessed => blessed_rows(case, &found),
+        Some(found) => judged_rows(case, &found, hash),
+    });
+    Ok(rows)
+}
+
+fn blessed_rows(case: &str, found: &Comparison) -> Vec<Row> {
+    let change = found.mismatch.clone().unwrap_or_else(|| found.place.clone());
+    vec![Row::info(case, "largest change, of max(1, |number|)", 0.0, found.error), Row::info(case, "where", "", change)]
+}
+
+fn judged_rows(case: &str, found: &Comparison, hash: u64) -> Vec<Row> {
+    let trajectory = if let Some(mismatch) = &found.mismatch {
+        Row::broken(case, "trajectory", mismatch.clone())
+    } else {
+        let tolerance = Tolerance::Absolute(found.tolerance);
+        let mut row = Row::compared(case, "trajectory: largest difference", 0.0, found.error, tolerance);
+        row.note = (found.error > 0.0).then(|| format!("at {}", found.place));
+        row
+    };
+    let stored = found.hash.clone().unwrap_or_else(|| "none".to_owned());
+    vec![trajectory, Row::exact(case, "strict hash", stored, hash_words(hash))]
+}
+
+/// Compares with the snapshot of this name, or writes it; `None` when there is none.
+fn snapshot(folder: &Path, scene: &str, text: &str) -> Result<Option<Comparison>, Box<dyn Error>> {
+    let file = folder.join(format!("{scene}.snap"));
+    let old = file.exists().then(|| insta::Snapshot::from_file(&file)).transpose()?;
+    let description = old.as_ref().and_then(|old| old.metadata().description()).unwrap_or(DEFAULT_DESCRIPTION);
+    let comparator = ToleranceComparator::default();
+    let result = comparator.result();
+    let mut settings = insta::Settings::new();
+    settings.set_snapshot_path(folder);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_description(description);
+    settings.set_comparator(Box::new(comparator));
+    settings.bind(|| insta::assert_snapshot!(scene, text));
+    let found = result.lock().map_err(|_| "the comparison of the snapshot broke off")?.take();
+    Ok(found)
+}
+
+fn hash_words(hash: u64) -> String {
+    format!("{hash:016x}")
+}

@@ -1,0 +1,42 @@
+//! Rows that are known to fail, each with its reason: the one place where such a row is marked.
+//!
+//! A marked row prints `FAILS (known)` and does not fail the run. When it passes, the run fails until the mark is
+//! taken away, so that the list never holds what is already mended.
+
+use crate::row::Row;
+
+/// A row that is known to fail.
+#[derive(Debug)]
+struct KnownFailure {
+    case: &'static str,
+    /// What the row's quantity begins with; empty for all rows of the case.
+    quantity: &'static str,
+    reason: &'static str,
+}
+
+/// All of them.
+const KNOWN_FAILURES: &[KnownFailure] = &[
+    KnownFailure {
+        case: "diamond-5 falls",
+        quantity: "penetration / brick",
+        reason: "contacts of the middle bricks open and close again within a microsecond when the side faces part at \
+             t = 0.15 s; a pair that closes from touch is found only once it has sunk by 3e-12 of its size",
+    },
+    KnownFailure {
+        case: "IM-03",
+        quantity: "I=1/3, e=2/25: end velocities",
+        reason: "what is left of velocities of 1 m/s carries their rounding, 1e-16 m/s, which is 1e-10 of 2e-7 m/s: the \
+             figure is beyond what f64 velocities of the bodies can hold",
+    },
+];
+
+/// Marks those of `rows` that are known to fail.
+pub(crate) fn mark(rows: &mut [Row]) {
+    for row in rows {
+        for known in KNOWN_FAILURES {
+            if row.case == known.case && row.quantity.starts_with(known.quantity) {
+                row.mark_known(known.reason);
+            }
+        }
+    }
+}
