@@ -15,20 +15,12 @@ struct KnownFailure {
 }
 
 /// All of them.
-const KNOWN_FAILURES: &[KnownFailure] = &[
-    KnownFailure {
-        case: "diamond-5 falls",
-        quantity: "penetration / brick",
-        reason: "contacts of the middle bricks open and close again within a microsecond when the side faces part at \
-             t = 0.15 s; a pair that closes from touch is found only once it has sunk by 3e-12 of its size",
-    },
-    KnownFailure {
-        case: "IM-03",
-        quantity: "I=1/3, e=2/25: end velocities",
-        reason: "what is left of velocities of 1 m/s carries their rounding, 1e-16 m/s, which is 1e-10 of 2e-7 m/s: the \
+const KNOWN_FAILURES: &[KnownFailure] = &[KnownFailure {
+    case: "IM-03",
+    quantity: "I=1/3, e=2/25: end velocities",
+    reason: "what is left of velocities of 1 m/s carries their rounding, 1e-16 m/s, which is 1e-10 of 2e-7 m/s: the \
              figure is beyond what f64 velocities of the bodies can hold",
-    },
-];
+}];
 
 /// Marks those of `rows` that are known to fail.
 pub(crate) fn mark(rows: &mut [Row]) {

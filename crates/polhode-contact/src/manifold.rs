@@ -146,10 +146,10 @@ fn of_polyhedra(
         let upper = if is_upward(toward_a) { Side::A } else { Side::B };
         face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, axes.tolerance, upper);
         contacts = measured(&mut workspace.features, a, b, reach);
-        // Where the faces stand at an angle, only what rests on the deciding face is a contact: the normals of the other
+        // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
         // crossings of the two outlines do not keep the bodies apart.
-        let normal = deciding_normal(workspace, polyhedron_a, &axes, pair, a.pose);
-        contacts.retain(|c| c.geometry.normal.dot(normal) >= ALIKE);
+        let deciding = deciding_normals(workspace, polyhedron_a, &axes, pair, a.pose);
+        contacts.retain(|c| deciding.iter().flatten().any(|normal| c.geometry.normal.dot(*normal) >= ALIKE));
     } else {
         if let Some(EdgeAxis { edge_a, edge_b, .. }) = edges {
             workspace.features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
@@ -167,21 +167,20 @@ fn of_polyhedra(
     Manifold { contacts, separation, axis }
 }
 
-/// Unit normal of a contact region in the world, from B to A: that of the face of the pair that separates better.
-fn deciding_normal(
+/// Unit normals of a contact region in the world, from B to A: that of the face of the pair that separates better, or
+/// both when they separate equally well (edges of two tilted bodies that meet: the places of the edge may lie under
+/// either face).
+fn deciding_normals(
     workspace: &Workspace,
     a: &ConvexPolyhedron,
     axes: &Axes,
     (face_a, face_b): (u32, u32),
     pose_a: &Pose,
-) -> DVec3 {
+) -> [Option<DVec3>; 2] {
     let (along_a, along_b) = (workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]);
-    let normal = if along_a >= along_b - axes.tolerance {
-        -a.faces[face_a as usize].normal
-    } else {
-        workspace.normals[face_b as usize]
-    };
-    pose_a.rotation.rotate(normal)
+    let of_a = (along_a >= along_b - axes.tolerance).then(|| -a.faces[face_a as usize].normal);
+    let of_b = (along_b >= along_a - axes.tolerance).then(|| workspace.normals[face_b as usize]);
+    [of_a, of_b].map(|normal| normal.map(|normal| pose_a.rotation.rotate(normal)))
 }
 
 /// Whether a direction points up: by z, or else y, or else x.

@@ -52,14 +52,6 @@ pub enum SimulationError {
         /// Why.
         source: ResponseError,
     },
-    /// A stage of a step that had been accepted at another length failed.
-    #[error("step to an event failed at t = {t} s: {reason}")]
-    Stage {
-        /// When, s.
-        t: f64,
-        /// Why.
-        reason: String,
-    },
     /// Steps became too short to make progress.
     #[error(
         "the step fell below {smallest_s:e} s at t = {t} s: the motion cannot be resolved to the tolerance asked for"

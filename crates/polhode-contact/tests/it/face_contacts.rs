@@ -2,7 +2,7 @@
 
 use crate::support::{at, cuboid, yaw};
 use polhode_contact::{Contact, ContactFeature, Manifold, Side, manifold};
-use polhode_spatial::{DVec3, Pose};
+use polhode_spatial::{DVec3, Pose, Rotation};
 
 fn count(result: &Manifold, kind: impl Fn(&ContactFeature) -> bool) -> usize {
     result.contacts.iter().filter(|c| kind(&c.feature)).count()
@@ -99,7 +99,7 @@ fn overhangs() {
 fn standing_on_an_edge() {
     let table = cuboid(4.0, 4.0, 1.0);
     let cube = cuboid(1.0, 1.0, 1.0);
-    let turn = polhode_spatial::Rotation::from_rotation_vector(DVec3::Y * std::f64::consts::FRAC_PI_4);
+    let turn = Rotation::from_rotation_vector(DVec3::Y * std::f64::consts::FRAC_PI_4);
     let height = 0.5 + 0.5 * 2.0_f64.sqrt();
     let result = manifold(&cube, &Pose::new(turn, DVec3::Z * height), &table, &Pose::IDENTITY, 1e-9);
     assert_eq!(result.contacts.len(), 2);
@@ -120,4 +120,25 @@ fn edge_along_edge() {
     assert!(result.contacts.iter().all(|c| c.geometry.normal == DVec3::Z), "{result:#?}");
     let corner = manifold(&cube, &at(1.0, 1.0, 1.0), &cube, &Pose::IDENTITY, 1e-9);
     assert_eq!(corner.contacts.len(), 1);
+}
+
+/// Two bricks that lean apart with their lower edges together, each the other's mirror image: the edge touches along its
+/// whole length, so that both of its ends are contacts, at any angle, whichever brick is called A.
+#[test]
+fn edges_that_meet_keep_both_ends() {
+    let brick = cuboid(1.0, 0.5, 0.25);
+    for tilt in [1e-6, 1e-3, 4.9e-3, 5.1e-3, 0.02, 0.2, 0.7] {
+        // The lower edge that faces the other brick comes to x = z = 0.
+        let pose = |sign: f64| {
+            let rotation = Rotation::from_rotation_vector(DVec3::Y * (sign * tilt));
+            Pose::new(rotation, -rotation.rotate(DVec3::new(-0.5 * sign, 0.0, -0.125)))
+        };
+        let (right, left) = (pose(1.0), pose(-1.0));
+        for (a, b) in [(&left, &right), (&right, &left)] {
+            let result = manifold(&brick, a, &brick, b, 1e-11);
+            for y in [-0.25, 0.25] {
+                assert!(has_point(&result.contacts, DVec3::new(0.0, y, 0.0)), "tilt {tilt}: {result:#?}");
+            }
+        }
+    }
 }

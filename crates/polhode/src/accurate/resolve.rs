@@ -154,8 +154,12 @@ impl Engine {
         let mut candidates: Vec<usize> =
             group.contacts.iter().copied().filter(|&i| self.is_sustained(&self.touches[i])).collect();
         let mut forces = self.forces(group, &candidates)?;
-        let bounces = self.invisible_bounces(group, &candidates, &forces);
-        if !bounces.is_empty() {
+        // A contact may come back only because the one below it is held, so those found hold before others are judged.
+        loop {
+            let bounces = self.invisible_bounces(group, &candidates, &forces);
+            if bounces.is_empty() {
+                break;
+            }
             candidates.extend(bounces);
             candidates.sort_unstable();
             self.end_bounces(group, &candidates)?;

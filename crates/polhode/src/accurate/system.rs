@@ -16,18 +16,6 @@ use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATE
 use polhode_dynamics::{BodyState, System};
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::{DQuat, DVec3};
-use thiserror::Error;
-
-/// Why a stage could not be evaluated; the step is then tried again with a shorter one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub(super) enum StageError {
-    /// The features of a held contact no longer define a contact.
-    #[error("a held contact lost its features")]
-    FeatureLost,
-    /// The held rows could not be solved.
-    #[error("held contact forces not found")]
-    Forces,
-}
 
 /// A moving group with its held contacts.
 #[derive(Debug)]
@@ -37,12 +25,14 @@ pub(super) struct ContactSystem<'a> {
     held: &'a [ContactId],
     /// States of all bodies; those of `bodies` are overwritten at every stage.
     states: Vec<BodyState>,
-    kinematics: Vec<ContactKinematics>,
+    /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
+    /// that have turned parallel) bears no force; the location of contact changes ends the step where that begins.
+    contacts: Vec<(ContactId, ContactKinematics)>,
 }
 
 impl<'a> ContactSystem<'a> {
     pub(super) fn new(world: &'a World, states: &[BodyState], bodies: &'a [usize], held: &'a [ContactId]) -> Self {
-        Self { world, bodies, held, states: states.to_vec(), kinematics: Vec::with_capacity(held.len()) }
+        Self { world, bodies, held, states: states.to_vec(), contacts: Vec::with_capacity(held.len()) }
     }
 
     /// The group's bodies.
@@ -57,10 +47,10 @@ impl<'a> ContactSystem<'a> {
 
     /// Forces of the held contacts at the present states.
     fn held_forces(&self) -> Result<Vec<f64>, ResponseError> {
-        let rows = self.held.iter().copied().zip(self.kinematics.iter().map(|k| k.geometry));
+        let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, &self.states, self.bodies, rows)?;
         let free = assembly.free_accelerations(self.world, &self.states);
-        let b = assembly.acceleration_constants(&free, self.kinematics.iter())?;
+        let b = assembly.acceleration_constants(&free, self.contacts.iter().map(|(_, k)| k))?;
         let delassus = assembly.problem.delassus();
         LeastNormHold::factor(&delassus)?.solve(&delassus, &b)
     }
@@ -85,23 +75,22 @@ impl<'a> ContactSystem<'a> {
 }
 
 impl System for ContactSystem<'_> {
-    type Error = StageError;
+    type Error = ResponseError;
 
     fn dimension(&self) -> usize {
         self.bodies.len() * WIDTH
     }
 
-    fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), StageError> {
+    fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), ResponseError> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        self.kinematics.clear();
-        for &id in self.held {
-            self.kinematics.push(self.world.kinematics(&self.states, id).ok_or(StageError::FeatureLost)?);
-        }
-        let forces = self.held_forces().map_err(|_| StageError::Forces)?;
+        let (world, states) = (self.world, &self.states);
+        self.contacts.clear();
+        self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
+        let forces = self.held_forces()?;
         self.free_rates(state, rates);
-        for ((id, k), &force) in self.held.iter().zip(&self.kinematics).zip(&forces) {
+        for ((id, k), &force) in self.contacts.iter().zip(&forces) {
             for (body, signed) in [(id.a, force), (id.b, -force)] {
                 let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid)
                 else {

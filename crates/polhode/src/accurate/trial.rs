@@ -5,11 +5,12 @@
 //! interpolated, so that states at events are as accurate as states at step ends.
 
 use super::engine::{Engine, Mode};
-use super::system::{ContactSystem, StageError};
+use super::system::ContactSystem;
 use crate::SimulationError;
 use crate::interaction::contact_set::{ContactId, Hold};
 use crate::world::World;
 use polhode_dynamics::{BodyState, DenseStep, Dop853, state::WIDTH};
+use polhode_response::ResponseError;
 use polhode_spatial::{Motion, Still};
 
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
@@ -116,7 +117,7 @@ impl Engine {
         Ok((Trial { t: self.t, end: self.end_of(h), groups: trials }, smallest))
     }
 
-    fn attempt(&self, system: &mut ContactSystem<'_>, h: f64) -> Result<Attempt, StageError> {
+    fn attempt(&self, system: &mut ContactSystem<'_>, h: f64) -> Result<Attempt, ResponseError> {
         let state = system.pack();
         let scale = error_scale(&self.world, &self.states, system.bodies(), self.settings.tolerance);
         let mut integrator = Dop853::new(state.len());
@@ -134,9 +135,7 @@ impl Engine {
             }
             let h = t_next - trial.t;
             let mut system = ContactSystem::new(&self.world, &self.states, &group.bodies, &group.held);
-            let attempt = self
-                .attempt(&mut system, h)
-                .map_err(|source| SimulationError::Stage { t: self.t, reason: source.to_string() })?;
+            let attempt = self.attempt(&mut system, h).map_err(|source| self.response_error(source))?;
             ends.push(unpack(attempt.integrator.end_state()).collect());
         }
         Ok(ends)

@@ -44,7 +44,7 @@ fn five_diamond_accelerates_as_the_exact_problem_says() {
     }
 }
 
-/// The 5-diamond falls, and the motion stays mirror symmetric.
+/// The 5-diamond falls, and the motion stays mirror symmetric: left to right, and front to back.
 #[test]
 fn five_diamond_falls_symmetrically() {
     let scene = diamond(5, Sides::Touch).duration_s(0.7).output_interval_s(0.01).build().unwrap();
@@ -69,15 +69,14 @@ fn five_diamond_falls_symmetrically() {
                 })
                 .unwrap();
             let q = sample[twin].pose.translation;
-            asymmetry = asymmetry.max((p.x + q.x).abs()).max((p.z - q.z).abs());
+            asymmetry = asymmetry.max((p.x + q.x).abs()).max((p.z - q.z).abs()).max(p.y.abs());
         }
         if moved > 0.5 {
             break;
         }
     }
     assert!(moved > 0.5);
-    // Within touch; `cargo xtask verify` holds the sharper figure that is asked, and marks it as not reached.
-    assert!(report.certificate.max_penetration_m < 1.2e-11);
+    assert!(report.certificate.max_penetration_m <= 1e-12);
     assert!(report.ledger.closure_relative() < 1e-12);
     assert!(asymmetry < 1e-9, "{asymmetry:e}");
 }
