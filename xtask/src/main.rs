@@ -1,8 +1,10 @@
-//! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs.
+//! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
+//! regenerates the figures and tables of `docs/accuracy-and-cost.md`.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`verify`] | the command: steps in order, table, exit code |
+//! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
 //! | [`cases`] | validation cases, one file per group |
@@ -14,6 +16,7 @@
 
 mod cases;
 mod commands;
+mod cost;
 mod golden;
 mod house;
 mod known;
@@ -38,11 +41,16 @@ struct Arguments {
 enum Task {
     /// Runs everything that a release needs and prints one table of results.
     Verify(verify::Options),
+    /// Regenerates figures and tables of docs/accuracy-and-cost.md.
+    Cost(cost::Options),
 }
 
 fn main() -> ExitCode {
-    let Task::Verify(options) = Arguments::parse().task;
-    match verify::run(&options) {
+    let outcome = match Arguments::parse().task {
+        Task::Verify(options) => verify::run(&options),
+        Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
+    };
+    match outcome {
         Ok(code) => code,
         Err(error) => {
             eprintln!("error: {error}");

@@ -117,7 +117,7 @@ fn print(rows: &[Row], options: &Options) -> Result<(), Box<dyn Error>> {
 }
 
 /// The folder of the workspace: that of this program's manifest, one up.
-fn workspace_root() -> Result<PathBuf, Box<dyn Error>> {
+pub(crate) fn workspace_root() -> Result<PathBuf, Box<dyn Error>> {
     let manifest =
         std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
     Ok(manifest.parent().ok_or("the manifest of xtask has no folder above it")?.to_owned())

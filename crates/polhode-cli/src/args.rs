@@ -21,6 +21,8 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Says which effects of a scene are on or off, why, and what that saves
     Plan(PlanArgs),
+    /// Shows what accuracy costs: error against time over methods and steps
+    Cost(CostArgs),
     /// Validates a scene
     Check(CheckArgs),
     /// Diagnoses a mesh and computes its mass properties
@@ -29,6 +31,9 @@ pub(crate) enum Command {
     Schema,
     /// Compares two CSV trajectories number by number; exit code 1 when they differ beyond the tolerance
     Compare(CompareArgs),
+    /// Prepares a scene and runs it, printing nothing: what `cost --instructions` counts
+    #[command(hide = true)]
+    Probe(ProbeArgs),
 }
 
 /// A scene and changes to it.
@@ -76,6 +81,9 @@ pub(crate) struct RunArgs {
     /// Prints the report as JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
+    #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
+    pub(crate) accuracy: Option<f64>,
 }
 
 /// Arguments of `plan`.
@@ -86,6 +94,53 @@ pub(crate) struct PlanArgs {
     /// Prints the plan as JSON, with the accelerations at t = 0
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Arguments of `cost`.
+#[derive(Debug, Args)]
+pub(crate) struct CostArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Varies a key of the scene over values; several keys give all combinations [default: integrators and steps]
+    #[arg(long, value_name = "KEY=VALUE,...")]
+    pub(crate) vary: Vec<String>,
+    /// Names the cheapest method whose error stays below this; exit code 1 when there is none
+    #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
+    pub(crate) target: Option<f64>,
+    /// Counts instructions too, which repeat exactly, and takes them for the cost (needs valgrind)
+    #[arg(long)]
+    pub(crate) instructions: bool,
+    /// Writes the table as CSV
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Draws error against cost as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Writes figure and table as one HTML page
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Prints everything as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Samples that errors are taken from
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) samples: u32,
+    /// Rounds of timing at the most
+    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) rounds: u32,
+    /// Time that the candidates may take together when no --vary is given, about, s
+    #[arg(long, value_name = "S", default_value_t = 40.0, allow_negative_numbers = true)]
+    pub(crate) budget: f64,
+}
+
+/// Arguments of `probe`.
+#[derive(Debug, Args)]
+pub(crate) struct ProbeArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Runs the scene once it is prepared
+    #[arg(long)]
+    pub(crate) run: bool,
 }
 
 /// Arguments of `check`.

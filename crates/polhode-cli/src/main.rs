@@ -8,6 +8,7 @@
 //! | `args` | the command line |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands |
+//! | `cost` | the command that shows what accuracy costs |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout` | writing results |
@@ -15,6 +16,7 @@
 mod args;
 mod check;
 mod compare;
+mod cost;
 mod failure;
 mod mesh;
 mod plan;
@@ -40,10 +42,12 @@ fn main() -> ExitCode {
     let outcome = match &cli.command {
         Command::Run(args) => run::run(args),
         Command::Plan(args) => plan::plan(args),
+        Command::Cost(args) => cost::cost(args),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args),
+        Command::Probe(args) => cost::probe(args),
     };
     outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }

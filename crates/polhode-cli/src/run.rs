@@ -2,16 +2,20 @@
 
 use crate::args::RunArgs;
 use crate::failure::{self, Failure};
-use crate::{scene, stdout, text};
+use crate::{cost, scene, stdout, text};
 use indicatif::{ProgressBar, ProgressStyle};
 use polhode::{BodySample, Event, Flow, Observer};
-use polhode_scene::{Outputs, report_json};
+use polhode_scene::{Outputs, load_with, report_json};
 use std::io::IsTerminal;
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let loaded = scene::load(&args.scene)?;
+    let mut changes = scene::overrides(&args.scene)?;
+    if let Some(accuracy) = args.accuracy {
+        changes.extend(cost::settings_for(&args.scene, accuracy)?);
+    }
+    let loaded = load_with(&args.scene.scene, &changes)?;
     let outputs = Outputs::create(&loaded.scene, &args.output, args.events.as_deref())?;
     let started = Instant::now();
     let mut simulation = scene::prepare(&loaded, &args.scene)?;

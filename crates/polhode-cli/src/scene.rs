@@ -7,6 +7,11 @@ use polhode_scene::{LoadedScene, Override, load_with};
 
 /// The scene with the changes of the command line.
 pub(crate) fn load(args: &SceneArgs) -> Result<LoadedScene, Failure> {
+    Ok(load_with(&args.scene, &overrides(args)?)?)
+}
+
+/// The changes of the command line.
+pub(crate) fn overrides(args: &SceneArgs) -> Result<Vec<Override>, Failure> {
     let mut overrides = Vec::new();
     for text in &args.set {
         let change = Override::parse("command line (--set)", text).ok_or_else(|| {
@@ -24,16 +29,20 @@ pub(crate) fn load(args: &SceneArgs) -> Result<LoadedScene, Failure> {
             overrides.push(Override::new(format!("command line ({flag})"), key, value));
         }
     }
-    Ok(load_with(&args.scene, &overrides)?)
+    Ok(overrides)
 }
 
 /// The scene, ready to run.
 pub(crate) fn prepare(loaded: &LoadedScene, args: &SceneArgs) -> Result<Simulation, Failure> {
-    let effects = match args.effects {
+    Simulation::new(&loaded.scene, effects(args)).map_err(|error| failed(loaded, error))
+}
+
+/// The effects that are simulated.
+pub(crate) fn effects(args: &SceneArgs) -> Effects {
+    match args.effects {
         EffectsArg::Planned => Effects::Planned,
         EffectsArg::All => Effects::All,
-    };
-    Simulation::new(&loaded.scene, effects).map_err(|error| failed(loaded, error))
+    }
 }
 
 /// A failure of the engine: a scene that is refused is shown at its place, anything else is a failed check.

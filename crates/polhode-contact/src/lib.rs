@@ -46,6 +46,7 @@ pub mod feature;
 mod hull;
 mod impact_bounds;
 pub mod manifold;
+pub mod mirror;
 pub mod polyhedron;
 mod quadratic_bound;
 mod root_bracket;
@@ -61,6 +62,7 @@ pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, Separat
 pub use evaluate::{evaluate, kinematics};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use manifold::{manifold, manifold_with};
+pub use mirror::mirror_defect;
 pub use polyhedron::{ConvexPolyhedron, Edge, Face};
 pub use separating_axis::Workspace;
 pub use separation::{separation, separation_with};

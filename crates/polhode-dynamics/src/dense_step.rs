@@ -4,9 +4,9 @@
 //! over the step is of order h^8, as is that of a step; value and rate at both ends are those of the
 //! step. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6, dop853.f (contd8).
 
-use crate::RigidBody;
 use crate::integrated_motion::IntegratedMotion;
-use crate::state::WIDTH;
+use crate::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
+use crate::{BodyState, RigidBody};
 
 /// Coefficients per component: y0, F0 ... F6.
 pub(crate) const COEFFICIENTS: usize = 8;
@@ -22,6 +22,26 @@ pub struct DenseStep {
 impl DenseStep {
     pub(crate) const fn new(t0: f64, h: f64, coefficients: Vec<[f64; COEFFICIENTS]>) -> Self {
         Self { t0, h, coefficients }
+    }
+
+    /// The polynomials through a motion's states at eight times of the step (its ends, and between them the extrema of
+    /// Chebyshev's polynomial of degree 7, whose interpolation error is near the least): for a method whose states within
+    /// a step cost a step each. `sample` gives the states of all bodies at a time.
+    ///
+    /// # Errors
+    /// Those of `sample`.
+    pub fn through<E>(t0: f64, h: f64, mut sample: impl FnMut(f64) -> Result<Vec<BodyState>, E>) -> Result<Self, E> {
+        let mut values: Vec<Vec<f64>> = Vec::with_capacity(COEFFICIENTS);
+        for x in NODES {
+            let mut flat: Vec<f64> = sample(t0 + x * h)?.iter().flat_map(BodyState::to_array).collect();
+            if let Some(last) = values.last() {
+                keep_signs(last, &mut flat);
+            }
+            values.push(flat);
+        }
+        let count = values.iter().map(Vec::len).min().unwrap_or(0);
+        let component = |i: usize| nested(std::array::from_fn(|k| values[k][i]));
+        Ok(Self::new(t0, h, (0..count).map(component).collect()))
     }
 
     /// Time at the start of the step, s.
@@ -54,6 +74,66 @@ impl DenseStep {
         let components = self.coefficients.get(offset..)?.first_chunk::<WIDTH>()?;
         Some(IntegratedMotion::new(self.t0, self.h, components, body))
     }
+}
+
+/// Where the states are sampled, as fractions of the step: `(1 - cos(k pi/7))/2`.
+const NODES: [f64; COEFFICIENTS] = [
+    0.0,
+    0.049_515_566_048_790_43,
+    0.188_255_099_070_633_2,
+    0.388_739_533_021_842_8,
+    0.611_260_466_978_157_2,
+    0.811_744_900_929_366_7,
+    0.950_484_433_951_209_5,
+    1.0,
+];
+
+/// Turns the quaternions of a flat state to the side of those before: a rotation has two, and a path must not jump.
+fn keep_signs(before: &[f64], state: &mut [f64]) {
+    for (before, now) in before.as_chunks::<WIDTH>().0.iter().zip(state.as_chunks_mut::<WIDTH>().0) {
+        let numbers = QUATERNION..LINEAR_VELOCITY;
+        let dot: f64 = before[numbers.clone()].iter().zip(&now[numbers.clone()]).map(|(a, b)| a * b).sum();
+        if dot < 0.0 {
+            now[numbers].iter_mut().for_each(|number| *number = -*number);
+        }
+    }
+}
+
+/// Coefficients of the nest through values at [`NODES`]: Newton's form with the nodes 0, 1, 0, 1, ... of the nest, by
+/// elimination on the values of its products.
+fn nested(values: [f64; COEFFICIENTS]) -> [f64; COEFFICIENTS] {
+    let mut rows = NODES.map(|x| {
+        let mut product = 1.0;
+        let mut row = [1.0; COEFFICIENTS];
+        for k in 1..COEFFICIENTS {
+            product *= if k % 2 == 1 { x } else { 1.0 - x };
+            row[k] = product;
+        }
+        row
+    });
+    // The rows at both ends are units but for the first two columns: they give the value and the change.
+    let change = values[COEFFICIENTS - 1] - values[0];
+    let mut right: [f64; COEFFICIENTS] = std::array::from_fn(|k| values[k] - values[0] - NODES[k] * change);
+    for column in 2..COEFFICIENTS {
+        let inner = column - 1..COEFFICIENTS - 1;
+        let pivot = inner.clone().max_by(|&i, &j| rows[i][column].abs().total_cmp(&rows[j][column].abs()));
+        let Some(pivot) = pivot else { continue };
+        rows.swap(column - 1, pivot);
+        right.swap(column - 1, pivot);
+        for i in column..COEFFICIENTS - 1 {
+            let factor = rows[i][column] / rows[column - 1][column];
+            for k in column..COEFFICIENTS {
+                rows[i][k] -= factor * rows[column - 1][k];
+            }
+            right[i] -= factor * right[column - 1];
+        }
+    }
+    let mut f = [values[0], change, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    for column in (2..COEFFICIENTS).rev() {
+        let known: f64 = (column + 1..COEFFICIENTS).map(|k| rows[column - 1][k] * f[k]).sum();
+        f[column] = (right[column - 1] - known) / rows[column - 1][column];
+    }
+    f
 }
 
 /// Where in the step the time lies: 0 at its start, 1 at its end. A step of length zero is all start.

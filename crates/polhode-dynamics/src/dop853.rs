@@ -15,6 +15,7 @@
 use crate::System;
 use crate::dense_step::DenseStep;
 use crate::dop853_coefficients::{A, ALL_STAGES, C, DENSE, ERROR_3, ERROR_5, Row, STAGES};
+use std::ops::Range;
 
 /// Fraction of the step that the estimate would allow, so that the next attempt is seldom refused.
 const SAFETY: f64 = 0.9;
@@ -79,10 +80,34 @@ impl Dop853 {
         h: f64,
         scale: &[f64],
     ) -> Result<f64, S::Error> {
-        let dimension = self.end.len();
-        if state.len() != dimension || scale.len() != dimension || system.dimension() != dimension {
+        if scale.len() != self.end.len() {
             self.restart();
             return Ok(f64::NAN);
+        }
+        self.attempt_unscaled(system, t, state, h)?;
+        Ok(self.error_norm(scale))
+    }
+
+    /// As [`Dop853::attempt`], for a caller that asks for the errors of its own quantities ([`Dop853::error_of`]) and
+    /// may take their scales from both ends of the step. With a state or a system of another dimension every error is
+    /// NaN.
+    ///
+    /// # Errors
+    /// The system's own; the attempt is then of no use.
+    pub fn attempt_unscaled<S: System>(
+        &mut self,
+        system: &mut S,
+        t: f64,
+        state: &[f64],
+        h: f64,
+    ) -> Result<(), S::Error> {
+        let dimension = self.end.len();
+        if state.len() != dimension || system.dimension() != dimension {
+            self.restart();
+            for rates in &mut self.rates {
+                rates.fill(f64::NAN);
+            }
+            return Ok(());
         }
         self.begin(system, t, state, h)?;
         for stage in 1..STAGES {
@@ -91,7 +116,7 @@ impl Dop853 {
         }
         self.prepare(A[END]);
         std::mem::swap(&mut self.stage, &mut self.end);
-        Ok(self.error_norm(scale))
+        Ok(())
     }
 
     /// Sets the start of the step and makes its rates known.
@@ -129,10 +154,27 @@ impl Dop853 {
             fifth += e5 * e5;
             third += e3 * e3;
         }
-        if fifth == 0.0 && third == 0.0 {
-            return 0.0;
+        combined(self.h, fifth, third, scale.len() as f64)
+    }
+
+    /// Estimated error of the last attempt in the vector that some components form, in their unit: the same combination
+    /// with the vector's length for the mean. Components beyond the state count as NaN.
+    pub fn error_of(&self, components: Range<usize>) -> f64 {
+        if components.end > self.end.len() {
+            return f64::NAN;
         }
-        self.h.abs() * fifth / ((fifth + 0.01 * third) * scale.len() as f64).sqrt()
+        let (mut fifth, mut third) = (0.0, 0.0);
+        for i in components {
+            let (e5, e3) = (weighted(&self.rates, ERROR_5, i), weighted(&self.rates, ERROR_3, i));
+            fifth += e5 * e5;
+            third += e3 * e3;
+        }
+        combined(self.h, fifth, third, 1.0)
+    }
+
+    /// Rates at the start of the last attempt.
+    pub fn start_rates(&self) -> &[f64] {
+        &self.rates[0]
     }
 
     /// State at the end of the last attempt.
@@ -181,6 +223,11 @@ impl Dop853 {
         }
         Ok(DenseStep::new(t, h, coefficients))
     }
+}
+
+/// `|h| e5^2 / sqrt(n (e5^2 + 0.01 e3^2))` from the squares.
+fn combined(h: f64, fifth: f64, third: f64, n: f64) -> f64 {
+    if fifth == 0.0 && third == 0.0 { 0.0 } else { h.abs() * fifth / ((fifth + 0.01 * third) * n).sqrt() }
 }
 
 /// `sum a_j k_j` of component `i`, in the order of the row.

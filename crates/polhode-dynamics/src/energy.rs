@@ -14,5 +14,5 @@ pub fn potential_energy(mass: f64, gravity: DVec3, position: DVec3) -> f64 {
 
 /// Kinetic and potential energy of one body, J.
 pub fn total_energy(body: &RigidBody, state: &BodyState, gravity: DVec3) -> f64 {
-    body.kinetic_energy(state) + potential_energy(body.mass(), gravity, state.pose.translation)
+    body.kinetic_energy(state) + potential_energy(body.mass(), gravity, body.center_of_mass_position(state))
 }

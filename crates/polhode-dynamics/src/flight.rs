@@ -31,6 +31,13 @@ impl Flight {
         Self { t0, start: *state, gravity, body: *body, rotation }
     }
 
+    /// As [`Flight::new`], of a body that turns steadily about a principal axis ([`FreeRotation::steady`]).
+    pub fn steady(body: &RigidBody, t0: f64, state: &BodyState, gravity: DVec3) -> Self {
+        let axes = state.pose.rotation * body.axes();
+        let rotation = FreeRotation::steady(body.moments(), axes, state.angular_momentum);
+        Self { t0, start: *state, gravity, body: *body, rotation }
+    }
+
     /// Time of the record, s.
     pub const fn t0(&self) -> f64 {
         self.t0

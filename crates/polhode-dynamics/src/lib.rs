@@ -1,7 +1,8 @@
 //! Free motion of rigid bodies: states, exact flights, integrators over systems, conserved quantities.
 //!
 //! This crate knows neither shapes nor contacts: it moves what has mass and inertia (docs/ARCHITECTURE.md,
-//! invariant 1). The moving frame of a body is its central frame C: axes of the body, origin at the centre of mass.
+//! invariant 1). The moving frame of a body is its frame C: axes of the body, origin at the centre of mass, or at the
+//! pivot of a body that is held there.
 //! SI units; the world is W, the body B, its principal axes P; momenta are in world axes.
 //!
 //! | module | holds |
@@ -13,7 +14,9 @@
 //! | [`exact_rotation`] | free rotation to round-off over any time: [`exact_rotation::drift`], [`FreeRotation`] |
 //! | [`flight`] | [`Flight`]: the record of a body in free flight, evaluated at any time and never chained |
 //! | [`system`] | [`System`]: rates of a flat state, what the integrators integrate |
-//! | [`free_fall`] | [`FreeFall`]: bodies under gravity alone, as a system |
+//! | [`field`] | [`field::Field`]: forces and torques without contact |
+//! | [`free_motion`] | [`FreeMotion`]: bodies under gravity and fields, what the integrators integrate |
+//! | [`integrator`] | [`integrator::Integrator`]: the methods of free motion behind one trait |
 //! | [`rk4`] | the classical Runge-Kutta method of order 4, as the thesis uses it |
 //! | [`dop853`] | [`Dop853`]: the Runge-Kutta method of order 8 by Dormand and Prince, with its error estimate |
 //! | [`dense_step`] | [`DenseStep`]: the state at any time within a step, to order 7 |
@@ -42,9 +45,11 @@ mod dop853_coefficients;
 mod double_double;
 pub mod energy;
 pub mod exact_rotation;
+pub mod field;
 pub mod flight;
-pub mod free_fall;
+pub mod free_motion;
 pub mod integrated_motion;
+pub mod integrator;
 pub mod jacobi;
 pub mod momentum;
 pub mod rigid_body;
@@ -56,8 +61,9 @@ pub use dense_step::DenseStep;
 pub use dop853::Dop853;
 pub use exact_rotation::FreeRotation;
 pub use flight::Flight;
-pub use free_fall::FreeFall;
+pub use free_motion::FreeMotion;
 pub use integrated_motion::IntegratedMotion;
+pub use integrator::{IntegrationError, Integrator};
 pub use rigid_body::RigidBody;
 pub use rk4::Rk4;
 pub use state::BodyState;

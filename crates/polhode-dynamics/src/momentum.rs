@@ -1,13 +1,14 @@
 //! Momentum of bodies: `P = m v` and `L_Q = L_cm + (x - Q) x m v` about a point Q fixed in the world.
 //!
-//! Both are constant in free flight without gravity; contact forces between two bodies conserve their sums.
+//! Both are constant in free flight without gravity; contact forces between two bodies conserve their sums. For a
+//! pivoted body, whose L is about its pivot at p, the second reads `L_Q = L + (p - Q) x m v_cm`.
 
 use crate::{BodyState, RigidBody};
 use glam::DVec3;
 
-/// Linear momentum `m v`, kg m/s.
+/// Linear momentum `m v_cm`, kg m/s.
 pub fn linear_momentum(body: &RigidBody, state: &BodyState) -> DVec3 {
-    state.linear_velocity * body.mass()
+    body.center_of_mass_velocity(state).linear * body.mass()
 }
 
 /// Angular momentum about the world's `point` (m), kg m^2/s. A point near the bodies keeps the digits that the lever

@@ -1,4 +1,9 @@
-//! What a rigid body is to dynamics: its mass and its inertia about the centre of mass.
+//! What a rigid body is to dynamics: its mass and its inertia about the point that its motion splits at.
+//!
+//! A free body's moving frame C has its origin at the centre of mass. A pivoted body turns about a point that is held
+//! fixed in the world: its frame has the origin there, its inertia is about it (`I + m (|r|^2 1 - r r^T)`, r the arm
+//! from the pivot to the centre of mass), no force moves it (its inverse mass is zero), its velocity is zero, and
+//! `2 T = w . L` holds all of its kinetic energy.
 //!
 //! `w = R I^-1 R^T L` (thesis 3.3, below equation 4), `2 T = m |v|^2 + w . L`. Inverses are formed through principal
 //! axes, where they are three divisions: elimination on the matrix of a needle would lose the digits of its small
@@ -7,14 +12,16 @@
 
 use crate::BodyState;
 use glam::{DMat3, DVec3};
-use polhode_spatial::{MassProperties, Pose, PrincipalAxes, Rotation, Velocity};
+use polhode_spatial::{Inertia, MassProperties, Pose, PrincipalAxes, Rotation, Velocity};
 
-/// Mass and inertia of a body, with their inverses. The frame is the central one: axes of the body, origin at the
-/// centre of mass.
+/// Mass and inertia of a body, with their inverses. The frame C has the axes of the body and its origin at the centre of
+/// mass, or at the pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidBody {
     mass: f64,
     inverse_mass: f64,
+    /// `p_CBcm`, m, in body axes.
+    arm: DVec3,
     inertia: DMat3,
     inverse_inertia: DMat3,
     principal: PrincipalAxes,
@@ -27,8 +34,24 @@ pub struct RigidBody {
 impl RigidBody {
     /// From mass properties; only the inertia about the centre of mass and the mass are used.
     pub fn new(properties: &MassProperties) -> Self {
-        let inertia = properties.inertia().matrix();
-        let principal = properties.principal_axes();
+        let mass = properties.mass();
+        Self::from_parts(mass, 1.0 / mass, DVec3::ZERO, properties.inertia())
+    }
+
+    /// The body held at a point that stays fixed in the world, `pivot_in_body` (`p_BQ`, m, from the origin of the frame
+    /// that the mass properties are in): a top, a pendulum, a rotor on gimbals. Finite numbers are assumed; others
+    /// give states that are not finite.
+    ///
+    /// A [`crate::Flight`] of it is true only where gravity has no torque: no arm, or no gravity.
+    pub fn pivoted(properties: &MassProperties, pivot_in_body: DVec3) -> Self {
+        let arm = properties.center_of_mass() - pivot_in_body;
+        let inertia = properties.inertia().shifted_from_center_of_mass(properties.mass(), arm);
+        Self::from_parts(properties.mass(), 0.0, arm, &inertia)
+    }
+
+    fn from_parts(mass: f64, inverse_mass: f64, arm: DVec3, inertia: &Inertia) -> Self {
+        let principal = inertia.principal_axes();
+        let inertia = inertia.matrix();
         // Sorting the moments of a diagonal inertia turns the axes by a right angle, whose quaternion is rounded; a
         // spin about a body axis would then no longer be one exactly. So a diagonal inertia keeps the body's axes.
         let diagonal = inertia.x_axis.y == 0.0 && inertia.x_axis.z == 0.0 && inertia.y_axis.z == 0.0;
@@ -37,10 +60,10 @@ impl RigidBody {
         } else {
             (principal.moments(), principal.rotation())
         };
-        let mass = properties.mass();
         Self {
             mass,
-            inverse_mass: 1.0 / mass,
+            inverse_mass,
+            arm,
             inertia,
             inverse_inertia: matrix_from_principal(axes, moments.recip()),
             principal,
@@ -54,12 +77,33 @@ impl RigidBody {
         self.mass
     }
 
-    /// Reciprocal of the mass, 1/kg.
+    /// Reciprocal of the mass, 1/kg: what a force at the frame's origin moves. Zero for a pivoted body.
     pub const fn inverse_mass(&self) -> f64 {
         self.inverse_mass
     }
 
-    /// `I_BBcm_B`, kg m^2, in body axes.
+    /// Whether the body turns about a fixed pivot.
+    pub const fn is_pivoted(&self) -> bool {
+        self.inverse_mass == 0.0
+    }
+
+    /// `p_CBcm`, m, in body axes: from the pivot to the centre of mass; zero for a free body.
+    pub const fn arm(&self) -> DVec3 {
+        self.arm
+    }
+
+    /// Position of the centre of mass, m, world.
+    pub fn center_of_mass_position(&self, state: &BodyState) -> DVec3 {
+        state.pose.translation + state.pose.rotation.rotate(self.arm)
+    }
+
+    /// Velocity of the centre of mass and angular velocity.
+    pub fn center_of_mass_velocity(&self, state: &BodyState) -> Velocity {
+        let velocity = self.velocity(state);
+        Velocity::new(velocity.at(state.pose.rotation.rotate(self.arm)), velocity.angular)
+    }
+
+    /// `I_BBcm_B` (about the pivot of a pivoted body), kg m^2, in body axes.
     pub const fn inertia(&self) -> DMat3 {
         self.inertia
     }
@@ -109,21 +153,21 @@ impl RigidBody {
         rotation.rotate(self.axes.rotate(in_principal * self.moments))
     }
 
-    /// Velocity of the centre of mass and angular velocity.
+    /// Velocity of the frame's origin (the centre of mass, or the pivot: zero) and angular velocity.
     pub fn velocity(&self, state: &BodyState) -> Velocity {
         Velocity::new(state.linear_velocity, self.angular_velocity(state))
     }
 
-    /// The state at `pose` (`X_WC`) with `velocity`.
+    /// The state at `pose` (`X_WC`) with `velocity`; of a pivoted body the angular velocity alone is taken.
     pub fn at_velocity(&self, pose: Pose, velocity: Velocity) -> BodyState {
         BodyState {
             pose,
-            linear_velocity: velocity.linear,
+            linear_velocity: if self.is_pivoted() { DVec3::ZERO } else { velocity.linear },
             angular_momentum: self.angular_momentum_at(pose.rotation, velocity.angular),
         }
     }
 
-    /// Kinetic energy of the motion of the centre of mass, J.
+    /// Kinetic energy of the motion of the frame's origin, J: zero for a pivoted body.
     pub fn translational_energy(&self, state: &BodyState) -> f64 {
         0.5 * self.mass * state.linear_velocity.length_squared()
     }

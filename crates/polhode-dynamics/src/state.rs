@@ -1,7 +1,8 @@
 //! The state of a body and its layout in a flat state.
 //!
 //! Thirteen numbers: position of the centre of mass p (m), quaternion w x y z (body to world), linear velocity v
-//! (m/s), angular momentum L about the centre of mass in world axes (kg m^2/s). L rather than the angular velocity,
+//! (m/s), angular momentum L about the centre of mass in world axes (kg m^2/s). Of a pivoted body
+//! ([`crate::RigidBody::pivoted`]) p is the pivot's position, v is zero and L is about the pivot. L rather than the angular velocity,
 //! because free flight conserves it (thesis 3.3, equation 4). The quaternion is stored whole: three of its numbers
 //! and a sign lose half the digits near w = 0 (docs/REFERENCES.md, the thesis's errata).
 
@@ -23,11 +24,11 @@ pub const ANGULAR_MOMENTUM: usize = 10;
 /// State of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BodyState {
-    /// `X_WC`: rotation of the body's axes, position of the centre of mass (m).
+    /// `X_WC`: rotation of the body's axes, position of the centre of mass (of the pivot) (m).
     pub pose: Pose,
-    /// `v_WBcm`, m/s.
+    /// `v_WBcm`, m/s (of the pivot: zero).
     pub linear_velocity: DVec3,
-    /// `L_WBcm`, kg m^2/s, about the centre of mass, in world axes.
+    /// `L_WBcm`, kg m^2/s, about the centre of mass (about the pivot), in world axes.
     pub angular_momentum: DVec3,
 }
 
@@ -92,4 +93,12 @@ pub fn normalize(state: &mut [f64]) {
         let unit = Rotation::renormalized(DQuat::from_xyzw(x, y, z, w)).to_wxyz();
         body[QUATERNION..QUATERNION + 4].copy_from_slice(&unit);
     }
+}
+
+/// Rate of a quaternion (body to world, any length), `(0, w) q / 2`, as w, x, y, z, for the angular velocity `w`
+/// (rad/s, world).
+pub fn quaternion_rate(quaternion: DQuat, angular_velocity: DVec3) -> [f64; 4] {
+    let half = angular_velocity * 0.5;
+    let rate = DQuat::from_xyzw(half.x, half.y, half.z, 0.0) * quaternion;
+    [rate.w, rate.x, rate.y, rate.z]
 }

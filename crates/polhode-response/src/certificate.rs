@@ -13,6 +13,7 @@
 
 use crate::delassus::Delassus;
 use crate::dense::kernels::axpy;
+use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_length};
 
 /// Residual of the natural map, relative to the terms of each row.
@@ -64,11 +65,11 @@ pub(crate) fn row_scales(entries: &[f64], b: &[f64], forces: &[f64], scales: &mu
 }
 
 /// `w = b + G f` of a row-major symmetric `G`.
-pub(crate) fn row_accelerations(entries: &[f64], b: &[f64], forces: &[f64], w: &mut [f64]) {
+pub(crate) fn row_accelerations<T: Scalar>(entries: &[T], b: &[T], forces: &[T], w: &mut [T]) {
     let size = b.len();
     w.copy_from_slice(b);
     for (k, &force) in forces.iter().enumerate() {
-        if force != 0.0 {
+        if force != T::default() {
             axpy(force, &entries[k * size..(k + 1) * size], w);
         }
     }

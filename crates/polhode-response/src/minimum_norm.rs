@@ -15,6 +15,7 @@
 
 use crate::complementarity::ContactSolution;
 use crate::complementarity::active_set::{ActiveSet, Outcome, Problem};
+use crate::complementarity::rank::Rank;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::{axpy, dot, largest};
 use crate::error::{ResponseError, check_finite, check_length};
@@ -34,6 +35,14 @@ const MOTION_LIMIT: f64 = 1e-11;
 /// Singular directions of `J` below this fraction take no part in the first correction of rounding (no unit): the
 /// square root of the rounding unit, so that the correction is well-conditioned.
 const RESTORE_CUT: f64 = 1e-8;
+
+/// A Schur complement of the projector below this fraction of its terms is rounding (no unit): a hundred times the
+/// rounding of the projector.
+const PROJECTOR_CUT: f64 = 1e-13;
+
+/// A force that stays negative by less than this fraction of its terms is rounding of the given forces (no unit): the
+/// square root of the rounding unit.
+const MULTIPLIER_ROUNDING: f64 = 1e-8;
 
 /// Forces of least norm.
 #[derive(Debug, Clone, PartialEq)]
@@ -225,7 +234,8 @@ fn nonnegative_least(qr: &PivotedQr, given: &[f64], settings: &SolverSettings) -
     let start: Vec<usize> = (0..count).filter(|&k| projected[k] < -rounding).collect();
     // The projection mixes all forces, so its rounding is that of the largest.
     let settings = &SolverSettings { noise_floor: rounding, ..*settings };
-    let problem = Problem { matrix: &projector, constant: &projected, settings };
+    let (rank, squeeze_rounding) = (Rank::Pivot(PROJECTOR_CUT), MULTIPLIER_ROUNDING);
+    let problem = Problem { matrix: &projector, constant: &projected, rank, squeeze_rounding, settings };
     if active_set.run(problem, &start) != Outcome::Converged {
         return None;
     }

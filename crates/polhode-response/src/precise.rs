@@ -16,6 +16,35 @@ pub(crate) fn is_worth_it(largest_diagonal: f64, smallest_pivot: f64) -> bool {
     largest_diagonal > SPREAD * smallest_pivot
 }
 
+/// `G` of `rows`, row-major: entries exact to 1e-31 of their terms, so that the matrix is semidefinite to that.
+pub(crate) fn delassus(problem: &ContactProblem, rows: &[usize], matrix: &mut Vec<DoubleDouble>) {
+    let (width, size) = (problem.width(), rows.len());
+    matrix.clear();
+    matrix.resize(size * size, DoubleDouble::default());
+    let mut response = vec![DoubleDouble::default(); width];
+    for (line, &row) in rows.iter().enumerate() {
+        for entry in problem.entries(row) {
+            let inverse = problem.inverse_mass(entry.body);
+            for (component, value) in response.iter_mut().enumerate() {
+                // The block is symmetric to rounding; its mean with its transpose is so exactly.
+                let mean = |k: usize| 0.5 * inverse[component * width + k] + 0.5 * inverse[k * width + component];
+                let terms = entry.jacobian.iter().enumerate();
+                *value = terms.fold(DoubleDouble::default(), |sum, (k, jacobian)| sum.plus_product(mean(k), *jacobian));
+            }
+            for (column, &other) in rows.iter().enumerate().take(line + 1) {
+                for other in problem.entries(other).filter(|other| other.body == entry.body) {
+                    let start = matrix[line * size + column];
+                    let terms = other.jacobian.iter().zip(&response);
+                    matrix[line * size + column] = terms.fold(start, |sum, (j, r)| sum.plus_long_product(*j, *r));
+                }
+            }
+        }
+        for column in 0..line {
+            matrix[column * size + line] = matrix[line * size + column];
+        }
+    }
+}
+
 /// `w` of `rows`, whose forces and constant terms are given in the order of `rows`.
 pub(crate) fn accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64], forces: &[f64]) -> Vec<f64> {
     let width = problem.width();

@@ -24,6 +24,8 @@ pub enum Method {
     ActiveSet,
     /// The active set from a cold start, after a warm start that did not succeed.
     ColdStart,
+    /// The active set in twice the working precision: rows that nearly depend on each other, or squeeze bodies.
+    PreciseActiveSet,
     /// Interior point, made exact by an active set.
     InteriorPointPolished,
     /// Interior point alone.

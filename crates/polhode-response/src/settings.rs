@@ -13,9 +13,9 @@ pub struct SolverSettings {
     pub acceptance: f64,
     /// A row counts as held (`w = 0`) when `w_i <= closed_cut * W_i`.
     pub closed_cut: f64,
-    /// A row counts as dependent when its Schur complement is below `rank_cut` times the square of the terms that
-    /// cancel in it. The Schur complement is quadratic in distances: 1e-13 tells contacts apart that are 3e-7 of the
-    /// lever arm from each other; rounding stays below 1e-14.
+    /// A row counts as dependent when what it adds to the rows that carry force, `|M^-1/2 J^T z|` with `z_j = 1` and
+    /// the other `z` such that it is least, is below `rank_cut` times the terms that cancel in it. Contacts are told
+    /// apart that are this fraction of the lever arm from each other; rounding of the rows stays below 1e-15.
     pub rank_cut: f64,
     /// Singular directions of `J` below this fraction of its columns count as zero when forces are chosen by least
     /// norm.
@@ -44,7 +44,7 @@ impl Default for SolverSettings {
             tolerance: 1e-13,
             acceptance: 1e-11,
             closed_cut: 1e-12,
-            rank_cut: 1e-13,
+            rank_cut: 1e-14,
             null_space_cut: 1e-11,
             noise_floor: 0.0,
             pivots_per_row: 20,

@@ -1,7 +1,9 @@
 //! What can be wrong with a scene file.
 
+use crate::document::{KeyPath, Step};
 use polhode::SceneError;
 use polhode::contact::ShapeError;
+use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, ObjError, PrimitiveError};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
@@ -128,6 +130,9 @@ pub enum Refusal {
     /// A body has no kind of shape, or several.
     #[error("a shape is exactly one of the kinds")]
     ShapeKinds,
+    /// A force has no kind, or several.
+    #[error("a force is exactly one of the kinds")]
+    ForceKinds,
     /// Something else that the format's reader refuses.
     #[error("{0}")]
     Other(String),
@@ -166,6 +171,9 @@ pub enum Refusal {
     /// A name is borne twice.
     #[error("two bodies are named `{0}`")]
     DuplicateName(String),
+    /// A body is named twice in one list.
+    #[error("body `{0}` is named twice")]
+    Repeated(String),
     /// Two keys exclude each other.
     #[error("`{key}` and `{other}` cannot both be given")]
     Excludes {
@@ -211,6 +219,9 @@ pub enum Refusal {
     /// A shape is refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// A force is refused.
+    #[error(transparent)]
+    Field(#[from] FieldError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
@@ -258,8 +269,9 @@ pub enum MeshFileError {
 }
 
 impl Refusal {
-    /// What the reader of the format says, in the format's own terms.
-    pub(crate) fn from_message(message: &str) -> Self {
+    /// What the reader of the format says of a value at `path`, in the format's own terms.
+    pub(crate) fn from_message(message: &str, path: &KeyPath) -> Self {
+        let in_forces = path.steps().first() == Some(&Step::key("forces"));
         let quoted = |rest: &str| rest.split_once('`').map(|(name, tail)| (name.to_owned(), tail.to_owned()));
         let expected = |tail: &str| tail.split_once("expected ").map_or(tail, |(_, list)| list).replace("one of ", "");
         if let Some((key, tail)) = message.strip_prefix("unknown field `").and_then(quoted) {
@@ -277,11 +289,11 @@ impl Refusal {
             .or_else(|| message.strip_prefix("invalid "))
             .and_then(|rest| rest.split_once(", expected "));
         if let Some((found, accepted)) = typed {
-            return Self::Type { found: plain(found), accepted: plain(accepted) };
+            return Self::Type { found: plain(found, in_forces), accepted: plain(accepted, in_forces) };
         }
-        // A shape is a table with the one key that names its kind.
+        // A shape or a force is a table with the one key that names its kind.
         if message.starts_with("wanted exactly 1 element") {
-            return Self::ShapeKinds;
+            return if in_forces { Self::ForceKinds } else { Self::ShapeKinds };
         }
         Self::Other(message.to_owned())
     }
@@ -294,25 +306,29 @@ impl Refusal {
             }
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
+            Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
             Self::UnknownName { known, .. } => Some(format!("accepted: {known}")),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
             Self::DuplicateName(_) => Some("names must differ".to_owned()),
-            Self::Meaningless { .. } => Some("remove it".to_owned()),
+            Self::Repeated(_) | Self::Meaningless { .. } => Some("remove it".to_owned()),
             _ => None,
         }
     }
 }
 
 /// Names of Rust types in the words of the format.
-fn plain(text: &str) -> String {
+fn plain(text: &str, in_forces: bool) -> String {
     match text {
         "f64" => "a number".to_owned(),
         "u32" | "u64" => "a whole number of at least 0".to_owned(),
         "a sequence" => "an array".to_owned(),
         "map" => "a table or date".to_owned(),
         "unit variant" => "a single word".to_owned(),
+        "newtype variant" if in_forces => {
+            "a force with its keys, such as type.torque = { body = \"wheel\", torque = [0, 0, 1] }".to_owned()
+        }
         "newtype variant" => "a shape with its keys, such as shape.box.size = [1, 1, 1]".to_owned(),
         _ if text.starts_with("struct ") => "a table".to_owned(),
         _ if text.starts_with("enum ") => "a word".to_owned(),
@@ -329,6 +345,42 @@ pub(crate) fn list<S: AsRef<str>>(names: &[S]) -> String {
     }
     text
 }
+
+/// Names as [`list`] shows them, those most like `name` first; `none` when there are none.
+pub(crate) fn nearest(name: &str, names: &[&str], none: &str) -> String {
+    if names.is_empty() {
+        return none.to_owned();
+    }
+    let mut sorted = names.to_vec();
+    sorted.sort_by_cached_key(|known| edits(name, known));
+    list(&sorted)
+}
+
+/// How many characters must be put in, left out or replaced to make `b` of `a` (Levenshtein's distance), of the first
+/// [`COMPARED`] characters of each.
+fn edits(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<_>, Vec<_>) = (a.chars().take(COMPARED).collect(), b.chars().take(COMPARED).collect());
+    // The row of distances from the beginnings of `a` to all beginnings of `b`.
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.iter().enumerate() {
+        let mut diagonal = i;
+        let mut left = i + 1;
+        if let Some(first) = row.first_mut() {
+            *first = left;
+        }
+        for (to, above) in b.iter().zip(row.iter_mut().skip(1)) {
+            let replaced = diagonal + usize::from(from != to);
+            diagonal = *above;
+            left = replaced.min(*above + 1).min(left + 1);
+            *above = left;
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+/// Characters that are compared of each name: longer ones differ early or are not a slip of the pen, and a file may
+/// hold a million of them.
+const COMPARED: usize = 32;
 
 /// Longest list of names in a message: more do not help.
 const LONGEST_LIST: usize = 20;

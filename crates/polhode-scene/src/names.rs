@@ -1,7 +1,7 @@
 //! Words for the members of the engine's enums, as the scene format writes them.
 
 use polhode::Decision;
-use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Tier};
+use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Orientation, RotationRate, Tier};
 
 /// The word for a tier.
 pub const fn tier(tier: Tier) -> &'static str {
@@ -13,9 +13,26 @@ pub const fn tier(tier: Tier) -> &'static str {
 
 /// The word for an integrator.
 pub const fn integrator(integrator: Integrator) -> &'static str {
-    match integrator {
-        Integrator::Rk4 => "rk4",
-        Integrator::Exact => "exact",
+    integrator.name()
+}
+
+/// The word for coordinates of orientation.
+pub const fn orientation(orientation: Orientation) -> &'static str {
+    match orientation {
+        Orientation::Quaternion => "quaternion",
+        Orientation::QuaternionUnnormalized => "quaternion-unnormalized",
+        Orientation::QuaternionThreeNumbers => "quaternion-three-numbers",
+        Orientation::Matrix => "matrix",
+        Orientation::MatrixUnorthogonalized => "matrix-unorthogonalized",
+        Orientation::EulerAngles => "euler-angles",
+    }
+}
+
+/// The word for a variable of rotation.
+pub const fn rotation_rate(variable: RotationRate) -> &'static str {
+    match variable {
+        RotationRate::AngularMomentum => "angular-momentum",
+        RotationRate::AngularVelocity => "angular-velocity",
     }
 }
 

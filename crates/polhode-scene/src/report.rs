@@ -2,7 +2,7 @@
 
 use crate::names;
 use glam::DVec3;
-use polhode::{Acceleration, BodySample, Outcome, Plan, RunReport, Scene};
+use polhode::{Acceleration, BodySample, Momentum, MomentumLedger, Outcome, Plan, RunReport, Scene};
 use serde_json::{Value, json};
 
 /// The report of a run; `wall_s` is the time it took, s.
@@ -35,6 +35,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
             "projection_j": ledger.projection.value(),
             "numerical_j": ledger.numerical.value(),
             "closure_relative": ledger.closure_relative(),
+            "momentum": momentum_json(&ledger.momentum),
         },
         "max_penetration_m": certificate.max_penetration_m,
         "max_residual": certificate.max_residual,
@@ -44,6 +45,22 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "events": report.events,
         "warnings": report.warnings,
         "bodies": report.bodies.iter().map(|(name, sample)| body_json(name, sample)).collect::<Vec<_>>(),
+    })
+}
+
+/// The ledger of momentum: N s, N m s.
+fn momentum_json(ledger: &MomentumLedger) -> Value {
+    let pair = |momentum: Momentum| json!({ "linear": triple(momentum.linear), "angular": triple(momentum.angular) });
+    json!({
+        "about": triple(ledger.about),
+        "initial": pair(ledger.initial),
+        "final": pair(ledger.current),
+        "gravity": pair(ledger.gravity.value()),
+        "support": pair(ledger.support.value()),
+        "rest": pair(ledger.rest.value()),
+        "projection": pair(ledger.projection.value()),
+        "numerical": pair(ledger.numerical.value()),
+        "closure_relative": ledger.closure_relative(),
     })
 }
 
@@ -65,6 +82,7 @@ pub fn plan_json(plan: &Plan) -> Value {
         "tier": names::tier(plan.tier),
         "tier_reason": plan.tier_reason,
         "integrator": names::integrator(plan.integrator),
+        "integrator_reason": plan.integrator_reason,
         "impact": names::impact(plan.impact),
         "contact": names::contact(plan.contact),
         "step_s": plan.step_s,

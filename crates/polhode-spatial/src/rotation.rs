@@ -97,6 +97,15 @@ impl Rotation {
         Self::renormalized(DQuat::from_xyzw(v.x, v.y, v.z, half_cos))
     }
 
+    /// The rotation vector of at most half a turn, rad: the inverse of [`Rotation::from_rotation_vector`].
+    pub fn to_rotation_vector(self) -> DVec3 {
+        let v = DVec3::new(self.0.x, self.0.y, self.0.z);
+        let sine = v.length();
+        // The quaternion and its opposite are one rotation; the one with w >= 0 turns the short way.
+        let (v, w) = if self.0.w < 0.0 { (-v, -self.0.w) } else { (v, self.0.w) };
+        if sine == 0.0 { DVec3::ZERO } else { v * (2.0 * libm::atan2(sine, w) / sine) }
+    }
+
     /// From a matrix that is a rotation to round-off (columns are the images of the axes).
     pub fn from_matrix(matrix: &DMat3) -> Self {
         Self::renormalized(DQuat::from_mat3(matrix))

@@ -2,6 +2,7 @@
 
 use crate::scene::SceneError;
 use polhode_contact::ImpactError;
+use polhode_dynamics::integrator::IntegrationError;
 use polhode_response::ResponseError;
 use thiserror::Error;
 
@@ -43,6 +44,14 @@ pub enum SimulationError {
         t: f64,
         /// Residual reached (relative).
         residual: f64,
+    },
+    /// The integrator could not make a step.
+    #[error("no step possible from t = {t} s: {source}")]
+    Integration {
+        /// Start of the step, s.
+        t: f64,
+        /// Why.
+        source: IntegrationError,
     },
     /// A contact problem was not valid.
     #[error("contact problem refused at t = {t} s: {source}")]

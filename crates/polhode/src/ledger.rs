@@ -4,8 +4,9 @@
 //!
 //! Every term is summed from its own measured source and none is the remainder, so that the closure checks the
 //! book-keeping, and `D_numerical`, the energy that the integrator lost over smooth stages, is an honest statement of
-//! accuracy. A positive `D` is energy lost. Sums are compensated.
+//! accuracy. A positive `D` is energy lost. Sums are compensated. Momentum has a ledger of its own beside it.
 
+use crate::MomentumLedger;
 use polhode_spatial::CompensatedSum;
 
 /// Energy booked by source, J.
@@ -31,6 +32,8 @@ pub struct Ledger {
     pub current_j: f64,
     /// Largest `T + |V - V0|` so far, J: what closure is relative to.
     pub scale_j: f64,
+    /// The same account of momentum.
+    pub momentum: MomentumLedger,
 }
 
 impl Ledger {

@@ -4,8 +4,11 @@
 //! it is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
 //! skipping rest gives the same bits as simulating everything (`Effects::All`).
 
+use crate::free_method::Choice;
+use crate::planar::PlanarFinding;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Scene, Tier};
 use crate::settings::Settings;
+use crate::world::World;
 use polhode_spatial::DVec3;
 
 /// An effect that a scene may or may not call for.
@@ -15,6 +18,10 @@ pub enum Effect {
     Gravity,
     /// Rotation with three different principal moments (otherwise: spherical inertia or steady axes).
     GeneralRotation,
+    /// Spin about a principal axis, at one rate.
+    SteadyRotation,
+    /// Motion in one plane: three velocities a body, one contact of each mirror pair.
+    PlanarMotion,
     /// Flights in closed form, with no force but gravity.
     BallisticFlight,
     /// Contact between bodies.
@@ -37,6 +44,8 @@ impl Effect {
         match self {
             Self::Gravity => "gravity",
             Self::GeneralRotation => "general rotation",
+            Self::SteadyRotation => "steady rotation",
+            Self::PlanarMotion => "planar motion",
             Self::BallisticFlight => "ballistic flight",
             Self::Contact => "contact",
             Self::Restitution => "restitution",
@@ -87,8 +96,10 @@ pub struct Plan {
     pub tier: Tier,
     /// Why this tier.
     pub tier_reason: String,
-    /// Integrator of free motion and contact phases.
+    /// Integrator of bodies that no contact holds.
     pub integrator: Integrator,
+    /// Why this integrator.
+    pub integrator_reason: String,
     /// Impact law.
     pub impact: ImpactLaw,
     /// Method of contact forces.
@@ -105,7 +116,14 @@ pub struct Plan {
 
 impl Plan {
     /// The plan for a scene: what it calls for, and why.
-    pub(crate) fn derive(scene: &Scene, settings: &Settings, effects: Effects, touching_pairs: usize) -> Self {
+    pub(crate) fn derive(
+        world: &World,
+        settings: &Settings,
+        effects: Effects,
+        touching_pairs: usize,
+        findings: &Findings,
+    ) -> Self {
+        let scene = &world.scene;
         let tier_reason = match (scene.method().tier, settings.tier) {
             (Some(_), _) => "asked for".to_owned(),
             (None, _) => "the default: located events and exact contact forces".to_owned(),
@@ -114,49 +132,86 @@ impl Plan {
             tier: settings.tier,
             tier_reason,
             integrator: settings.integrator,
+            integrator_reason: findings.choice.reason.clone(),
             impact: settings.impact,
             contact: settings.contact,
             step_s: settings.step_s,
             tolerance: settings.tolerance,
             max_events_per_step: settings.max_events_per_step,
-            effects: decisions(scene, effects, touching_pairs),
+            effects: decisions(world, settings, effects, touching_pairs, findings),
         }
     }
 }
 
+/// What was found out about a scene before its plan.
+#[derive(Debug, Clone)]
+pub(crate) struct Findings {
+    pub(crate) choice: Choice,
+    pub(crate) planar: PlanarFinding,
+}
+
 /// One decision per effect.
-fn decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<EffectDecision> {
-    let gravity = scene.gravity();
-    let movable = scene.bodies().iter().filter(|body| !body.is_fixed()).count();
-    let pairs = collidable_pairs(scene);
-    let mut list = vec![
+fn decisions(
+    world: &World,
+    settings: &Settings,
+    effects: Effects,
+    touching_pairs: usize,
+    findings: &Findings,
+) -> Vec<EffectDecision> {
+    let scene = &world.scene;
+    let mut list = motion_decisions(world, settings, findings);
+    list.extend(contact_decisions(scene, effects, touching_pairs));
+    for (effect, fact) in [(Effect::Friction, "every pair has friction 0"), (Effect::Joints, "the scene has none")] {
+        list.push(decision(effect, false, fact.to_owned(), "everything about it"));
+    }
+    let loaded = world.loaded_count();
+    let pivots = scene.bodies().iter().filter(|body| body.pivot_point().is_some()).count();
+    list.push(decision(
+        Effect::ForceFields,
+        loaded > 0,
+        format!("{} force fields and {pivots} pivots, acting on {loaded} bodies", world.free_motion().fields().len()),
+        if loaded > 0 { "nothing: evaluated at every stage" } else { "everything about it" },
+    ));
+    list
+}
+
+/// Effects of motion between contacts.
+fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> Vec<EffectDecision> {
+    let (gravity, planar) = (world.gravity(), &findings.planar);
+    let movable = world.movable.len();
+    let flying = if settings.flies() { movable - world.loaded_count() } else { 0 };
+    vec![
         decision(
             Effect::Gravity,
             gravity != DVec3::ZERO,
             format!("g = ({}, {}, {}) m/s^2", gravity.x, gravity.y, gravity.z),
             "nothing: it is part of the closed form of flight",
         ),
-        rotation_decision(scene),
+        rotation_decision(&world.scene),
+        steady_decision(world),
+        decision(
+            Effect::PlanarMotion,
+            planar.plane.is_some(),
+            planar.fact.clone(),
+            if planar.plane.is_some() {
+                "three of six velocities, and one of every two mirrored contacts"
+            } else {
+                "nothing"
+            },
+        ),
         decision(
             Effect::BallisticFlight,
-            movable > 0,
-            format!("{movable} bodies move and no force but gravity acts on them between contacts"),
+            flying > 0,
+            format!("{flying} of {movable} movable bodies are under no force but gravity between contacts"),
             "one evaluation per flight, whatever its length; no error from the step",
         ),
-        decision(
-            Effect::Contact,
-            pairs.count > 0,
-            format!("{} pairs may collide, {touching_pairs} touch at t = 0", pairs.count),
-            if pairs.count > 0 { "nothing: searched for at every step" } else { "all collision detection" },
-        ),
-        decision(
-            Effect::Restitution,
-            pairs.largest_restitution > 0.0,
-            format!("largest coefficient of restitution of a pair: {}", pairs.largest_restitution),
-            if pairs.largest_restitution > 0.0 { "nothing" } else { "the phase of restitution of every impact" },
-        ),
-    ];
-    list.push(match effects {
+    ]
+}
+
+/// Effects of contact.
+fn contact_decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<EffectDecision> {
+    let pairs = collidable_pairs(scene);
+    let rest = match effects {
         Effects::Planned => decision(
             Effect::Rest,
             pairs.count > 0,
@@ -169,15 +224,22 @@ fn decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<Effe
             "all effects asked for: contacts and forces of resting groups are computed at every step".to_owned(),
             "nothing",
         ),
-    });
-    for (effect, fact) in [
-        (Effect::Friction, "every pair has friction 0"),
-        (Effect::Joints, "the scene has none"),
-        (Effect::ForceFields, "the scene has none"),
-    ] {
-        list.push(decision(effect, false, fact.to_owned(), "everything about it"));
-    }
-    list
+    };
+    vec![
+        decision(
+            Effect::Contact,
+            pairs.count > 0,
+            format!("{} pairs may collide, {touching_pairs} touch at t = 0", pairs.count),
+            if pairs.count > 0 { "nothing: searched for at every step" } else { "all collision detection" },
+        ),
+        decision(
+            Effect::Restitution,
+            pairs.largest_restitution > 0.0,
+            format!("largest coefficient of restitution of a pair: {}", pairs.largest_restitution),
+            if pairs.largest_restitution > 0.0 { "nothing" } else { "the phase of restitution of every impact" },
+        ),
+        rest,
+    ]
 }
 
 fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecision {
@@ -202,6 +264,33 @@ fn rotation_decision(scene: &Scene) -> EffectDecision {
         } else {
             "elliptic functions: every rotation is about a fixed axis"
         },
+    )
+}
+
+/// A body that spins about a principal axis, under no torque, goes on doing so at one rate.
+fn steady_decision(world: &World) -> EffectDecision {
+    let (mut steady, mut turning) = (0, 0);
+    let mut off_axis = 0.0f64;
+    for (body, entry) in world.movable.iter().zip(world.scene.bodies().iter().filter(|body| !body.is_fixed())) {
+        let Some(rigid) = &world.bodies[*body].rigid else { continue };
+        let pose = entry.initial_pose();
+        let w = entry.initial_velocity().angular;
+        if w == DVec3::ZERO || world.is_loaded(*body) {
+            continue;
+        }
+        turning += 1;
+        let momentum = rigid.angular_momentum_at(pose.rotation, w);
+        let defect = momentum.cross(w).length() / (momentum.length() * w.length());
+        off_axis = off_axis.max(defect);
+        steady += usize::from(defect == 0.0);
+    }
+    decision(
+        Effect::SteadyRotation,
+        steady > 0,
+        format!(
+            "{steady} of {turning} free spins are about a principal axis (largest sine to it {off_axis:.1e}, limit 0)"
+        ),
+        if steady > 0 { "elliptic functions: one turn about a fixed axis" } else { "nothing" },
     )
 }
 

@@ -1,6 +1,6 @@
 //! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
 
 /// Upper bound of a step when none is given, s.
 const DEFAULT_STEP_S: f64 = 0.01;
@@ -16,6 +16,10 @@ const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
 pub(crate) struct Settings {
     pub(crate) tier: Tier,
     pub(crate) integrator: Integrator,
+    /// What the scene asks for.
+    pub(crate) asked_integrator: Option<Integrator>,
+    pub(crate) orientation: Orientation,
+    pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
     pub(crate) step_s: f64,
@@ -24,6 +28,17 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
+    /// Whether bodies that nothing loads follow their flight records.
+    pub(crate) fn flies(&self) -> bool {
+        self.tier == Tier::Accurate
+            && match self.integrator {
+                Integrator::Exact | Integrator::ExactStrang => true,
+                // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
+                Integrator::Dop853 => self.asked_integrator.is_none(),
+                _ => false,
+            }
+    }
+
     /// What the method asks for, and the tier's choice for the rest.
     pub(crate) fn resolve(method: &Method) -> Self {
         let tier = method.tier.unwrap_or(Tier::Accurate);
@@ -34,6 +49,9 @@ impl Settings {
         Self {
             tier,
             integrator: method.integrator.unwrap_or(integrator),
+            asked_integrator: method.integrator,
+            orientation: method.orientation.unwrap_or_default(),
+            rotation_rate: method.rotation_rate.unwrap_or_default(),
             impact: method.impact.unwrap_or(impact),
             contact: method.contact.unwrap_or(contact),
             step_s: method.step_s.unwrap_or(DEFAULT_STEP_S),

@@ -1,7 +1,10 @@
 //! A simulation: a scene in motion.
 
 use crate::accurate::Engine;
+use crate::free_method;
 use crate::observer::{Flow, Observer};
+use crate::plan::Findings;
+use crate::planar::{self, PlanarFinding};
 use crate::report::{Outcome, RunReport};
 use crate::scene::Tier;
 use crate::settings::Settings;
@@ -40,10 +43,19 @@ impl Simulation {
     /// # Errors
     /// When bodies overlap at the start or the contact forces of the start cannot be found.
     pub fn new(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
-        let settings = Settings::resolve(scene.method());
-        let (world, states) = World::new(scene)?;
+        // The method or the duration may have been put in after the scene was built.
+        scene.check_times()?;
+        let mut settings = Settings::resolve(scene.method());
+        let (mut world, mut states) = World::new(scene)?;
+        let choice = free_method::choose(&world, &states, &settings);
+        (settings.integrator, settings.step_s) = (choice.integrator, choice.step_s);
+        let planar = match effects {
+            Effects::Planned => planar::find(&world, &states, &settings),
+            Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
+        };
+        world.enter_plane(planar.plane, &mut states);
         let engine = Engine::new(world.clone(), states.clone(), settings, effects)?;
-        let plan = Plan::derive(scene, &settings, effects, engine.touching_pairs());
+        let plan = Plan::derive(&world, &settings, effects, engine.touching_pairs(), &Findings { choice, planar });
         let tier = match settings.tier {
             Tier::Accurate => TierEngine::Accurate(Box::new(engine)),
             Tier::Thesis => TierEngine::Thesis(Box::new(ThesisEngine::new(world, states, settings))),

@@ -1,15 +1,19 @@
-//! The scene as the engine sees it: bodies in their central frames.
+//! The scene as the engine sees it: bodies in their moving frames, and what acts on them.
 //!
-//! The central frame C of a body has the axes of the body and its origin at the centre of mass (thesis 3.2: "we can
-//! offset all the values so that the origin is forced to coincide with the centre of mass"). Shapes are moved into it
-//! once, here; results are moved back when they are sampled.
+//! The moving frame C of a body has the axes of the body and its origin at the centre of mass (thesis 3.2: "we can
+//! offset all the values so that the origin is forced to coincide with the centre of mass"), or at the pivot that the
+//! body is held at. Shapes are moved into it once, here; results are moved back when they are sampled.
 
+use crate::Acceleration;
 use crate::observer::BodySample;
-use crate::scene::{Body, Geometry, Scene, SceneError};
+use crate::planar::PlaneOfMotion;
+use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError};
 use polhode_contact::Shape;
 use polhode_dynamics::energy::potential_energy;
-use polhode_dynamics::{BodyState, RigidBody};
+use polhode_dynamics::field::{Account, Field, Wrench};
+use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose};
+use std::sync::Arc;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
 /// struck together (docs/ARCHITECTURE.md, "Tolerances").
@@ -27,10 +31,10 @@ pub(crate) struct WorldBody {
     pub(crate) name: String,
     /// Mass properties; none for a body that never moves.
     pub(crate) rigid: Option<RigidBody>,
-    /// Shape in the central frame.
+    /// Shape in the moving frame.
     pub(crate) shape: Option<Shape>,
-    /// `p_BBcm`: centre of mass in the body's own frame, m.
-    center_of_mass: DVec3,
+    /// `p_BC`: origin of the moving frame in the body's own, m.
+    origin: DVec3,
     /// Centre of mass at the start, world, m.
     start: DVec3,
     /// Largest extent of the body, m; zero for a half-space.
@@ -42,6 +46,21 @@ pub(crate) struct WorldBody {
 pub(crate) struct World {
     pub(crate) scene: Scene,
     pub(crate) bodies: Vec<WorldBody>,
+    /// Those that move, and their mass properties in the same order.
+    pub(crate) movable: Vec<usize>,
+    rigid: Vec<RigidBody>,
+    /// Force fields over the movable bodies.
+    fields: Arc<[Box<dyn Field>]>,
+    /// Bodies on which a force acts that changes with time, also while they rest.
+    pub(crate) driven: Vec<usize>,
+    /// Movable bodies that one field acts on together.
+    pub(crate) couplings: Vec<Vec<usize>>,
+    /// Whether any two bodies may collide.
+    collides: bool,
+    /// Potential energy of the fields at the start, J.
+    initial_field_potential: f64,
+    /// The plane of a motion that stays in one.
+    pub(crate) plane: Option<PlaneOfMotion>,
 }
 
 impl World {
@@ -51,8 +70,159 @@ impl World {
     /// When a shape cannot be moved into its central frame.
     pub(crate) fn new(scene: &Scene) -> Result<(Self, Vec<BodyState>), SceneError> {
         let bodies = scene.bodies().iter().map(WorldBody::new).collect::<Result<Vec<_>, _>>()?;
-        let states = scene.bodies().iter().zip(&bodies).map(|(body, world)| world.initial_state(body)).collect();
-        Ok((Self { scene: scene.clone(), bodies }, states))
+        let states: Vec<_> =
+            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.initial_state(body)).collect();
+        let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
+        let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
+        let mut world = Self {
+            scene: scene.clone(),
+            bodies,
+            movable,
+            rigid,
+            fields: Arc::from(Vec::new()),
+            driven: Vec::new(),
+            couplings: Vec::new(),
+            collides: scene.any_may_collide(),
+            initial_field_potential: 0.0,
+            plane: None,
+        };
+        world.make_fields()?;
+        world.initial_field_potential = world.field_potential(&states);
+        Ok((world, states))
+    }
+
+    /// Makes the scene's forces into fields over the movable bodies.
+    fn make_fields(&mut self) -> Result<(), SceneError> {
+        let mut fields = Vec::new();
+        for (number, force) in self.scene.forces().iter().enumerate() {
+            let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
+            if force.changes_with_time() {
+                let acted_on = self.movable.iter().enumerate();
+                let acted_on = acted_on.filter(|&(slot, _)| made.iter().any(|field| field.acts_on(slot)));
+                self.driven.extend(acted_on.map(|(_, &body)| body));
+            }
+            fields.extend(made);
+        }
+        for field in &fields {
+            let together: Vec<usize> = (0..self.movable.len()).filter(|&slot| field.acts_on(slot)).collect();
+            if together.len() > 1 && field.couples() {
+                self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
+            }
+        }
+        self.fields = Arc::from(fields);
+        Ok(())
+    }
+
+    /// The motion of all movable bodies without contact.
+    pub(crate) fn free_motion(&self) -> FreeMotion<'_> {
+        FreeMotion::new(&self.rigid, self.gravity(), &self.fields)
+    }
+
+    /// The force fields, shared.
+    pub(crate) fn shared_fields(&self) -> Arc<[Box<dyn Field>]> {
+        Arc::clone(&self.fields)
+    }
+
+    /// States of the movable bodies, in their order.
+    pub(crate) fn movable_states(&self, states: &[BodyState]) -> Vec<BodyState> {
+        self.movable.iter().map(|&body| states[body]).collect()
+    }
+
+    /// Whether a field, or the torque of gravity about a pivot, can act on a body.
+    pub(crate) fn is_loaded(&self, body: usize) -> bool {
+        self.movable.binary_search(&body).is_ok_and(|slot| self.free_motion().is_loaded(slot))
+    }
+
+    /// How many movable bodies a field or a pivot can act on.
+    pub(crate) fn loaded_count(&self) -> usize {
+        self.movable.iter().filter(|&&body| self.is_loaded(body)).count()
+    }
+
+    /// What fields and gravity about pivots do to all bodies; empty when nothing does.
+    pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
+        let motion = self.free_motion();
+        if !motion.has_loads() {
+            return Loads::default();
+        }
+        let mut wrenches = vec![Wrench::default(); self.movable.len()];
+        motion.wrenches(t, &self.movable_states(states), &mut wrenches);
+        let mut loads = Loads { by_body: vec![Wrench::default(); self.bodies.len()] };
+        for (&body, wrench) in self.movable.iter().zip(wrenches) {
+            loads.by_body[body] = wrench;
+        }
+        loads
+    }
+
+    /// Wrenches of the fields of one account on all movable bodies, torques about the centres of mass.
+    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState]) -> Vec<Wrench> {
+        let mut wrenches = vec![Wrench::default(); self.movable.len()];
+        self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
+        wrenches
+    }
+
+    /// Whether any two bodies may collide.
+    pub(crate) fn may_collide_at_all(&self) -> bool {
+        self.collides
+    }
+
+    /// Whether a field makes the motion of a body depend on that of others.
+    pub(crate) fn is_coupled(&self, body: usize) -> bool {
+        self.couplings.iter().any(|together| together.contains(&body))
+    }
+
+    /// Whether forces on a body change with time, also while everything rests.
+    pub(crate) fn is_driven(&self, body: usize) -> bool {
+        self.driven.contains(&body)
+    }
+
+    /// Whether any force field acts.
+    pub(crate) fn has_fields(&self) -> bool {
+        !self.fields.is_empty()
+    }
+
+    /// Potential energy of the conservative fields, J.
+    fn field_potential(&self, states: &[BodyState]) -> f64 {
+        if self.fields.is_empty() {
+            return 0.0;
+        }
+        let states = self.movable_states(states);
+        self.fields.iter().map(|field| field.potential_energy(&self.rigid, &states)).sum()
+    }
+
+    /// The same against that at the start, J.
+    pub(crate) fn field_energy(&self, states: &[BodyState]) -> f64 {
+        self.field_potential(states) - self.initial_field_potential
+    }
+
+    /// What gravity adds to the rate of a body's velocity, m/s^2: nothing for one that is held at a pivot.
+    pub(crate) fn free_acceleration(&self, body: usize) -> DVec3 {
+        let held = self.bodies[body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
+        if held { DVec3::ZERO } else { self.gravity() }
+    }
+
+    /// Whether a body's momentum is its own: a fixed or pivoted one passes it on to the world.
+    pub(crate) fn carries_momentum(&self, body: usize) -> bool {
+        self.bodies[body].rigid.as_ref().is_some_and(|rigid| !rigid.is_pivoted())
+    }
+
+    /// Place of a body among those that move.
+    pub(crate) fn slot(&self, body: usize) -> Option<usize> {
+        self.movable.binary_search(&body).ok()
+    }
+
+    /// Confines the motion to a plane, if there is one.
+    pub(crate) fn enter_plane(&mut self, plane: Option<PlaneOfMotion>, states: &mut [BodyState]) {
+        self.plane = plane;
+        for body in 0..states.len() {
+            self.keep_in_plane(body, &mut states[body]);
+        }
+    }
+
+    /// Takes from the state of a movable body what rounding has left outside the plane of a planar motion.
+    pub(crate) fn keep_in_plane(&self, body: usize, state: &mut BodyState) {
+        if let Some(plane) = self.plane.filter(|_| self.bodies[body].moves()) {
+            plane.project_state(state);
+        }
     }
 
     /// Acceleration of gravity, m/s^2.
@@ -90,8 +260,22 @@ impl World {
     /// A body's pose and velocity as they are reported.
     pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
         let body = &self.bodies[index];
-        let velocity = body.rigid.as_ref().map_or_else(Default::default, |rigid| rigid.velocity(state));
-        BodySample { pose: state.pose * Pose::from_translation(-body.center_of_mass), velocity }
+        let velocity = body.rigid.as_ref().map_or_else(Default::default, |rigid| rigid.center_of_mass_velocity(state));
+        BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
+    }
+
+    /// A body's acceleration as it is reported: of the centre of mass, from that of the origin of its moving frame.
+    pub(crate) fn reported_acceleration(
+        &self,
+        body: usize,
+        state: &BodyState,
+        linear: DVec3,
+        angular: DVec3,
+    ) -> Acceleration {
+        let Some(rigid) = &self.bodies[body].rigid else { return Acceleration { linear, angular } };
+        let arm = state.pose.rotation.rotate(rigid.arm());
+        let w = rigid.angular_velocity(state);
+        Acceleration { linear: linear + angular.cross(arm) + w.cross(w.cross(arm)), angular }
     }
 
     /// Names of all bodies and their states as they are reported.
@@ -105,43 +289,91 @@ impl World {
     pub(crate) fn energies(&self, index: usize, state: &BodyState) -> (f64, f64) {
         let body = &self.bodies[index];
         body.rigid.as_ref().map_or((0.0, 0.0), |rigid| {
-            let risen = state.pose.translation - body.start;
+            let risen = rigid.center_of_mass_position(state) - body.start;
             (rigid.kinetic_energy(state), potential_energy(rigid.mass(), self.gravity(), risen))
         })
     }
 
-    /// Potential energy of the scene at the start, J, zero at the world's origin.
+    /// Centre of mass of the movable bodies at the start, m; the origin when there are none.
+    pub(crate) fn initial_center_of_mass(&self) -> DVec3 {
+        let (mut mass, mut moment) = (0.0, DVec3::ZERO);
+        for (rigid, start) in self.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?, body.start))) {
+            mass += rigid.mass();
+            moment += start * rigid.mass();
+        }
+        if mass > 0.0 { moment / mass } else { DVec3::ZERO }
+    }
+
+    /// Largest distance of a movable body's centre of mass from a point, m.
+    pub(crate) fn extent_about(&self, states: &[BodyState], point: DVec3) -> f64 {
+        let movable = states.iter().zip(&self.bodies).filter(|(_, body)| body.moves());
+        movable.fold(0.0, |most, (state, _)| (state.pose.translation - point).length().max(most))
+    }
+
+    /// Potential energy of the scene at the start, J, of gravity zero at the world's origin.
     pub(crate) fn initial_potential(&self) -> f64 {
         let bodies = self.bodies.iter();
         let potentials =
             bodies.filter_map(|body| Some(potential_energy(body.rigid.as_ref()?.mass(), self.gravity(), body.start)));
-        potentials.collect::<CompensatedSum>().value()
+        potentials.collect::<CompensatedSum>().value() + self.initial_field_potential
+    }
+}
+
+/// What fields do to all bodies at one instant; torques about the origins of the moving frames.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Loads {
+    by_body: Vec<Wrench>,
+}
+
+impl Loads {
+    /// On one body.
+    pub(crate) fn of(&self, body: usize) -> Wrench {
+        self.by_body.get(body).copied().unwrap_or_default()
+    }
+}
+
+impl MovingFrames for World {
+    fn movable(&self, body: usize) -> Option<usize> {
+        self.slot(body)
+    }
+
+    fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3 {
+        point - self.bodies[body].origin
+    }
+
+    fn in_world(&self, body: usize, point: DVec3) -> DVec3 {
+        self.scene.bodies()[body].initial_pose().transform_point(point)
     }
 }
 
 impl WorldBody {
     fn new(body: &Body) -> Result<Self, SceneError> {
         let center_of_mass = body.mass_properties().map_or(DVec3::ZERO, MassProperties::center_of_mass);
+        let pivot = body.pivot_point().map(|point| body.initial_pose().inverse_transform_point(point));
+        let origin = pivot.unwrap_or(center_of_mass);
         let shape = match body.shape() {
             Some(Geometry::Shape(shape)) => Some(
                 shape
-                    .translated(-center_of_mass)
+                    .translated(-origin)
                     .map_err(|source| SceneError::Shape { body: body.name().to_owned(), source })?,
             ),
             Some(Geometry::Mesh(_)) | None => None,
         };
         Ok(Self {
             name: body.name().to_owned(),
-            rigid: body.mass_properties().map(RigidBody::new),
+            rigid: body.mass_properties().map(|properties| match pivot {
+                Some(pivot) => RigidBody::pivoted(properties, pivot),
+                None => RigidBody::new(properties),
+            }),
             start: (*body.initial_pose()).transform_point(center_of_mass),
             size: size_of(body, shape.as_ref()),
             shape,
-            center_of_mass,
+            origin,
         })
     }
 
     fn initial_state(&self, body: &Body) -> BodyState {
-        let pose = *body.initial_pose() * Pose::from_translation(self.center_of_mass);
+        let pose = *body.initial_pose() * Pose::from_translation(self.origin);
         match &self.rigid {
             Some(rigid) => rigid.at_velocity(pose, *body.initial_velocity()),
             None => BodyState::at_rest(pose),

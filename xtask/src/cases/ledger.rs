@@ -1,4 +1,4 @@
-//! The ledger: every joule of every scene that the project ships is accounted for.
+//! The ledger: every joule and every newton-second of every scene that the project ships is accounted for.
 
 use super::run::Run;
 use super::{CaseResult, Context};
@@ -14,12 +14,18 @@ const LOSS: f64 = 1e-12;
 pub(super) fn shipped_scenes(context: &Context) -> CaseResult {
     let mut rows = Vec::new();
     for name in context.shipped.names()? {
-        rows.push(match context.shipped.run(&name) {
+        match context.shipped.run(&name) {
             Ok(run) => {
-                Row::at_most("ledger", &format!("{name}: closure"), CLOSURE, run.report.ledger.closure_relative())
+                let ledger = &run.report.ledger;
+                for (what, closure) in [
+                    ("closure", ledger.closure_relative()),
+                    ("closure of momentum", ledger.momentum.closure_relative()),
+                ] {
+                    rows.push(Row::at_most("ledger", &format!("{name}: {what}"), CLOSURE, closure));
+                }
             }
-            Err(error) => Row::broken("ledger", &name, error.to_string()),
-        });
+            Err(error) => rows.push(Row::broken("ledger", &name, error.to_string())),
+        }
     }
     Ok(rows)
 }

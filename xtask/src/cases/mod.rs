@@ -5,16 +5,28 @@
 //! it. Names of cases with a number (`RC-10`) are those of the reference values.
 
 mod bodies;
+mod convergence;
 mod diamonds;
 mod effects;
+mod exact_drift;
 mod free_rotation;
+mod heavy_tops;
 mod impact_chains;
 mod impacts;
+mod invariances;
 mod ledger;
+mod long_runs;
 mod mass_properties;
+mod motion;
+mod numerical_loss;
+mod peers;
 mod pi_machine;
+mod polhode_times;
+mod published_rotations;
+mod reductions;
 mod resting_contact;
 mod run;
+mod setting;
 mod speed;
 mod stacks;
 mod table_edge;
@@ -109,8 +121,28 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "MP-02", rows: mass_properties::mp_02 },
     Case { name: "MP-04", rows: mass_properties::mp_04 },
     Case { name: "MP-05", rows: mass_properties::mp_05 },
+    Case { name: "FR-01", rows: free_rotation::fr_01 },
     Case { name: "FR-02", rows: free_rotation::fr_02 },
+    Case { name: "FR-03", rows: polhode_times::fr_03 },
     Case { name: "FR-04", rows: free_rotation::fr_04 },
+    Case { name: "FR-05", rows: polhode_times::fr_05 },
+    Case { name: "FR-06", rows: free_rotation::fr_06 },
+    Case { name: "FR-07", rows: free_rotation::fr_07 },
+    Case { name: "exact drift: hard cases", rows: exact_drift::hard_cases },
+    Case { name: "exact drift: samples", rows: exact_drift::samples },
+    Case { name: "NESC-2", rows: published_rotations::tumbling_brick },
+    Case { name: "OSRF-boxes", rows: published_rotations::osrf_boxes },
+    Case { name: "Orekit", rows: published_rotations::orekit },
+    Case { name: "Basilisk", rows: published_rotations::basilisk },
+    Case { name: "Bruels-top", rows: published_rotations::bruels_top },
+    Case { name: "HT-01", rows: heavy_tops::ht_01 },
+    Case { name: "HT-02", rows: heavy_tops::ht_02 },
+    Case { name: "HT-03", rows: heavy_tops::ht_03 },
+    Case { name: "HT-04", rows: heavy_tops::ht_04 },
+    Case { name: "HT-05", rows: heavy_tops::ht_05 },
+    Case { name: "convergence", rows: convergence::orders },
+    Case { name: "work-precision", rows: convergence::work_precision },
+    Case { name: "peers", rows: peers::free_rotation },
     Case { name: "IM-01", rows: impacts::im_01 },
     Case { name: "IM-02", rows: impact_chains::im_02 },
     Case { name: "IM-03", rows: impact_chains::im_03 },
@@ -135,6 +167,13 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "ledger", rows: ledger::shipped_scenes },
     Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
+    Case { name: "numerical loss", rows: numerical_loss::conservative_scenes },
+    Case { name: "reductions", rows: reductions::found_where_they_are },
+    Case { name: "CD-02", rows: invariances::cd_02 },
+    Case { name: "CD-03", rows: invariances::cd_03 },
+    Case { name: "CD-04", rows: invariances::cd_04 },
+    Case { name: "CD-05", rows: long_runs::cd_05 },
+    Case { name: "CD-06", rows: invariances::cd_06 },
     Case { name: "effects", rows: effects::planned_equals_all },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

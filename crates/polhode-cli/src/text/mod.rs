@@ -15,3 +15,4 @@ mod table;
 pub(crate) use comparison::comparison;
 pub(crate) use mesh::mesh;
 pub(crate) use report::{accelerations, plan, report};
+pub(crate) use table::{Table, number};

@@ -1,7 +1,7 @@
 //! Plan, accelerations and report of a run.
 
 use super::table::{Table, number, vector};
-use polhode::{Acceleration, Ledger, Outcome, Plan, RunReport, Scene};
+use polhode::{Acceleration, Ledger, MomentumLedger, Outcome, Plan, RunReport, Scene};
 use polhode_scene::names;
 
 /// Most bodies listed: more are for a file to hold.
@@ -11,7 +11,7 @@ const MOST_BODIES: usize = 50;
 pub(crate) fn plan(scene: &str, plan: &Plan) -> String {
     let mut methods = Table::default();
     methods.row(["tier", &format!("{} ({})", names::tier(plan.tier), plan.tier_reason)]);
-    methods.row(["integrator", names::integrator(plan.integrator)]);
+    methods.row(["integrator", &format!("{} ({})", names::integrator(plan.integrator), plan.integrator_reason)]);
     methods.row(["impact", names::impact(plan.impact)]);
     methods.row(["contact", names::contact(plan.contact)]);
     methods.row(["step", &format!("{} s", number(plan.step_s))]);
@@ -61,10 +61,12 @@ pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
     certain.row(["fallbacks", &certificate.fallbacks.to_string()]);
 
     let mut page = format!(
-        "run\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\ncertificate\n{}\n{}",
+        "run\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\n\
+         ledger of momentum (lost, but for what gravity and fixed bodies gave)\n{}\ncertificate\n{}\n{}",
         run.print(),
         energies.print(),
         ledger(&report.ledger),
+        momentum_ledger(&report.ledger.momentum),
         certain.print(),
         bodies(report)
     );
@@ -93,6 +95,23 @@ fn ledger(ledger: &Ledger) -> String {
         table.row([name, &joule(sum.value())]);
     }
     table.row(["closure", &format!("{} (relative)", number(ledger.closure_relative()))]);
+    table.print()
+}
+
+fn momentum_ledger(ledger: &MomentumLedger) -> String {
+    let mut table = Table::default();
+    table.row(["", "linear, N s", "angular, N m s"]);
+    let entries = [
+        ("given by gravity", ledger.gravity),
+        ("given by fixed bodies", ledger.support),
+        ("rest", ledger.rest),
+        ("projection", ledger.projection),
+        ("numerical", ledger.numerical),
+    ];
+    for (name, sum) in entries {
+        table.row([name, &vector(sum.value().linear), &vector(sum.value().angular)]);
+    }
+    table.row(["closure", &format!("{} (relative)", number(ledger.closure_relative())), ""]);
     table.print()
 }
 

@@ -40,12 +40,17 @@ fn mistakes() {
         "bodies.0.orientation=[2, 0, 0, 0]",
         "bodies.0.density=1",
         "bodies.0.material=\"gold\"",
-        "bodies.0.pivot=[0, 0, 0]",
+        "bodies.0.pivot=[1, 0]",
         "joints=[]",
-        "forces=[]",
+        "forces=[{}]",
+        "forces=[{ type = { magnet = {} } }]",
+        "forces=[{ type = { torque = { body = \"stone\", torque = [0, 0, 1] } } }]",
+        "forces=[{ type = { drag = { law = \"linear\", translational = -1 } } }]",
         "method.tier=fast",
         "method.impact=poisson",
-        "method.integrator=dop853",
+        "method.integrator=rk5",
+        "method.orientation=matrix",
+        "method.rotation_rate=angular-velocity",
         "duration=inf",
         "format=2",
         "no_contact=[{ bodies = [\"a\", \"b\"] }]",
@@ -59,6 +64,37 @@ fn mistakes() {
         let run = place.expect(2, &["check", "scene.toml", flag, value]);
         assert!(run.stderr.contains(&format!("command line ({flag}):1:")), "{}", run.stderr);
     }
+}
+
+/// The shipped scenes with pivots and forces are fine.
+#[test]
+fn loaded_scenes() {
+    for name in [
+        "heavy-top",
+        "sleeping-top",
+        "gyroscope-wheel",
+        "kepler-orbit",
+        "spring-pair",
+        "thrown-plate-in-air",
+        "satellite-thruster",
+    ] {
+        let run = Place::new().expect(0, &["check", &fixture(&format!("scenes/{name}.toml"))]);
+        assert!(run.stdout.contains(&format!("{name}: fine")), "{}", run.stdout);
+    }
+}
+
+/// A change of a force of a shipped scene is checked at its place; integrators that take no drag are refused.
+#[test]
+fn changed_forces() {
+    let (pair, plate) = (fixture("scenes/spring-pair.toml"), fixture("scenes/thrown-plate-in-air.toml"));
+    let place = Place::new();
+    place.expect(0, &["check", &pair, "--set", "forces.0.type.spring.stiffness=50", "--set", "method.integrator=rk4"]);
+    let run = place.expect(2, &["check", &pair, "--set", "forces.0.type.spring.stiffness=-50"]);
+    assert!(run.stderr.contains("key `forces.0.type.spring.stiffness`"), "{}", run.stderr);
+    let run = place.expect(2, &["check", &plate, "--set", "method.integrator=exact"]);
+    assert!(run.stderr.contains("key `method.integrator`") && run.stderr.contains("drag"), "{}", run.stderr);
+    let run = place.expect(2, &["check", &plate, "--set", "forces.0.type.drag.body=plat"]);
+    assert!(run.stderr.contains("no body is named `plat`") && run.stderr.contains("`plate`"), "{}", run.stderr);
 }
 
 /// Bodies that overlap are found, at the body.

@@ -4,6 +4,7 @@
 
 mod check;
 mod compare;
+mod cost;
 mod mesh;
 mod plan;
 mod run;

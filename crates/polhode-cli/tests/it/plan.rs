@@ -1,6 +1,7 @@
 //! `polhode plan`.
 
 use crate::{FLIGHT, Place};
+use polhode::scene::Integrator;
 
 /// The plan as JSON has the effects and the accelerations at t = 0: free fall, and Euler's equations for the spin.
 #[test]
@@ -22,4 +23,30 @@ fn text() {
     for part in ["scene flight", "tier", "effects", "gravity", "accelerations at t = 0", "-9.81"] {
         assert!(run.stdout.contains(part), "{part}\n{}", run.stdout);
     }
+}
+
+/// Every integrator can be asked for and is the one that the plan names; absent, the plan says why it chose one.
+#[test]
+fn integrators() {
+    let place = Place::with_scene(FLIGHT);
+    for integrator in Integrator::ALL {
+        let set = format!("method.integrator={integrator}");
+        let plan = place.expect(0, &["plan", "scene.toml", "--json", "--set", &set]).json();
+        assert_eq!(plan["integrator"], integrator.name());
+        assert_eq!(plan["integrator_reason"], "asked for");
+    }
+    let plan = place.expect(0, &["plan", "scene.toml", "--json"]).json();
+    assert_eq!(plan["integrator"], "exact");
+    assert!(plan["integrator_reason"].as_str().is_some_and(|reason| reason.contains("closed form")));
+}
+
+/// The accelerations at t = 0 know the forces: a spring at its length at rest pulls nothing, a stretched one k x/m.
+#[test]
+fn forces() {
+    let spring = "\n[[forces]]\ntype.spring = { body = \"stone, \\\"flat\\\"\", anchor = [0, 3, 0], stiffness = 4, \
+                  rest_length = 2 }\n";
+    let place = Place::with_scene(&format!("{FLIGHT}{spring}"));
+    let plan = place.expect(0, &["plan", "scene.toml", "--json", "--set", "gravity=[0, 0, 0]"]).json();
+    assert_eq!(plan["accelerations"][0]["linear"], serde_json::json!([0.0, 2.0, 0.0]));
+    assert!(plan["effects"].as_array().unwrap().iter().any(|e| e["effect"] == "force fields" && e["decision"] == "on"));
 }

@@ -13,9 +13,9 @@ const NEGLIGIBLE: f64 = 1e-150;
 /// Moments and momentum in principal axes at one time, in canonical form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Canonical {
-    /// Principal moments, ascending, the largest in [1, 2).
+    /// Principal moments, ascending, the largest in [1, 2) but at the very ends of the range of doubles.
     pub(super) moments: [f64; 3],
-    /// Angular momentum along those axes, its largest component in [1, 2) or all zero.
+    /// Angular momentum along those axes, its largest component likewise or all zero.
     pub(super) momentum: [f64; 3],
     /// Canonical time per second.
     pub(super) time_scale: f64,
@@ -28,22 +28,25 @@ pub(super) struct Canonical {
 impl Canonical {
     /// Of `moments` (kg m^2, any order) and the momentum along the same axes (kg m^2/s).
     pub(super) fn new(moments: DVec3, momentum: DVec3) -> Self {
-        let mut order = [0, 1, 2];
+        let mut axes = [(moments.x, momentum.x, 0), (moments.y, momentum.y, 1), (moments.z, momentum.z, 2)];
+        let mut third = 1.0;
         for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-            if moments[order[i]] > moments[order[j]] {
-                order.swap(i, j);
+            if axes[i].0 > axes[j].0 {
+                axes.swap(i, j);
+                third = -third;
             }
         }
-        let third = if (order[0] + 1) % 3 == order[1] { 1.0 } else { -1.0 };
-        let inertia_exponent = exponent(moments[order[2]]);
-        let momentum_exponent = exponent(momentum.abs().max_element());
-        let p = order.map(|k| libm::scalbn(momentum[k], -momentum_exponent));
-        let p = p.map(|p| if p.abs() < NEGLIGIBLE { 0.0 } else { p });
+        let [(i1, p1, first), (i2, p2, second), (i3, p3, last)] = axes;
+        let (by_inertia, by_momentum) = (normalizer(i3), normalizer(momentum.abs().max_element()));
+        let scaled = |p: f64| {
+            let p = p * by_momentum;
+            if p.abs() < NEGLIGIBLE { 0.0 } else { p }
+        };
         Self {
-            moments: order.map(|k| libm::scalbn(moments[k], -inertia_exponent)),
-            momentum: [p[0], p[1], p[2] * third],
-            time_scale: libm::scalbn(1.0, momentum_exponent - inertia_exponent),
-            order,
+            moments: [i1 * by_inertia, i2 * by_inertia, i3 * by_inertia],
+            momentum: [scaled(p1), scaled(p2), scaled(p3) * third],
+            time_scale: by_inertia / by_momentum,
+            order: [first, second, last],
             third,
         }
     }
@@ -62,12 +65,6 @@ impl Canonical {
         DVec3::from_array(self.momentum) / DVec3::from_array(self.moments)
     }
 
-    /// Upper bound, per canonical time, of the angular speed at any time: `min(|L|, sqrt(2 T I1)) / I1`.
-    pub(super) fn fastest(&self) -> f64 {
-        let by_energy = DVec3::from_array(self.momentum).dot(self.angular_velocity()) / self.moments[0];
-        by_energy.sqrt().min(self.largest_rate())
-    }
-
     /// `|L|/I1`: the angular speed if all momentum were about the axis of the smallest moment.
     pub(super) fn largest_rate(&self) -> f64 {
         DVec3::from_array(self.momentum).length() / self.moments[0]
@@ -84,7 +81,10 @@ impl Canonical {
     }
 }
 
-/// Binary exponent e with `2^e <= |x| < 2^(e+1)`; 0 for zero and what is not finite.
-fn exponent(x: f64) -> i32 {
-    if x.is_finite() && x != 0.0 { libm::ilogb(x) } else { 0 }
+/// The power of two that brings `|x|` into [1, 2), or as near to it as a power of two that is a normal number can.
+fn normalizer(x: f64) -> f64 {
+    /// Biased exponents of the smallest normal number and of the largest whose reciprocal is normal.
+    const EXPONENTS: (u64, u64) = (1, 2045);
+    let exponent = (x.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((EXPONENTS.0 + EXPONENTS.1 - exponent.clamp(EXPONENTS.0, EXPONENTS.1)) << 52)
 }

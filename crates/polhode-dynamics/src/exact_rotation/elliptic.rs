@@ -28,7 +28,7 @@
 //! by the addition theorem of the integral (Byrd and Friedman 116.03): nothing is divided by lambda and no two
 //! integrals are subtracted, so slow motions (near-symmetric, near-equatorial) are as accurate as fast ones, and there
 //! is no phase angle whose half turns could be miscounted. For |lambda h| > K the argument is reduced by k half
-//! periods 2K: sn and cn change sign with k odd, J grows by 2 k J(K).
+//! periods 2K: sn and cn change sign with k odd, J grows by 2 k J(K) ([`super::complete_integral`]).
 //!
 //! Sources: thesis 3.3 (equations of motion; its "no closed form" is erratum E8); docs/REFERENCES.md, Whittaker,
 //! Analytical Dynamics, 69; van Zon and Schofield 2007; Byrd and Friedman. Errors: see [`super`]. The problem's own
@@ -36,6 +36,7 @@
 //! as x exp(lambda h) near the separatrix. The errors given are beside that, for the moments and momentum as passed.
 
 use super::canonical::Canonical;
+use super::complete_integral::complete_integral;
 use crate::carlson::rj;
 use crate::double_double::DoubleDouble;
 use crate::jacobi::{JacobiFunctions, JacobiValues};
@@ -114,7 +115,7 @@ impl Elliptic {
             winding: if i[b] == i[1] { 0.0 } else { (i[b] - i[1]).signum() },
             characteristic,
             root_delta: (characteristic * (1.0 + characteristic) * (characteristic + parameter)).sqrt(),
-            complete_integral: rj(0.0, functions.complement(), 1.0, 1.0 + characteristic) / 3.0,
+            complete_integral: complete_integral(characteristic, functions.complement()),
             start_frame: frame(momentum, frame_axis),
         }
     }
@@ -152,6 +153,16 @@ impl Elliptic {
         let opposite = self.root_delta * sn0 * sn * end.sn;
         let adjacent = 1.0 + n * (end.sn * end.sn - sn0 * sn * end.cn * end.dn);
         self.root_delta * integral + libm::atan2(opposite, adjacent)
+    }
+
+    /// lambda, canonical.
+    pub(super) const fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// m.
+    pub(super) const fn parameter(&self) -> f64 {
+        self.parameter
     }
 
     /// Period of the momentum in body axes, canonical time; infinite on the separatrix.

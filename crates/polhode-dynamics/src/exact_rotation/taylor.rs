@@ -1,79 +1,174 @@
-//! Free rotation over a short time: Taylor series to round-off.
+//! Free rotation over a short phase: one power series in the square of the time, then algebra.
 //!
-//! Euler's equations `p' = p x I^-1 p` and `q' = q (0, I^-1 p)/2` are quadratic, so the Taylor coefficients follow from
-//! convolutions: `p[k+1] = h/(k+1) sum_j p[j] x I^-1 p[k-j]` and `q[k+1] = h/(k+1) sum_j q[k-j] (0, I^-1 p[j])/2`.
-//! Only + - * / are used, so the bits are the same everywhere, and there are no special cases; near `h = 0` the result
-//! is better than round-off of one: its error is relative to the turn. The series is used while the turn is at most
-//! [`super::TAYLOR_REACH`], where some 25 terms are the most it takes. Source: docs/REFERENCES.md, Jorba and Zou 2005.
+//! With the rates `r1 = 1/I3 - 1/I2 <= 0, r2 = 1/I1 - 1/I3 >= 0, r3 = 1/I2 - 1/I1 <= 0` Euler's equations read
+//! `p1' = r1 p2 p3` and so on. `G1 = r2 p1^2 - r1 p2^2` and `G3 = r2 p3^2 - r3 p2^2` are constant, sums of positive terms.
+//! Let s be the half `h/2` of the time, `A = -r1 G3, B = -r3 G1`, and S the odd solution of
+//! `S'^2 = (1 - A S^2)(1 - B S^2)`, `C^2 = 1 - A S^2`, `D^2 = 1 - B S^2`: sn/lambda, cn, dn of `lambda s`, but without
+//! regard to which of A and B is the larger. All of this is at s. The momentum in the middle of the time is
+//!
+//! ```text
+//! m1 = (p1 C + r1 p2 p3 S D)/d   m2 = (p2 C D + r2 p3 p1 S)/d   m3 = (p3 D + r3 p1 p2 S C)/d   d = 1 - r1 r3 p2^2 S^2
+//! ```
+//!
+//! by the addition theorems. Seen from there the motion is its own mirror image, and the rotation between its two ends is
+//!
+//! ```text
+//! w = Q cos(a)    z = m3 (L D sin(a) - G1 S C cos(a))      x = m1 (L C sin(a) + G3 S D cos(a))
+//! Q = L^2 - k S^2 y = m2 (C (L D sin(a) - G1 S C cos(a)) - r1 S Q cos(a)),   k = G1 G3
+//! a = 2T s/L + k/L^3 (r1 p3^2 - r3 p1^2) J,   J = int_0^s S^2/(1 - k S^2/L^2) ds
+//! ```
+//!
+//! up to length: a is half the turn about L beside the shortest rotation between the two directions of the momentum,
+//! whose rate `(2T/L)(...)/(...)` is a rational function of S^2. No frame is chosen, so none is singular, and with no
+//! quotient by a difference of moments nothing is special about tops and spheres. `Y = S^2` obeys
+//! `Y'' = 2 - 4 (A+B) Y + 6 A B Y^2`: three numbers per term. Its series converges for `|s| < (pi/2)/sqrt(max(A, B))`.
+//! Errors are relative to the turn, however short. Only + - * / and square roots are used but for sin(a), cos(a).
+//! Source: derived here from Euler's equations (Whittaker, 69) and the addition theorems (Abramowitz and Stegun, 16.17);
+//! docs/REFERENCES.md, Jorba and Zou 2005, for the recurrences; the form of the quaternion is that of the discrete
+//! mechanics of Moser and Veselov 1991.
 
-use glam::{DQuat, DVec3};
-
+use super::TAYLOR_REACH;
 use super::canonical::Canonical;
+use glam::DQuat;
 
-/// Terms at most. Within the reach the series converges long before; beyond, running out of them is the sign that it
-/// does not.
-const MAX_TERMS: usize = 32;
-/// A term is negligible below this part of the largest, 2^-56: an eighth of the last bit.
+/// Room for the terms; within the reach 14 are the most that are used.
+const MAX_TERMS: usize = 16;
+/// Square of the ratio of successive powers at the radius of convergence, `(2/pi)^2`.
+const CONVERGENCE: f64 = 0.405_284_734_569_351_1;
+/// Terms are negligible below this part of the first, 2^-56: an eighth of the last bit.
 const NEGLIGIBLE: f64 = 1.387_778_780_781_445_7e-17;
 
-/// Rotation from the axes after the canonical time `h` to those at the start; nothing when the series does not reach
-/// that far.
-pub(super) fn relative(canonical: &Canonical, h: f64) -> Option<DQuat> {
-    let inertia = canonical.moments;
-    let rates =
-        [1.0 / inertia[2] - 1.0 / inertia[1], 1.0 / inertia[0] - 1.0 / inertia[2], 1.0 / inertia[1] - 1.0 / inertia[0]]
-            .map(|r| r * h);
-    let half = inertia.map(|i| 0.5 * h / i);
-    let size = DVec3::from_array(canonical.momentum).length();
-    let mut p = [[0.0f64; 3]; MAX_TERMS];
-    // Half the turn: h I^-1 p / 2, of which the quaternion's rate is made.
-    let mut z = [[0.0f64; 3]; MAX_TERMS];
-    let mut q = [[0.0f64; 4]; MAX_TERMS];
-    p[0] = canonical.momentum;
-    q[0] = [1.0, 0.0, 0.0, 0.0];
-    let mut negligible = 0;
-    for k in 0..MAX_TERMS - 1 {
-        for c in 0..3 {
-            z[k][c] = half[c] * p[k][c];
-        }
-        let (mut x, mut w) = ([0.0; 3], [0.0; 4]);
-        for j in 0..=k {
-            let (a, b) = (p[j], p[k - j]);
-            x[0] += a[1] * b[2];
-            x[1] += a[2] * b[0];
-            x[2] += a[0] * b[1];
-            let (t, z) = (q[k - j], z[j]);
-            w[0] -= t[1] * z[0] + t[2] * z[1] + t[3] * z[2];
-            w[1] += t[0] * z[0] + t[2] * z[2] - t[3] * z[1];
-            w[2] += t[0] * z[1] - t[1] * z[2] + t[3] * z[0];
-            w[3] += t[0] * z[2] + t[1] * z[1] - t[2] * z[0];
-        }
-        let order = 1.0 / (k + 1) as f64;
-        for c in 0..3 {
-            p[k + 1][c] = rates[c] * x[c] * order;
-        }
-        q[k + 1] = w.map(|w| w * order);
-        let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        // One term can vanish by symmetry where the next does not; two in a row do not.
-        negligible = if largest(&p[k + 1]) <= NEGLIGIBLE * size && largest(&q[k + 1]) <= NEGLIGIBLE {
-            negligible + 1
-        } else {
-            0
-        };
-        if negligible == 2 {
-            return Some(sum(&q[..=k + 1]));
-        }
-    }
-    None
+/// What is constant during a rotation, in canonical units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Taylor {
+    momentum: [f64; 3],
+    rates: [f64; 3],
+    /// G1 and G3.
+    invariants: [f64; 2],
+    /// A and B.
+    squared_rates: [f64; 2],
+    length: f64,
+    length_squared: f64,
+    /// `k/L^2`.
+    pole: f64,
+    /// `2T/L`.
+    spin: f64,
+    /// `k/L^3 (r1 p3^2 - r3 p1^2)`.
+    twist: f64,
 }
 
-/// Sum of the terms, smallest first.
-fn sum(terms: &[[f64; 4]]) -> DQuat {
-    let mut s = [0.0; 4];
-    for term in terms.iter().rev() {
-        for (s, t) in s.iter_mut().zip(term) {
-            *s += t;
+impl Taylor {
+    /// Of any motion but rest.
+    pub(super) fn new(canonical: &Canonical) -> Self {
+        let ([i1, i2, i3], [p1, p2, p3]) = (canonical.moments, canonical.momentum);
+        let (n1, n2, n3) = (1.0 / i1, 1.0 / i2, 1.0 / i3);
+        // Differences of reciprocals, without the cancellation.
+        let rates = [(i2 - i3) * n2 * n3, (i3 - i1) * n3 * n1, (i1 - i2) * n1 * n2];
+        let [r1, r2, r3] = rates;
+        let (s1, s2, s3) = (p1 * p1, p2 * p2, p3 * p3);
+        let (g1, g3) = (r2 * s1 - r1 * s2, r2 * s3 - r3 * s2);
+        let length_squared = s1 + s2 + s3;
+        let length = length_squared.sqrt();
+        let pole = g1 * g3 / length_squared;
+        Self {
+            momentum: canonical.momentum,
+            rates,
+            invariants: [g1, g3],
+            squared_rates: [-r1 * g3, -r3 * g1],
+            length,
+            length_squared,
+            pole,
+            spin: (s1 * n1 + s2 * n2 + s3 * n3) / length,
+            twist: pole * (r1 * s3 - r3 * s1) / length,
         }
     }
-    DQuat::from_xyzw(s[1], s[2], s[3], s[0])
+
+    /// Whether the series reaches over the canonical time `h`.
+    pub(super) fn reaches(&self, h: f64) -> bool {
+        let [a, b] = self.squared_rates;
+        0.25 * h * h * a.max(b) <= TAYLOR_REACH * TAYLOR_REACH
+    }
+
+    /// Rotation from the axes after the canonical time `h`, within the reach, to those at the start; of any length.
+    pub(super) fn relative(&self, h: f64) -> DQuat {
+        let time = 0.5 * h;
+        let (square, integral) = self.series(time * time);
+        let [a, b] = self.squared_rates;
+        let s = time * square.sqrt();
+        let s2 = s * s;
+        let (c, d) = ((1.0 - a * s2).sqrt(), (1.0 - b * s2).sqrt());
+        let half_turn = self.spin * time + self.twist * (time * time * time) * integral;
+        let (sine, cosine) = libm::sincos(half_turn);
+        let ([p1, p2, p3], [r1, r2, r3], [g1, g3]) = (self.momentum, self.rates, self.invariants);
+        // The momentum in the middle, times its denominator.
+        let m1 = p1 * c + r1 * p2 * p3 * (s * d);
+        let m2 = p2 * (c * d) + r2 * p3 * p1 * s;
+        let m3 = p3 * d + r3 * p1 * p2 * (s * c);
+        let denominator = 1.0 - r1 * r3 * (p2 * p2) * s2;
+        let q = self.length_squared * (1.0 - self.pole * s2) * cosine;
+        let l = self.length * sine;
+        let tilt = l * d - g1 * (s * c) * cosine;
+        let x = m1 * (l * c + g3 * (s * d) * cosine);
+        let y = m2 * (c * tilt - r1 * s * q);
+        DQuat::from_xyzw(x, y, m3 * tilt, q * denominator)
+    }
+
+    /// `S^2/s^2` and `J/s^3` at the time whose square is given.
+    fn series(&self, time_squared: f64) -> (f64, f64) {
+        let [a, b] = self.squared_rates.map(|rate| rate * time_squared);
+        let (linear, quadratic, pole) = (-4.0 * (a + b), 6.0 * a * b, self.pole * time_squared);
+        let ratio = CONVERGENCE * a.max(b);
+        // Coefficients of S^2 and of the integrand.
+        let mut terms = [[0.0; 2]; MAX_TERMS];
+        terms[0] = [1.0, 1.0];
+        let (mut square, mut integral, mut squares) = (0.0, 0.0, 0.0);
+        // The n-th term is at most n times this power: the double pole at the radius of convergence.
+        let mut power = ratio;
+        for n in 1..MAX_TERMS {
+            if power * (n + 1) as f64 <= NEGLIGIBLE {
+                break;
+            }
+            let y = (linear * terms[n - 1][0] + quadratic * squares) * STEP[n];
+            let product;
+            [squares, product] = convolutions(&terms[..n]);
+            let z = y + pole * product;
+            terms[n] = [y, z];
+            square += y;
+            integral += z * ODD[n];
+            power *= ratio;
+        }
+        (1.0 + square, ODD[0] + integral)
+    }
 }
+
+/// `sum_j y[j] y[n-1-j]` and `sum_j y[j] z[n-1-j]`.
+fn convolutions(terms: &[[f64; 2]]) -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    for (a, b) in terms.iter().zip(terms.iter().rev()) {
+        sums[0] += a[0] * b[0];
+        sums[1] += a[0] * b[1];
+    }
+    sums
+}
+
+/// `1/((2n + 1)(2n + 2))`.
+const STEP: [f64; MAX_TERMS] = {
+    let mut table = [0.0; MAX_TERMS];
+    let mut n = 0;
+    while n < MAX_TERMS {
+        table[n] = 1.0 / ((2 * n + 1) * (2 * n + 2)) as f64;
+        n += 1;
+    }
+    table
+};
+
+/// `1/(2n + 3)`.
+const ODD: [f64; MAX_TERMS] = {
+    let mut table = [0.0; MAX_TERMS];
+    let mut n = 0;
+    while n < MAX_TERMS {
+        table[n] = 1.0 / (2 * n + 3) as f64;
+        n += 1;
+    }
+    table
+};

@@ -3,14 +3,14 @@
 
 use crate::support::{cases, direction, moments, rotation, turned_body};
 use glam::DVec3;
-use polhode_dynamics::{BodyState, Dop853, Flight, FreeFall, IntegratedMotion, RigidBody};
+use polhode_dynamics::{BodyState, Dop853, Flight, FreeMotion, IntegratedMotion, RigidBody};
 use polhode_spatial::{Motion, Pose, Rotation};
 use proptest::prelude::*;
 
 /// A step of two bodies; the motion of the second.
 fn step(body: &RigidBody, start: &BodyState, gravity: DVec3, h: f64) -> IntegratedMotion {
     let bodies = [*body, *body];
-    let mut system = FreeFall::new(&bodies, gravity);
+    let mut system = FreeMotion::new(&bodies, gravity, &[]);
     let other = BodyState::at_rest(Pose::from_translation(DVec3::ONE));
     let state = [other.to_array(), start.to_array()].concat();
     let mut method = Dop853::new(state.len());

@@ -6,14 +6,32 @@
     reason = "reference values with the digits of their source"
 )]
 
+mod conservation;
 mod elliptic_against_taylor;
 mod energy_and_momentum;
+mod events;
+mod exact_and_dop853;
+mod exact_flow;
+mod fields;
+mod fixed_point;
 mod flight;
+mod forced_motion;
 mod free_rotation;
+mod hard_rotations;
+mod heavy_top;
 mod integrated_motion;
+mod integrator_orders;
 mod invariance;
+mod lagrange_top;
+mod methods;
 mod oracle;
+mod orientation;
+mod pivoted;
+mod random_bodies;
+mod random_rotations;
 mod rigid_body;
 mod runge_kutta;
 mod special_functions;
+mod stepping;
 mod support;
+mod work_precision;

@@ -2,7 +2,7 @@
 
 use crate::support::{body, order, spin};
 use glam::DVec3;
-use polhode_dynamics::{BodyState, Dop853, Flight, FreeFall, RigidBody, Rk4, System, rk4, state};
+use polhode_dynamics::{BodyState, Dop853, Flight, FreeMotion, RigidBody, Rk4, System, rk4, state};
 use polhode_spatial::{Motion, Pose, Rotation, Velocity};
 use std::convert::Infallible;
 
@@ -38,7 +38,7 @@ fn throw() -> (RigidBody, Flight) {
 fn rk4_error(steps: usize) -> f64 {
     let (body, flight) = throw();
     let bodies = [body];
-    let mut system = FreeFall::new(&bodies, flight.gravity());
+    let mut system = FreeMotion::new(&bodies, flight.gravity(), &[]);
     let mut state = flight.start().to_array();
     let (mut method, h) = (Rk4::new(state.len()), 10.0 / steps as f64);
     for k in 0..steps {
@@ -65,7 +65,7 @@ fn rk4_has_order_four() {
 fn dop853_error(steps: usize) -> f64 {
     let (body, flight) = throw();
     let bodies = [body];
-    let mut system = FreeFall::new(&bodies, flight.gravity());
+    let mut system = FreeMotion::new(&bodies, flight.gravity(), &[]);
     let mut state = flight.start().to_array();
     let (mut method, h, scale) = (Dop853::new(state.len()), 10.0 / steps as f64, [1.0; state::WIDTH]);
     for k in 0..steps {
@@ -107,7 +107,7 @@ fn dop853_has_order_eight() {
 fn dense_output_has_order_seven() {
     let (body, flight) = throw();
     let bodies = [body];
-    let mut system = FreeFall::new(&bodies, flight.gravity());
+    let mut system = FreeMotion::new(&bodies, flight.gravity(), &[]);
     let start = flight.start().to_array();
     let mut error = |h: f64| {
         let mut method = Dop853::new(start.len());
@@ -145,6 +145,24 @@ fn dop853_agrees_with_another_program() {
     step.evaluate(0.8, &mut inside);
     near(inside[0], 1.053181824606096);
     near(inside[1], 0.050309764377160004);
+}
+
+/// Errors of parts of the state: of one number that of the whole norm, of all the norm with the root of their count, of
+/// numbers that are not there NaN, as after an attempt with a state of another length.
+#[test]
+fn errors_of_parts_of_the_state() {
+    let mut system = Pendulum { evaluations: 0 };
+    let mut method = Dop853::new(2);
+    let norm = method.attempt(&mut system, 0.5, &[1.0, 0.3], 0.7, &[1e-6; 2]).unwrap();
+    let whole = method.error_of(0..2) / 1e-6;
+    assert!((whole / (norm * f64::sqrt(2.0)) - 1.0).abs() < 1e-14, "{whole} {norm}");
+    let only_first = method.attempt(&mut system, 0.5, &[1.0, 0.3], 0.7, &[1e-6, f64::INFINITY]).unwrap();
+    assert!((method.error_of(0..1) / 1e-6 / (only_first * f64::sqrt(2.0)) - 1.0).abs() < 1e-14);
+    assert_eq!(method.error_of(1..1), 0.0);
+    assert!(method.error_of(1..3).is_nan());
+    assert_eq!(method.start_rates()[0], 0.3);
+    method.attempt_unscaled(&mut system, 0.5, &[1.0; 3], 0.7).unwrap();
+    assert!(method.error_of(0..2).is_nan());
 }
 
 /// Twelve evaluations for the first step, eleven for a repeated one, and the three of the dense output plus the rates at
@@ -186,7 +204,7 @@ fn dop853_evaluates_no_stage_twice() {
 fn error_control_keeps_its_promise() {
     let (body, flight) = spin(DVec3::new(1.0, 2.0, 3.0), DVec3::ONE);
     let bodies = [body];
-    let mut system = FreeFall::new(&bodies, DVec3::ZERO);
+    let mut system = FreeMotion::new(&bodies, DVec3::ZERO, &[]);
     for tolerance in [1e-8, 1e-10, 1e-12] {
         let mut state = flight.start().to_array();
         let mut method = Dop853::new(state.len());

@@ -1,6 +1,7 @@
 //! What the tests share.
 
 use glam::{DQuat, DVec3};
+use polhode_dynamics::integrator::{AdaptiveDop853, Tolerance};
 use polhode_dynamics::{BodyState, Flight, RigidBody};
 use polhode_spatial::{Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
 use proptest::prelude::*;
@@ -23,6 +24,11 @@ pub(crate) fn spin(moments: DVec3, w0: DVec3) -> (RigidBody, Flight) {
     let body = body(1.0, moments);
     let start = body.at_velocity(Pose::IDENTITY, Velocity::new(DVec3::ZERO, w0));
     (body, Flight::new(&body, 0.0, &start, DVec3::ZERO))
+}
+
+/// DOP853 under error control.
+pub(crate) fn dop853(tolerance: f64) -> AdaptiveDop853 {
+    AdaptiveDop853::new(Tolerance::new(tolerance).unwrap())
 }
 
 /// Angular velocity in body axes.

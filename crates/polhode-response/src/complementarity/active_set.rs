@@ -8,25 +8,39 @@
 //! singular `G` needs no regularisation. Each push lowers `1/2 f.G f + b.f`, so the method ends; pushes of length zero
 //! (degenerate rows) fall back to the rule of least index.
 //!
+//! A push that nothing stops is a ray `z = (d, 1) >= 0` with `G z = 0` and `b.z = w_j < 0`: the certificate of Farkas
+//! that no forces keep every row from approaching.
+//!
 //! Source: Dantzig's and van de Panne and Whinston's principal pivoting in the form of Lawson and Hanson's NNLS;
-//! Baraff 1994; least index: Chang 1979 in Cottle, Pang and Stone. Failure: a push that nothing stops shows that there
-//! is no solution; a limit of pivots ends all loops, also for NaN.
+//! Baraff 1994; Goldfarb and Idnani 1983 (the dual view); least index: Chang 1979 in Cottle, Pang and Stone. Failure:
+//! what working precision cannot decide ends a run as [`Outcome::Doubtful`], to be repeated in twice the precision; a
+//! limit of pivots ends all loops, also for NaN.
 
+use super::rank::{Dependence, Image, Rank, SAFE_PIVOT};
 use crate::certificate::row_accelerations;
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::kernels::{dot, largest};
+use crate::dense::scalar::Scalar;
 use crate::precise;
 use crate::settings::SolverSettings;
 
 /// A Schur complement above this fraction of the diagonal is independent without a closer look (no unit).
 const CLEARLY_INDEPENDENT: f64 = 1e-6;
 
-/// A row that cannot be held because bodies are squeezed, by less than this fraction of the largest terms, is taken
-/// as rounding of the data (no unit); the residual reports it.
-const SQUEEZE_ROUNDING: f64 = 1e-8;
+/// Corrections of a direction before its row is called doubtful: the first leaves rounding where the factor is good
+/// to 1e-8, the second is for factors that have shrunk and grown many times.
+const CORRECTIONS: usize = 2;
 
 /// A push below this fraction of the forces present makes no progress (no unit): 50 times the rounding unit.
 const NO_PROGRESS: f64 = 1e-14;
+
+/// Multiple of the noise floor that passes for noise where rows depend on each other (no unit): that of several rows
+/// adds up.
+pub(crate) const NOISE_ALLOWED: f64 = 8.0;
+
+/// However ill-conditioned the factor is, rates above this fraction of the largest are real (no unit); what that gets
+/// wrong shows in the residual.
+const LARGEST_RATE_ROUNDING: f64 = 1e-3;
 
 /// Pivots that are allowed whatever the number of rows.
 const FREE_PIVOTS: usize = 100;
@@ -36,8 +50,12 @@ const FREE_PIVOTS: usize = 100;
 pub(crate) enum Outcome {
     /// No row is violated.
     Converged,
-    /// A push that nothing stops.
+    /// The same, and the answer is within the acceptance.
+    Accepted,
+    /// A push that nothing stops: [`ActiveSet::ray`] shows that there are no forces.
     Infeasible,
+    /// Working precision cannot tell.
+    Doubtful,
     /// Too many pivots.
     PivotLimit,
 }
@@ -48,60 +66,70 @@ enum Push {
     Joined,
     Dropped,
     Infeasible,
+    Doubtful,
     OverLimit,
 }
 
 /// The method with its memory; [`run`](Self::run) may be called again and again.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ActiveSet {
-    factor: GrowingCholesky,
+pub(crate) struct ActiveSet<T = f64> {
+    factor: GrowingCholesky<T>,
     /// `P` in the order of the factor.
     rows: Vec<usize>,
     member: Vec<bool>,
     /// Rows that are squeezed within rounding and left alone.
     ignored: Vec<bool>,
-    pub(crate) forces: Vec<f64>,
-    pub(crate) w: Vec<f64>,
-    direction: Vec<f64>,
-    line: Vec<f64>,
+    pub(crate) forces: Vec<T>,
+    pub(crate) w: Vec<T>,
+    direction: Vec<T>,
+    line: Vec<T>,
+    correction: Vec<T>,
+    image: Image,
     weights: Vec<f64>,
+    /// After [`Outcome::Infeasible`]: forces that move nothing and that the constant terms outweigh, the largest 1.
+    pub(crate) ray: Vec<f64>,
     pub(crate) pivots: usize,
     stalled: usize,
 }
 
 /// The problem of one run.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Problem<'a> {
+pub(crate) struct Problem<'a, T = f64> {
     /// `G`, row-major and symmetric.
-    pub(crate) matrix: &'a [f64],
+    pub(crate) matrix: &'a [T],
     /// `b`.
-    pub(crate) constant: &'a [f64],
+    pub(crate) constant: &'a [T],
+    /// How ranks are decided.
+    pub(crate) rank: Rank<'a>,
+    /// A row that cannot be held, violated by less than this fraction of its terms, is left alone as rounding of the
+    /// data (no unit); the residual reports it.
+    pub(crate) squeeze_rounding: f64,
     /// Tolerances.
     pub(crate) settings: &'a SolverSettings,
 }
 
-impl Problem<'_> {
+impl<T: Scalar> Problem<'_, T> {
     fn size(&self) -> usize {
         self.constant.len()
     }
 
-    fn at(&self, row: usize, column: usize) -> f64 {
+    fn at(&self, row: usize, column: usize) -> T {
         self.matrix[row * self.size() + column]
     }
 
     fn diagonal(&self, row: usize) -> f64 {
-        self.at(row, row)
+        self.at(row, row).to_f64()
     }
 }
 
-impl ActiveSet {
+impl<T: Scalar> ActiveSet<T> {
     /// The rows that carry force, in the order in which they entered.
     pub(crate) fn rows(&self) -> &[usize] {
         &self.rows
     }
 
     /// Solves the problem, starting from the guess that `start` carries the forces.
-    pub(crate) fn run(&mut self, problem: Problem<'_>, start: &[usize]) -> Outcome {
+    pub(crate) fn run(&mut self, problem: Problem<'_, T>, start: &[usize]) -> Outcome {
         let size = problem.size();
         self.prepare(problem);
         self.establish(problem, start);
@@ -113,6 +141,7 @@ impl ActiveSet {
                 refined = false;
                 match self.push(problem, row, limit) {
                     Push::Infeasible => return Outcome::Infeasible,
+                    Push::Doubtful => return Outcome::Doubtful,
                     Push::OverLimit => return Outcome::PivotLimit,
                     Push::Joined | Push::Dropped => {}
                 }
@@ -125,7 +154,7 @@ impl ActiveSet {
         }
     }
 
-    fn prepare(&mut self, problem: Problem<'_>) {
+    fn prepare(&mut self, problem: Problem<'_, T>) {
         let size = problem.size();
         self.factor.reset(size);
         self.rows.clear();
@@ -134,9 +163,10 @@ impl ActiveSet {
         self.ignored.clear();
         self.ignored.resize(size, false);
         self.forces.clear();
-        self.forces.resize(size, 0.0);
+        self.forces.resize(size, T::default());
         self.w.clear();
-        self.w.resize(size, 0.0);
+        self.w.resize(size, T::default());
+        self.ray.clear();
         self.weights.clear();
         // Violations are compared in the energy norm: w_i / sqrt(G_ii).
         self.weights.extend((0..size).map(|i| 1.0 / problem.diagonal(i).max(f64::MIN_POSITIVE).sqrt()));
@@ -145,17 +175,17 @@ impl ActiveSet {
     }
 
     /// Factorises the independent rows of a guess, drops those whose forces would pull, and sets the forces.
-    fn establish(&mut self, problem: Problem<'_>, start: &[usize]) {
+    fn establish(&mut self, problem: Problem<'_, T>, start: &[usize]) {
         let mut guess: Vec<usize> = start.iter().copied().filter(|&row| row < problem.size()).collect();
         loop {
             for &row in &guess {
                 if !self.member[row] {
                     let pivot = self.schur_complement(problem, row);
-                    let clear = pivot > CLEARLY_INDEPENDENT * problem.diagonal(row);
+                    let clear = is_clear(problem, row, pivot);
                     if !clear {
                         self.solve_direction();
                     }
-                    if clear || self.is_independent(problem, row, pivot) {
+                    if clear || self.stands_out(problem, row, pivot) {
                         self.join(row, pivot);
                     }
                 }
@@ -163,7 +193,7 @@ impl ActiveSet {
             self.direction.clear();
             self.direction.extend(self.rows.iter().map(|&row| -problem.constant[row]));
             self.factor.solve(&mut self.direction);
-            if self.direction.iter().all(|&force| force >= 0.0) {
+            if self.direction.iter().all(|&force| force >= T::default()) {
                 for (&row, &force) in self.rows.iter().zip(&self.direction) {
                     self.forces[row] = force;
                 }
@@ -171,7 +201,9 @@ impl ActiveSet {
                 return;
             }
             guess.clear();
-            guess.extend(self.rows.iter().zip(&self.direction).filter(|(_, f)| **f >= 0.0).map(|(&row, _)| row));
+            guess.extend(
+                self.rows.iter().zip(&self.direction).filter(|(_, f)| **f >= T::default()).map(|(&row, _)| row),
+            );
             self.pivots += self.rows.len() - guess.len();
             self.factor.reset(problem.size());
             for &row in &self.rows {
@@ -182,19 +214,234 @@ impl ActiveSet {
     }
 
     /// One step of iterative refinement of `w_P = 0`, then `w` of all rows afresh.
-    fn refine(&mut self, problem: Problem<'_>) {
+    fn refine(&mut self, problem: Problem<'_, T>) {
         self.direction.clear();
         self.direction.extend(self.rows.iter().map(|&row| -self.w[row]));
         self.factor.solve(&mut self.direction);
-        for (&row, correction) in self.rows.iter().zip(&self.direction) {
-            self.forces[row] = (self.forces[row] + correction).max(0.0);
+        for (&row, &correction) in self.rows.iter().zip(&self.direction) {
+            self.forces[row] = (self.forces[row] + correction).or_zero();
         }
         row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
     }
 
+    /// The row to push: the most violated in the energy norm, or the first violated one while there is no progress.
+    fn most_violated(&self, problem: Problem<'_, T>) -> Option<usize> {
+        let least_index = self.stalled > 2 * problem.size();
+        let mut best: Option<(usize, f64)> = None;
+        for row in 0..problem.size() {
+            let violation = -self.w[row].to_f64() * self.weights[row];
+            let candidate = violation > 0.0 && !self.member[row];
+            if candidate && best.is_none_or(|(_, most)| violation > most) && self.is_violated(problem, row) {
+                if least_index {
+                    return Some(row);
+                }
+                best = Some((row, violation));
+            }
+        }
+        best.map(|(row, _)| row)
+    }
+
+    fn is_violated(&self, problem: Problem<'_, T>, row: usize) -> bool {
+        let SolverSettings { tolerance, noise_floor, .. } = *problem.settings;
+        // The terms may have shrunk since a row was left alone.
+        let (tolerance, noise_floor) = if self.ignored[row] {
+            (problem.squeeze_rounding, NOISE_ALLOWED * noise_floor)
+        } else {
+            (tolerance, noise_floor)
+        };
+        let depth = -self.w[row].to_f64() - noise_floor;
+        depth > tolerance * problem.constant[row].to_f64().abs() && depth > tolerance * self.scale(problem, row)
+    }
+
+    /// `W_i = |b_i| + sum_k |G_ik| f_k`.
+    fn scale(&self, problem: Problem<'_, T>, row: usize) -> f64 {
+        let own = problem.constant[row].to_f64().abs() + problem.diagonal(row) * self.forces[row].to_f64();
+        let others = self.rows.iter().filter(|&&k| k != row);
+        own + others.map(|&k| (problem.at(row, k).to_f64() * self.forces[k].to_f64()).abs()).sum::<f64>()
+    }
+
+    /// Raises the force of `row` until it is held or its force is back at zero.
+    fn push(&mut self, problem: Problem<'_, T>, row: usize, limit: usize) -> Push {
+        loop {
+            self.pivots += 1;
+            if self.pivots > limit {
+                return Push::OverLimit;
+            }
+            let pivot = self.schur_complement(problem, row);
+            self.solve_direction();
+            let full = match self.dependence(problem, row, pivot) {
+                Dependence::Independent => Some((-self.w[row] / pivot).or_zero()),
+                Dependence::Dependent => None,
+                Dependence::Doubtful => return Push::Doubtful,
+            };
+            let (step, blocking) = self.longest_step(problem, full);
+            let Some(step) = step else {
+                return self.unstoppable(problem, row);
+            };
+            let present = largest(&self.forces) + problem.constant[row].to_f64().abs() / problem.diagonal(row);
+            self.stalled = if step.to_f64() > NO_PROGRESS * present { 0 } else { self.stalled + 1 };
+            self.forces[row] = self.forces[row] + step;
+            for (&other, &change) in self.rows.iter().zip(&self.direction) {
+                self.forces[other] = (self.forces[other] + step * change).or_zero();
+            }
+            let Some(position) = blocking else {
+                self.join(row, pivot);
+                row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
+                return Push::Joined;
+            };
+            self.leave(position);
+            self.w[row] = problem.constant[row] + dot(&problem.matrix[row * problem.size()..], &self.forces);
+            if self.forces[row] == T::default() && !self.is_violated(problem, row) {
+                row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
+                return Push::Dropped;
+            }
+        }
+    }
+
+    /// The longest step along the direction up to `full`, none when nothing limits it, and the position in `P` of the
+    /// force that stops it.
+    fn longest_step(&self, problem: Problem<'_, T>, full: Option<T>) -> (Option<T>, Option<usize>) {
+        let least_index = self.stalled > 2 * self.forces.len();
+        let steepest = self.rate_rounding(problem);
+        let (mut longest, mut stopping): (Option<T>, Option<usize>) = (full, None);
+        for (position, (&row, &rate)) in self.rows.iter().zip(&self.direction).enumerate() {
+            if rate.to_f64() < -steepest * self.weights[row] {
+                let step = self.forces[row] / -rate;
+                let tie_won = |other: usize| {
+                    if least_index { row < self.rows[other] } else { rate < self.direction[other] }
+                };
+                let better =
+                    longest.is_none_or(|best| step < best) || (longest == Some(step) && stopping.is_some_and(tie_won));
+                if better {
+                    (longest, stopping) = (Some(step), Some(position));
+                }
+            }
+        }
+        (longest, stopping)
+    }
+
+    /// The part of a rate that may be rounding of zero, in the energy norm, `|d_k| sqrt(G_kk)`: that of the largest
+    /// rate, enlarged as much as the factor may have done it.
+    fn rate_rounding(&self, problem: Problem<'_, T>) -> f64 {
+        let rates = self.rows.iter().zip(&self.direction).map(|(&row, d)| d.to_f64().abs() / self.weights[row]);
+        let pivots = self.rows.iter().zip(self.factor.pivots()).map(|(&row, pivot)| pivot / problem.diagonal(row));
+        let share = (T::ROUNDING / pivots.fold(1.0, f64::min)).min(LARGEST_RATE_ROUNDING);
+        share * rates.fold(0.0, f64::max)
+    }
+
+    /// Nothing stops the push of a dependent row: bodies are squeezed, truly or by rounding of the data.
+    fn unstoppable(&mut self, problem: Problem<'_, T>, row: usize) -> Push {
+        let depth = -self.w[row].to_f64() - NOISE_ALLOWED * problem.settings.noise_floor;
+        if depth <= problem.squeeze_rounding * self.scale(problem, row) {
+            self.ignored[row] = true;
+            return Push::Dropped;
+        }
+        if matches!(problem.rank, Rank::Motion(_)) {
+            return Push::Doubtful;
+        }
+        let balance = self.rows.iter().zip(&self.direction);
+        let balance = balance.fold(problem.constant[row], |sum, (&k, d)| sum + problem.constant[k] * d.or_zero());
+        if balance.to_f64() >= 0.0 {
+            return Push::Doubtful;
+        }
+        let (size, steepest) = (largest(&self.direction).max(1.0), self.rate_rounding(problem));
+        self.ray.resize(problem.size(), 0.0);
+        self.ray[row] = 1.0 / size;
+        for (&k, d) in self.rows.iter().zip(&self.direction) {
+            let rounding = d.to_f64() <= steepest * self.weights[k];
+            self.ray[k] = if rounding { 0.0 } else { d.to_f64() / size };
+        }
+        Push::Infeasible
+    }
+
+    /// Puts `L^-1 G_Pj` into `line` and returns the Schur complement of row `j`.
+    fn schur_complement(&mut self, problem: Problem<'_, T>, row: usize) -> T {
+        let column = &problem.matrix[row * problem.size()..(row + 1) * problem.size()];
+        self.line.clear();
+        self.line.extend(self.rows.iter().map(|&k| column[k]));
+        self.factor.solve_lower(&mut self.line);
+        problem.at(row, row) - dot(&self.line, &self.line)
+    }
+
+    /// Whether row `row` depends on `P`, for the current direction, which is corrected on the way.
+    fn dependence(&mut self, problem: Problem<'_, T>, row: usize, pivot: T) -> Dependence {
+        if is_clear(problem, row, pivot) || self.stands_out(problem, row, pivot) {
+            return Dependence::Independent;
+        }
+        let Rank::Motion(motion) = problem.rank else {
+            return Dependence::Dependent;
+        };
+        let mut image = std::mem::take(&mut self.image);
+        let mut found = Dependence::Doubtful;
+        for round in 0..=CORRECTIONS {
+            let direction = self.rows.iter().zip(&self.direction).map(|(&k, d)| (k, d.to_f64()));
+            let distance = motion.distance(direction.chain([(row, 1.0)]), &mut image);
+            if distance <= motion.cut * self.terms(problem, row) {
+                found = Dependence::Dependent;
+                break;
+            }
+            if round < CORRECTIONS {
+                self.correction.clear();
+                self.correction.extend(self.rows.iter().map(|&k| T::from_f64(-motion.acceleration(k, &image))));
+                self.factor.solve(&mut self.correction);
+                for (d, change) in self.direction.iter_mut().zip(&self.correction) {
+                    *d = *d + *change;
+                }
+            }
+        }
+        self.image = image;
+        found
+    }
+
+    /// Whether the Schur complement stands out of the rounding of the terms that cancel in it.
+    fn stands_out(&self, problem: Problem<'_, T>, row: usize, pivot: T) -> bool {
+        // s = z.G z with z = (d, 1): the rounding of G enters with the square of sum |z_i| sqrt(G_ii).
+        let size = self.terms(problem, row);
+        let cut = match problem.rank {
+            Rank::Pivot(cut) => cut,
+            Rank::Motion(_) => SAFE_PIVOT,
+        };
+        pivot.to_f64() > cut * size * size
+    }
+
+    /// `sum_i |z_i| sqrt(G_ii)` with `z = (d, 1)`.
+    fn terms(&self, problem: Problem<'_, T>, row: usize) -> f64 {
+        let terms = self.rows.iter().zip(&self.direction);
+        let terms = terms.map(|(&k, d)| d.to_f64().abs() * problem.diagonal(k).sqrt());
+        problem.diagonal(row).sqrt() + terms.sum::<f64>()
+    }
+
+    /// `d = -L^-T line = -G_PP^-1 G_Pj`.
+    fn solve_direction(&mut self) {
+        self.direction.clear();
+        self.direction.extend(self.line.iter().map(|&value| -value));
+        self.factor.solve_upper(&mut self.direction);
+    }
+
+    fn join(&mut self, row: usize, pivot: T) {
+        self.factor.push(&self.line, pivot);
+        self.rows.push(row);
+        self.member[row] = true;
+    }
+
+    fn leave(&mut self, position: usize) {
+        self.factor.remove(position);
+        let row = self.rows.remove(position);
+        self.member[row] = false;
+        self.forces[row] = T::default();
+    }
+}
+
+/// Whether a Schur complement needs no closer look.
+fn is_clear<T: Scalar>(problem: Problem<'_, T>, row: usize, pivot: T) -> bool {
+    pivot.to_f64() > CLEARLY_INDEPENDENT * problem.diagonal(row)
+}
+
+impl ActiveSet {
     /// Whether the factor asks for refinement in twice the working precision.
-    pub(crate) fn wants_precision(&self, problem: Problem<'_>) -> bool {
-        let largest_diagonal = self.rows.iter().map(|&row| problem.diagonal(row)).fold(0.0, f64::max);
+    pub(crate) fn wants_precision(&self, matrix: &[f64]) -> bool {
+        let size = self.forces.len();
+        let largest_diagonal = self.rows.iter().map(|&row| matrix[row * size + row]).fold(0.0, f64::max);
         precise::is_worth_it(largest_diagonal, self.factor.smallest_pivot())
     }
 
@@ -212,144 +459,5 @@ impl ActiveSet {
             self.forces[row] = (self.forces[row] + change).max(0.0);
         }
         true
-    }
-
-    /// The row to push: the most violated in the energy norm, or the first violated one while there is no progress.
-    fn most_violated(&self, problem: Problem<'_>) -> Option<usize> {
-        let least_index = self.stalled > 2 * problem.size();
-        let mut best: Option<(usize, f64)> = None;
-        for row in 0..problem.size() {
-            let violation = -self.w[row] * self.weights[row];
-            let candidate = self.w[row] < 0.0 && !self.member[row] && !self.ignored[row];
-            if candidate && best.is_none_or(|(_, most)| violation > most) && self.is_violated(problem, row) {
-                if least_index {
-                    return Some(row);
-                }
-                best = Some((row, violation));
-            }
-        }
-        best.map(|(row, _)| row)
-    }
-
-    fn is_violated(&self, problem: Problem<'_>, row: usize) -> bool {
-        let SolverSettings { tolerance, noise_floor, .. } = *problem.settings;
-        let depth = -self.w[row] - noise_floor;
-        depth > tolerance * problem.constant[row].abs() && depth > tolerance * self.scale(problem, row)
-    }
-
-    /// `W_i = |b_i| + sum_k |G_ik| f_k`.
-    fn scale(&self, problem: Problem<'_>, row: usize) -> f64 {
-        let own = problem.constant[row].abs() + problem.diagonal(row) * self.forces[row];
-        let others = self.rows.iter().filter(|&&k| k != row);
-        own + others.map(|&k| (problem.at(row, k) * self.forces[k]).abs()).sum::<f64>()
-    }
-
-    /// Raises the force of `row` until it is held or its force is back at zero.
-    fn push(&mut self, problem: Problem<'_>, row: usize, limit: usize) -> Push {
-        loop {
-            self.pivots += 1;
-            if self.pivots > limit {
-                return Push::OverLimit;
-            }
-            let pivot = self.schur_complement(problem, row);
-            self.solve_direction();
-            let independent = self.is_independent(problem, row, pivot);
-            let full = if independent { (-self.w[row] / pivot).max(0.0) } else { f64::INFINITY };
-            let (step, blocking) = self.longest_step(full);
-            if !step.is_finite() {
-                return self.unstoppable(problem, row);
-            }
-            let present = largest(&self.forces) + problem.constant[row].abs() / problem.diagonal(row);
-            self.stalled = if step > NO_PROGRESS * present { 0 } else { self.stalled + 1 };
-            self.forces[row] += step;
-            for (&other, change) in self.rows.iter().zip(&self.direction) {
-                self.forces[other] = (self.forces[other] + step * change).max(0.0);
-            }
-            let Some(position) = blocking else {
-                self.join(row, pivot);
-                row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
-                return Push::Joined;
-            };
-            self.leave(position);
-            self.w[row] = problem.constant[row] + dot(&problem.matrix[row * problem.size()..], &self.forces);
-            if self.forces[row] == 0.0 && !self.is_violated(problem, row) {
-                row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
-                return Push::Dropped;
-            }
-        }
-    }
-
-    /// The longest step along the direction up to `full`, and the position in `P` of the force that stops it.
-    fn longest_step(&self, full: f64) -> (f64, Option<usize>) {
-        let least_index = self.stalled > 2 * self.forces.len();
-        let steepest = NO_PROGRESS * largest(&self.direction);
-        let mut best = (full, None);
-        for (position, (&row, &rate)) in self.rows.iter().zip(&self.direction).enumerate() {
-            if rate < -steepest {
-                let step = self.forces[row] / -rate;
-                let better = step < best.0
-                    || (step == best.0
-                        && best.1.is_some_and(|other: usize| {
-                            if least_index { row < self.rows[other] } else { rate < self.direction[other] }
-                        }));
-                if better {
-                    best = (step, Some(position));
-                }
-            }
-        }
-        best
-    }
-
-    /// Nothing stops the push of a dependent row: bodies are squeezed, truly or by rounding of the data.
-    fn unstoppable(&mut self, problem: Problem<'_>, row: usize) -> Push {
-        let size = self.scale(problem, row) + largest(problem.constant);
-        if -self.w[row] <= SQUEEZE_ROUNDING * size {
-            self.ignored[row] = true;
-            Push::Dropped
-        } else {
-            Push::Infeasible
-        }
-    }
-
-    /// Puts `L^-1 G_Pj` into `line` and returns the Schur complement of row `j`.
-    fn schur_complement(&mut self, problem: Problem<'_>, row: usize) -> f64 {
-        let column = &problem.matrix[row * problem.size()..(row + 1) * problem.size()];
-        self.line.clear();
-        self.line.extend(self.rows.iter().map(|&k| column[k]));
-        self.factor.solve_lower(&mut self.line);
-        problem.diagonal(row) - dot(&self.line, &self.line)
-    }
-
-    /// Whether the Schur complement stands out of the rounding of the terms that cancel in it, for the current
-    /// direction.
-    fn is_independent(&self, problem: Problem<'_>, row: usize, pivot: f64) -> bool {
-        let diagonal = problem.diagonal(row);
-        if pivot > CLEARLY_INDEPENDENT * diagonal {
-            return true;
-        }
-        // s = z.G z with z = (d, 1): the rounding of G enters with the square of sum |z_i| sqrt(G_ii).
-        let terms = self.rows.iter().zip(&self.direction).map(|(&k, d)| d.abs() * problem.diagonal(k).sqrt());
-        let size = diagonal.sqrt() + terms.sum::<f64>();
-        pivot > problem.settings.rank_cut * size * size
-    }
-
-    /// `d = -L^-T line = -G_PP^-1 G_Pj`.
-    fn solve_direction(&mut self) {
-        self.direction.clear();
-        self.direction.extend(self.line.iter().map(|value| -value));
-        self.factor.solve_upper(&mut self.direction);
-    }
-
-    fn join(&mut self, row: usize, pivot: f64) {
-        self.factor.push(&self.line, pivot);
-        self.rows.push(row);
-        self.member[row] = true;
-    }
-
-    fn leave(&mut self, position: usize) {
-        self.factor.remove(position);
-        let row = self.rows.remove(position);
-        self.member[row] = false;
-        self.forces[row] = 0.0;
     }
 }

@@ -1,9 +1,12 @@
 //! The solver with its fallbacks and its certificate.
 
-use super::active_set::{ActiveSet, Outcome, Problem};
+use super::active_set::{ActiveSet, NOISE_ALLOWED, Outcome, Problem};
+use super::rank::{Image, Motion, Rank};
 use super::{ContactSolution, WarmStart};
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
+use crate::dense::double_double::DoubleDouble;
+use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::interior_point;
 use crate::precise;
@@ -11,11 +14,27 @@ use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::{FallbackPolicy, SolverSettings};
 
+/// A Schur complement in twice the precision below this fraction of its terms is rounding, whatever the settings say
+/// (no unit): a hundred times the rounding unit.
+const PRECISE_PIVOT_ROUNDING: f64 = 1e-29;
+
+/// Bodies that are squeezed by less than this fraction of the terms of a row fit within the rounding of their data (no
+/// unit): a hundred times what rows that count as dependent may differ by.
+const SQUEEZE_ROUNDING: f64 = 1e-12;
+
+/// An answer in working precision with a larger residual, though accepted, is found again in twice the precision (no
+/// unit): as large as what is left of bodies that are squeezed within rounding.
+const DOUBTFUL_RESIDUAL: f64 = SQUEEZE_ROUNDING;
+
+/// Steps of refinement at large mass ratios: each leaves the rounding unit times the condition of the factor.
+const REFINEMENTS: usize = 3;
+
 /// Solves complementarity problems; keeps its memory from one problem to the next.
 #[derive(Debug, Clone, Default)]
 pub struct ComplementaritySolver {
     settings: SolverSettings,
     active_set: ActiveSet,
+    precise: PreciseSet,
     solution: ContactSolution,
     best: Candidate,
     guess: Vec<usize>,
@@ -23,11 +42,39 @@ pub struct ComplementaritySolver {
     matrix: Vec<f64>,
 }
 
+/// The active set in twice the precision, with its problem.
+#[derive(Debug, Clone, Default)]
+struct PreciseSet {
+    active_set: ActiveSet<DoubleDouble>,
+    matrix: Vec<DoubleDouble>,
+    constant: Vec<DoubleDouble>,
+    forces: Vec<f64>,
+    w: Vec<f64>,
+}
+
+/// The problem of one search.
+#[derive(Debug, Clone, Copy)]
+struct Data<'a> {
+    problem: &'a ContactProblem,
+    /// Which rows of the problem; all when `None`.
+    rows: Option<&'a [usize]>,
+    /// `G` of the rows, row-major.
+    matrix: &'a [f64],
+    b: &'a [f64],
+}
+
+impl Data<'_> {
+    fn all_rows(&self) -> Vec<usize> {
+        self.rows.map_or_else(|| (0..self.b.len()).collect(), <[usize]>::to_vec)
+    }
+}
+
 /// An answer with its certificate.
 #[derive(Debug, Clone, Default)]
 struct Candidate {
     forces: Vec<f64>,
     w: Vec<f64>,
+    squeeze: Vec<f64>,
     scales: Vec<f64>,
     rows: Vec<usize>,
     report: SolverReport,
@@ -84,7 +131,7 @@ impl ComplementaritySolver {
         check_finite("constant terms", b)?;
         delassus.check_finite()?;
         self.settings.check()?;
-        self.search(problem, None, delassus.entries(), b, warm_start);
+        self.search(Data { problem, rows: None, matrix: delassus.entries(), b }, warm_start);
         Ok(&self.solution)
     }
 
@@ -103,54 +150,60 @@ impl ComplementaritySolver {
             let line = delassus.row(row);
             matrix.extend(rows.iter().map(|&column| line[column]));
         }
-        self.search(problem, Some(rows), &matrix, b, None);
+        self.search(Data { problem, rows: Some(rows), matrix: &matrix, b }, None);
         self.matrix = matrix;
         &self.solution
     }
 
-    /// Tries the methods in turn until one is accepted, and keeps the best.
-    fn search(
-        &mut self,
-        problem: &ContactProblem,
-        rows: Option<&[usize]>,
-        matrix: &[f64],
-        b: &[f64],
-        warm_start: Option<&WarmStart>,
-    ) {
+    /// Tries the methods in turn until one decides, and keeps the best answer.
+    fn search(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
         self.best.report = SolverReport { status: SolverStatus::Inaccurate, residual: f64::NAN, ..Default::default() };
         self.best.rows.clear();
-        let size = b.len();
-        if size <= 1 {
-            self.closed_form(matrix, b);
-            return self.publish(b);
+        self.best.squeeze.clear();
+        if data.b.len() <= 1 {
+            self.closed_form(data.matrix, data.b);
+            return self.publish(data.b);
         }
-        let first = match warm_start {
-            Some(start) => self.attempt(matrix, b, start.rows(), Method::WarmStart),
-            None => self.attempt(matrix, b, &[], Method::ActiveSet),
+        let decided = match warm_start {
+            Some(start) => {
+                self.decide(data, start.rows(), Method::WarmStart) || self.decide(data, &[], Method::ColdStart)
+            }
+            None => self.decide(data, &[], Method::ActiveSet),
         };
-        let accepted = first
-            || (warm_start.is_some() && self.attempt(matrix, b, &[], Method::ColdStart))
-            || self.attempt_all_held(matrix, b);
-        let possible = self.best.report.status != SolverStatus::Infeasible;
-        if !accepted && possible && self.settings.fallback == FallbackPolicy::InteriorPoint {
-            self.interior_point(problem, rows, matrix, b);
+        let decided = decided || self.decide_all_held(data);
+        if !decided && self.settings.fallback == FallbackPolicy::InteriorPoint {
+            self.interior_point(data);
         }
-        self.refine_precisely(problem, rows, matrix, b);
-        self.publish(b);
+        self.refine_precisely(data);
+        if self.best.report.status == SolverStatus::Solved && self.best.report.residual > DOUBTFUL_RESIDUAL {
+            let rows = self.best.rows.clone();
+            self.attempt_precisely(data, &rows);
+        }
+        self.publish(data.b);
+    }
+
+    /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an
+    /// answer that is accepted, or a proof that there is none.
+    fn decide(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
+        match self.attempt(data, start, method) {
+            Outcome::Accepted => true,
+            Outcome::PivotLimit => self.attempt_precisely(data, start),
+            _ => {
+                let rows = self.active_set.rows().to_vec();
+                self.attempt_precisely(data, &rows)
+            }
+        }
     }
 
     /// The thesis's first guess, no contact vanishes, as another way in; rows that separate without forces are left
     /// out. From nothing there are fewer pivots, so this comes second.
-    fn attempt_all_held(&mut self, matrix: &[f64], b: &[f64]) -> bool {
-        if self.best.report.status == SolverStatus::Infeasible {
-            return false;
-        }
+    fn decide_all_held(&mut self, data: Data<'_>) -> bool {
         let mut guess = std::mem::take(&mut self.guess);
         guess.clear();
-        guess.extend((0..b.len()).filter(|&row| b[row] <= 0.0));
-        let accepted = self.attempt(matrix, b, &guess, Method::ColdStart);
+        guess.extend((0..data.b.len()).filter(|&row| data.b[row] <= 0.0));
+        let decided = self.decide(data, &guess, Method::ColdStart);
         self.guess = guess;
-        accepted
+        decided
     }
 
     /// Equation (14) in complementarity form: `f = max(0, -b / G)`.
@@ -173,17 +226,23 @@ impl ComplementaritySolver {
         } else {
             best.forces.push(0.0);
             best.w.push(constant);
+            best.squeeze.push(1.0);
             best.report.status = SolverStatus::Infeasible;
             best.report.residual = 1.0;
         }
     }
 
-    /// One run of the active set; keeps the answer when it is better and says whether it is accepted.
-    fn attempt(&mut self, matrix: &[f64], b: &[f64], start: &[usize], method: Method) -> bool {
-        let outcome = self.active_set.run(Problem { matrix, constant: b, settings: &self.settings }, start);
+    /// One run of the active set in working precision; keeps the answer when it is better.
+    fn attempt(&mut self, data: Data<'_>, start: &[usize], method: Method) -> Outcome {
+        let Data { problem, rows, matrix, b } = data;
+        let squeeze_rounding = SQUEEZE_ROUNDING;
+        let rank = Rank::Motion(Motion { problem, rows, cut: self.settings.rank_cut });
+        let mut outcome = self
+            .active_set
+            .run(Problem { matrix, constant: b, rank, squeeze_rounding, settings: &self.settings }, start);
         let warm = method == Method::WarmStart && self.active_set.pivots == 0;
         let mut report = SolverReport {
-            status: if outcome == Outcome::Infeasible { SolverStatus::Infeasible } else { SolverStatus::Inaccurate },
+            status: SolverStatus::Inaccurate,
             method: if method == Method::WarmStart && !warm { Method::ActiveSet } else { method },
             iterations: self.active_set.pivots,
             rank: self.active_set.rows().len(),
@@ -191,25 +250,71 @@ impl ComplementaritySolver {
         };
         let active_set = std::mem::take(&mut self.active_set);
         self.certify(matrix, b, &active_set.forces, &active_set.w, &mut report);
-        if outcome != Outcome::Infeasible && report.residual <= self.settings.acceptance {
+        if outcome == Outcome::Converged && report.residual <= self.settings.acceptance {
             report.status = SolverStatus::Solved;
+            outcome = Outcome::Accepted;
         }
         self.offer(&active_set.forces, &active_set.w, active_set.rows(), report);
         self.active_set = active_set;
-        report.status == SolverStatus::Solved
+        outcome
     }
 
-    fn interior_point(&mut self, problem: &ContactProblem, rows: Option<&[usize]>, matrix: &[f64], b: &[f64]) {
-        let all: Vec<usize>;
-        let rows = if let Some(rows) = rows {
-            rows
-        } else {
-            all = (0..b.len()).collect();
-            &all
+    /// One run of the active set in twice the precision. Whether it decides.
+    fn attempt_precisely(&mut self, data: Data<'_>, start: &[usize]) -> bool {
+        let mut precise = std::mem::take(&mut self.precise);
+        precise::delassus(data.problem, &data.all_rows(), &mut precise.matrix);
+        precise.constant.clear();
+        precise.constant.extend(data.b.iter().map(|&constant| DoubleDouble::new(constant)));
+        let cut = (self.settings.rank_cut * self.settings.rank_cut).max(PRECISE_PIVOT_ROUNDING);
+        let (matrix, constant, rank) = (&precise.matrix[..], &precise.constant[..], Rank::Pivot(cut));
+        let squeeze_rounding = SQUEEZE_ROUNDING;
+        let outcome = precise
+            .active_set
+            .run(Problem { matrix, constant, rank, squeeze_rounding, settings: &self.settings }, start);
+        for (rounded, exact) in
+            [(&mut precise.forces, &precise.active_set.forces), (&mut precise.w, &precise.active_set.w)]
+        {
+            rounded.clear();
+            rounded.extend(exact.iter().map(|value| value.to_f64()));
+        }
+        let mut report = SolverReport {
+            status: SolverStatus::Inaccurate,
+            method: Method::PreciseActiveSet,
+            iterations: self.active_set.pivots + precise.active_set.pivots,
+            rank: precise.active_set.rows().len(),
+            ..SolverReport::default()
         };
-        let Some(answer) = interior_point::contact_forces(problem, rows, b) else { return };
-        if self.attempt(matrix, b, &answer.active, Method::InteriorPointPolished) {
+        self.certify(data.matrix, data.b, &precise.forces, &precise.w, &mut report);
+        if outcome == Outcome::Infeasible && self.is_squeeze(data, &precise.active_set.ray) {
+            report.status = SolverStatus::Infeasible;
+            self.best.squeeze.clone_from(&precise.active_set.ray);
+        } else if outcome == Outcome::Converged && report.residual <= self.settings.acceptance {
+            report.status = SolverStatus::Solved;
+        }
+        let decided = report.status != SolverStatus::Inaccurate;
+        if decided {
+            self.best.report.residual = f64::NAN;
+        }
+        self.offer(&precise.forces, &precise.w, precise.active_set.rows(), report);
+        self.precise = precise;
+        decided
+    }
+
+    /// Whether forces move no body, to what rows that count as dependent may differ by.
+    fn is_squeeze(&self, Data { problem, rows, matrix, b }: Data<'_>, forces: &[f64]) -> bool {
+        let motion = Motion { problem, rows, cut: self.settings.rank_cut };
+        let distance = motion.distance(forces.iter().copied().enumerate(), &mut Image::default());
+        let root = |row: usize| matrix[row * b.len() + row].sqrt();
+        let terms: f64 = forces.iter().enumerate().map(|(row, force)| root(row) * force).sum();
+        distance <= motion.cut.max(f64::ROUNDING) * terms
+    }
+
+    fn interior_point(&mut self, data: Data<'_>) {
+        let Data { problem, matrix, b, .. } = data;
+        let Some(answer) = interior_point::contact_forces(problem, &data.all_rows(), b) else { return };
+        if self.decide(data, &answer.active, Method::InteriorPointPolished) {
             self.best.report.iterations += answer.iterations;
+            self.best.report.method = Method::InteriorPointPolished;
             return;
         }
         let mut w = vec![0.0; b.len()];
@@ -228,27 +333,39 @@ impl ComplementaritySolver {
         self.offer(&answer.forces, &w, &answer.active, report);
     }
 
-    /// At large mass ratios: one step of refinement with accelerations in twice the precision, if the answer is that
-    /// of the active set in memory.
-    fn refine_precisely(&mut self, problem: &ContactProblem, rows: Option<&[usize]>, matrix: &[f64], b: &[f64]) {
-        let data = Problem { matrix, constant: b, settings: &self.settings };
-        let in_memory = self.best.report.status == SolverStatus::Solved && self.best.rows == self.active_set.rows();
-        if !in_memory || !self.active_set.wants_precision(data) {
+    /// At large mass ratios: refinement with accelerations in twice the precision, if the answer is that of the active
+    /// set in memory. One step does, unless the factor has few digits left.
+    fn refine_precisely(&mut self, data: Data<'_>) {
+        let Data { problem, matrix, b, .. } = data;
+        let report = &self.best.report;
+        let in_memory = report.status == SolverStatus::Solved
+            && report.method != Method::PreciseActiveSet
+            && self.best.rows == self.active_set.rows();
+        if !in_memory || !self.active_set.wants_precision(matrix) {
             return;
         }
-        let all: Vec<usize> = rows.map_or_else(|| (0..b.len()).collect(), <[usize]>::to_vec);
-        let w = precise::accelerations(problem, &all, b, &self.active_set.forces);
-        if self.active_set.correct(&w) {
-            let mut report = self.best.report;
-            let active_set = std::mem::take(&mut self.active_set);
-            let w = precise::accelerations(problem, &all, b, &active_set.forces);
-            self.certify(matrix, b, &active_set.forces, &w, &mut report);
-            if report.residual <= self.settings.acceptance {
-                self.best.report.residual = f64::NAN;
-                self.offer(&active_set.forces, &w, active_set.rows(), report);
+        let all = data.all_rows();
+        let mut active_set = std::mem::take(&mut self.active_set);
+        let mut w = precise::accelerations(problem, &all, b, &active_set.forces);
+        for round in 0..REFINEMENTS {
+            if !active_set.correct(&w) {
+                break;
             }
-            self.active_set = active_set;
+            let mut report = self.best.report;
+            w = precise::accelerations(problem, &all, b, &active_set.forces);
+            self.certify(matrix, b, &active_set.forces, &w, &mut report);
+            let better = round == 0 || report.residual < self.best.report.residual;
+            if !better || report.residual > self.settings.acceptance {
+                break;
+            }
+            // The residual before the first step is that of working precision, which does not see what is corrected.
+            self.best.report.residual = f64::NAN;
+            self.offer(&active_set.forces, &w, active_set.rows(), report);
+            if report.residual <= self.settings.tolerance {
+                break;
+            }
         }
+        self.active_set = active_set;
     }
 
     /// Fills in residual and bound.
@@ -257,9 +374,11 @@ impl ComplementaritySolver {
         self.scales.clear();
         self.scales.resize(size, 0.0);
         row_scales(matrix, b, forces, &mut self.scales);
-        let floor = self.settings.noise_floor;
+        // What the constant terms carry as noise is no fault of the answer.
+        let noise = NOISE_ALLOWED * self.settings.noise_floor;
+        let quiet = |w: f64| if w.abs() <= noise { 0.0 } else { w };
         report.residual = (0..size)
-            .map(|i| row_residual(matrix[i * size + i], forces[i], w[i], self.scales[i] + floor))
+            .map(|i| row_residual(matrix[i * size + i], forces[i], quiet(w[i]), self.scales[i] + noise))
             .fold(0.0, nan_max);
         report.bound = power_bound(forces, w);
     }
@@ -294,6 +413,7 @@ impl ComplementaritySolver {
         }
         solution.forces.clone_from(&best.forces);
         solution.residual_accelerations.clone_from(&best.w);
+        solution.squeeze.clone_from(&best.squeeze);
         solution.held.clear();
         solution.held.resize(size, false);
         for row in 0..size {

@@ -5,35 +5,41 @@
 //! Loan, Matrix Computations, sections 4.2 and 6.5.
 
 use crate::dense::kernels::{axpy, dot};
+use crate::dense::scalar::Scalar;
 
 /// Lower triangular factor of a growing matrix of at most `capacity` rows.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct GrowingCholesky {
+pub(crate) struct GrowingCholesky<T = f64> {
     capacity: usize,
     size: usize,
-    columns: Vec<f64>,
-    update: Vec<f64>,
+    columns: Vec<T>,
+    update: Vec<T>,
 }
 
-impl GrowingCholesky {
+impl<T: Scalar> GrowingCholesky<T> {
     /// Empties the factor and makes room for `capacity` rows.
     pub(crate) fn reset(&mut self, capacity: usize) {
         if capacity > self.capacity {
-            self.columns.resize(capacity * capacity, 0.0);
+            self.columns.resize(capacity * capacity, T::default());
             self.capacity = capacity;
         }
         self.size = 0;
     }
 
+    /// The Schur complements, rounded.
+    pub(crate) fn pivots(&self) -> impl Iterator<Item = f64> + '_ {
+        let diagonal = |row: usize| self.columns[row * self.capacity + row].to_f64();
+        (0..self.size).map(move |row| diagonal(row) * diagonal(row))
+    }
+
     /// The smallest Schur complement, infinite when there is no row.
     pub(crate) fn smallest_pivot(&self) -> f64 {
-        let diagonal = |row: usize| self.columns[row * self.capacity + row];
-        (0..self.size).map(|row| diagonal(row) * diagonal(row)).fold(f64::INFINITY, f64::min)
+        self.pivots().fold(f64::INFINITY, f64::min)
     }
 
     /// Appends the row whose off-diagonal part is `line` (`L^-1` of the new column) and whose Schur complement is
     /// `pivot > 0`.
-    pub(crate) fn push(&mut self, line: &[f64], pivot: f64) {
+    pub(crate) fn push(&mut self, line: &[T], pivot: T) {
         let row = self.size;
         for (column, value) in line.iter().enumerate() {
             self.columns[column * self.capacity + row] = *value;
@@ -69,7 +75,7 @@ impl GrowingCholesky {
     }
 
     /// `L^-1 x`, in place, for as many numbers as there are rows.
-    pub(crate) fn solve_lower(&self, x: &mut [f64]) {
+    pub(crate) fn solve_lower(&self, x: &mut [T]) {
         for column in 0..self.size {
             let start = column * self.capacity;
             let value = x[column] / self.columns[start + column];
@@ -79,7 +85,7 @@ impl GrowingCholesky {
     }
 
     /// `L^-T x`, in place, for as many numbers as there are rows.
-    pub(crate) fn solve_upper(&self, x: &mut [f64]) {
+    pub(crate) fn solve_upper(&self, x: &mut [T]) {
         for column in (0..self.size).rev() {
             let start = column * self.capacity;
             let below = dot(&self.columns[start + column + 1..start + self.size], &x[column + 1..self.size]);
@@ -88,7 +94,7 @@ impl GrowingCholesky {
     }
 
     /// `(L L^T)^-1 x`, in place.
-    pub(crate) fn solve(&self, x: &mut [f64]) {
+    pub(crate) fn solve(&self, x: &mut [T]) {
         self.solve_lower(x);
         self.solve_upper(x);
     }

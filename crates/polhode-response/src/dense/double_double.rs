@@ -1,10 +1,14 @@
-//! Sums of products in twice the working precision, without fused multiply-add.
+//! Numbers of twice the working precision, without fused multiply-add.
 //!
-//! A number is an unevaluated sum `high + low`. Source: Dekker 1971 (splitting, product), Knuth's two-sum; Hida, Li and
-//! Bailey 2001. Assumption: no overflow in the splitting, magnitudes below 1e292; beyond it the result is not finite.
+//! A number is an unevaluated sum `high + low`. Source: Dekker 1971 (splitting, product, quotient, square root), Knuth's
+//! two-sum; Hida, Li and Bailey 2001. Errors are below 1e-31 of the terms. Assumption: magnitudes from 1e-260 to 1e292;
+//! beyond it the splitting overflows and the result is not finite, below it the low part is lost.
+
+use crate::dense::scalar::Scalar;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `high + low` with `|low| <= ulp(high) / 2`.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, PartialOrd)]
 pub(crate) struct DoubleDouble {
     high: f64,
     low: f64,
@@ -35,9 +39,77 @@ impl DoubleDouble {
 
     fn plus(self, high: f64, low: f64) -> Self {
         let (sum, error) = two_sum(self.high, high);
-        let rest = error + (self.low + low);
-        let high = sum + rest;
-        Self { high, low: rest - (high - sum) }
+        Self::normalized(sum, error + (self.low + low))
+    }
+
+    /// The sum of a number and one that is small against it.
+    fn normalized(large: f64, small: f64) -> Self {
+        let high = large + small;
+        Self { high, low: small - (high - large) }
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        self.plus(other.high, other.low)
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self.plus(-other.high, -other.low)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let (product, error) = two_product(self.high, other.high);
+        Self::normalized(product, error + (self.high * other.low + self.low * other.high))
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let quotient = self.high / other.high;
+        let rest = self - other * Self::new(quotient);
+        Self::normalized(quotient, rest.value() / other.high)
+    }
+}
+
+impl Scalar for DoubleDouble {
+    const ROUNDING: f64 = 1e-27;
+
+    fn from_f64(value: f64) -> Self {
+        Self::new(value)
+    }
+
+    fn to_f64(self) -> f64 {
+        self.value()
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        if root == 0.0 {
+            return Self::new(root);
+        }
+        let rest = self.plus_product(-root, root);
+        Self::normalized(root, 0.5 * rest.value() / root)
     }
 }
 
@@ -78,5 +150,21 @@ mod tests {
             DoubleDouble::new(-2.0).plus_long_product(2.0, long).value(),
             2.0 * (a * a - 1.0 + 2.0_f64.powi(-60))
         );
+    }
+    /// Quotients and roots, multiplied back, give what they came from to 1e-31.
+    #[test]
+    fn quotients_and_roots_are_inverse_to_products() {
+        let numbers = [3.0, -7.0, 1e-9, 1e12].map(|a| DoubleDouble::new(a) + DoubleDouble::new(1e-17 * a / 3.0));
+        for a in numbers {
+            for b in numbers {
+                let rest = (a / b * b - a).value() / a.value();
+                assert!(rest.abs() < 1e-31, "{rest:e}");
+            }
+            let square = a * a;
+            let rest = (square.sqrt() * square.sqrt() - square).value() / square.value();
+            assert!(rest.abs() < 1e-31, "{rest:e}");
+        }
+        assert!(DoubleDouble::new(-1.0).sqrt().value().is_nan());
+        assert_eq!(DoubleDouble::new(0.0).sqrt().value(), 0.0);
     }
 }

@@ -1,7 +1,8 @@
-//! Small dense linear algebra: vector kernels, a Cholesky factor that grows and shrinks, a pivoted QR factor, sums in
-//! twice the working precision.
+//! Small dense linear algebra: vector kernels, a Cholesky factor that grows and shrinks, a pivoted QR factor, and
+//! numbers of twice the working precision.
 
 pub(crate) mod cholesky;
 pub(crate) mod double_double;
 pub(crate) mod householder;
 pub(crate) mod kernels;
+pub(crate) mod scalar;

@@ -3,11 +3,12 @@
 use super::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
 use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
-use crate::dense::kernels::{axpy, compensated_dot};
+use crate::dense::kernels::{axpy, compensated_dot, largest};
 use crate::minimum_norm::least_norm;
 use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
+use crate::settings::SolverSettings;
 
 /// A velocity below this fraction of the terms `|u-| + sum |G_ik| p_k` of its row is rounding of zero (no unit): 50
 /// times the rounding unit, for sums of a few dozen terms.
@@ -40,18 +41,43 @@ pub(super) struct Impulses {
 }
 
 impl Impact<'_> {
-    /// Solves for the impulses of `rows` with constant terms `b`, and books the solve in `outcome`.
-    pub(super) fn solve(&mut self, rows: &[usize], b: &[f64], outcome: &mut ImpactOutcome) -> Impulses {
-        self.solver.set_settings(self.settings.solver);
+    /// Solves for the impulses of `rows` with constant terms `b` that carry a rounding of `noise` (m/s), and books the
+    /// solve in `outcome`.
+    pub(super) fn solve(&mut self, rows: &[usize], b: &[f64], noise: f64, outcome: &mut ImpactOutcome) -> Impulses {
+        let noise_floor = self.settings.solver.noise_floor.max(noise);
+        self.solver.set_settings(SolverSettings { noise_floor, ..self.settings.solver });
         let solution = self.solver.solve_rows(self.problem, self.delassus, rows, b);
         outcome.solves += 1;
         outcome.residual = outcome.residual.max(solution.report.residual);
-        if solution.report.status != SolverStatus::Solved {
+        let solved = solution.report.status == SolverStatus::Solved;
+        if !solved {
             outcome.status = ImpactStatus::NotSolved;
         }
         let least = least_norm(self.problem, rows, solution, &self.settings.solver);
-        let (w, held) = (solution.residual_accelerations.clone(), solution.held.clone());
+        let (mut w, held) = (solution.residual_accelerations.clone(), solution.held.clone());
+        if solved {
+            // What rows of a solved problem still approach by is rounding.
+            for speed in &mut w {
+                *speed = speed.max(0.0);
+            }
+        }
         Impulses { amounts: least.forces, w, held }
+    }
+
+    /// Rounding that impulses leave in the velocities, m/s. Where impulses have taken most of a velocity away it is all
+    /// that tells two opposite rows apart, and must not pass for bodies that are squeezed.
+    pub(super) fn noise(&self, impulses: &[f64]) -> f64 {
+        let terms = (0..impulses.len()).map(|row| compensated_terms(self.delassus.row(row), impulses));
+        VELOCITY_ROUNDING * terms.fold(0.0, f64::max)
+    }
+
+    /// Whether there is a velocity at which all rows separate: by the least one with `u >= 1` on all rows.
+    pub(super) fn can_separate(&mut self, outcome: &mut ImpactOutcome) -> bool {
+        let rows: Vec<usize> = (0..self.u_before.len()).collect();
+        outcome.solves += 1;
+        self.solver.set_settings(self.settings.solver);
+        let solution = self.solver.solve_rows(self.problem, self.delassus, &rows, &vec![-1.0; rows.len()]);
+        solution.report.status != SolverStatus::Infeasible
     }
 
     /// `u += G_{:,rows} p`.
@@ -86,7 +112,11 @@ impl Impact<'_> {
         }
         if remains {
             let rows: Vec<usize> = (0..count).collect();
-            let last = self.solve(&rows, &velocities, outcome);
+            // Row by row velocities have drifted apart over many impulses; those of the total belong together, to the
+            // rounding of the velocities before.
+            velocities = precise::accelerations(self.problem, &rows, self.u_before, &outcome.impulses);
+            let noise = VELOCITY_ROUNDING * largest(self.u_before);
+            let last = self.solve(&rows, &velocities, noise, outcome);
             for (total, impulse) in outcome.impulses.iter_mut().zip(&last.amounts) {
                 *total += impulse;
             }

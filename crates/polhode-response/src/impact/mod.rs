@@ -73,7 +73,8 @@ pub enum ImpactStatus {
     StoppedAtThreshold,
     /// The limit of applications or rounds was reached; the remaining approach was removed by one inelastic solve.
     LimitReached,
-    /// Restitutions that differ would have raised the energy: the smallest of them was used for all rows.
+    /// Restitutions that differ would have raised the energy, or no impulses give them all: the smallest of them was
+    /// used for all rows.
     RestitutionLowered,
     /// A complementarity problem was not solved: the outcome is not to be trusted.
     NotSolved,

@@ -8,6 +8,10 @@
 //! impulses row by row; what then still approaches is stopped inelastically, and if the energy would rise, the
 //! smallest restitution is used for all rows, said by the status.
 //!
+//! The rounds end because each brings `v` nearer to any velocity at which all rows separate. Where there is none,
+//! because bodies fit exactly between others, they may not, and no motion of the same energy need exist: then the
+//! rounds are given up, and what approaches is stopped inelastically ([`ImpactStatus::LimitReached`]).
+//!
 //! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
 
 use super::finish::{Impact, gains_energy};
@@ -16,6 +20,9 @@ use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::problem::ContactProblem;
+
+/// Rounds after which it is worth one more solve to know whether they end.
+const ROUNDS_BEFORE_DOUBT: usize = 64;
 
 /// Impulses and velocities of one of the two parts.
 #[derive(Debug, Clone)]
@@ -67,7 +74,7 @@ pub fn reflection(
 /// The inelastic impact at all touching rows: no row approaches afterwards.
 fn inelastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
     let rows: Vec<usize> = (0..impact.u_before.len()).collect();
-    let solved = impact.solve(&rows, impact.u_before, outcome);
+    let solved = impact.solve(&rows, impact.u_before, 0.0, outcome);
     Part { impulses: solved.amounts, velocities: solved.w }
 }
 
@@ -81,12 +88,13 @@ fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
         if approaching.is_empty() || outcome.status == ImpactStatus::NotSolved {
             break;
         }
-        if round >= impact.settings.limit {
+        if round >= impact.settings.limit || (round == ROUNDS_BEFORE_DOUBT && !impact.can_separate(outcome)) {
             outcome.status = ImpactStatus::LimitReached;
             break;
         }
         let before: Vec<f64> = approaching.iter().map(|&row| velocities[row]).collect();
-        let solved = impact.solve(&approaching, &before, outcome);
+        let noise = impact.noise(&part.impulses);
+        let solved = impact.solve(&approaching, &before, noise, outcome);
         let doubled: Vec<f64> = solved.amounts.iter().map(|impulse| 2.0 * impulse).collect();
         impact.advance(velocities, &approaching, &doubled);
         for (k, &row) in approaching.iter().enumerate() {

@@ -3,8 +3,9 @@
 //! `0 <= u+ + e u- _|_ p >= 0` on all rows (with errata E19: `p_i = 0` where `u_i+ > -e u_i-`). A row that separated
 //! before may come to approach, by at most `e u_i-`; then the whole is repeated with the new velocities, as the thesis
 //! asks. Energy: with one `e` for all rows
-//! `dT = -1/2 (1 - e)/(1 + e) p.G p <= 0`; restitutions that differ can raise it, and then the smallest is used for
-//! all rows, said by the status.
+//! `dT = -1/2 (1 - e)/(1 + e) p.G p <= 0`, and `u+ = -e u-` shows that the problem has a solution. Restitutions that
+//! differ can raise the energy, or ask of bodies that fit between others to leave on both sides, which no impulses do;
+//! then the smallest is used for all rows, said by the status.
 //!
 //! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
 
@@ -34,7 +35,8 @@ pub fn simultaneous(
         return Ok(impact.nothing());
     }
     let mut outcome = rounds(&mut impact, restitution);
-    if gains_energy(u_before, &outcome) {
+    let differ = restitution.iter().any(|e| Some(e) != restitution.first());
+    if differ && (outcome.status == ImpactStatus::NotSolved || gains_energy(u_before, &outcome)) {
         let smallest = restitution.iter().fold(1.0, |least: f64, e| least.min(*e));
         outcome = rounds(&mut impact, &vec![smallest; restitution.len()]);
         if outcome.status == ImpactStatus::Separated {
@@ -57,7 +59,8 @@ fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
             break;
         }
         let constant: Vec<f64> = velocities.iter().zip(restitution).map(|(u, e)| (1.0 + e) * u).collect();
-        let solved = impact.solve(&rows, &constant, &mut outcome);
+        let noise = impact.noise(&outcome.impulses);
+        let solved = impact.solve(&rows, &constant, noise, &mut outcome);
         let before = velocities.clone();
         impact.advance(&mut velocities, &rows, &solved.amounts);
         for &row in &rows {

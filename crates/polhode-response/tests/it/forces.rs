@@ -1,5 +1,6 @@
 //! Contact forces: closed forms, the law of contact to rounding, one motion whatever the description.
 
+use crate::cases::few;
 use crate::oracle;
 use crate::scenes::{GRAVITY, Noise, Row, Scene, beam, pile, tower};
 use polhode_response::certificate::natural_map_residual;
@@ -342,7 +343,7 @@ fn bad_numbers_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(few(300))]
 
     /// Any rows and constant terms of one body, also repeated, parallel, opposite or zero: the solver ends with a
     /// solution of the law of contact or says that there is none.

@@ -1,10 +1,13 @@
 //! Impact laws: closed forms of the thesis and of the catalogue, energy, separation.
 
+use crate::cases::few;
+use crate::degenerate::{Small, small};
 use crate::scenes::{Noise, Row, Scene, pile, tower};
 use polhode_response::{
-    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus,
-    single_contact_impulse,
+    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus, SolverSettings,
+    SolverStatus, single_contact_impulse, solve_complementarity,
 };
+use proptest::prelude::*;
 
 const LAWS: [ImpactLaw; 3] = [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection];
 
@@ -387,5 +390,94 @@ fn edge_cases_of_impacts() {
             let outcome = resolve(&[-huge, 0.0], &[1.0; 2]).unwrap();
             assert!(outcome.velocities_after.iter().all(|u| *u >= 0.0), "{law:?} {outcome:?}");
         }
+    }
+}
+
+/// One body of three equal masses at rows of its own.
+fn lone_body(rows: &[[f64; 3]]) -> Scene {
+    let rows: Vec<Row> = rows.iter().map(|row| vec![(0, row.to_vec())]).collect();
+    Scene::new(3, &[vec![1.0; 3]], &rows, &[0.0; 3])
+}
+
+/// A body that fits exactly between two walls of different restitution cannot leave both: the smallest is used.
+#[test]
+fn walls_of_different_restitution_on_both_sides() {
+    let scene = lone_body(&[[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]);
+    let (outcome, after) = strike(&scene, ImpactLaw::Simultaneous, &[0.0, 0.0, -1.0], &[0.0, 0.5]);
+    assert_eq!(outcome.status, ImpactStatus::RestitutionLowered);
+    assert_eq!(after, [0.0; 3]);
+}
+
+/// Where only rest is possible, no reflection ends: it is given up early, not after the limit of rounds.
+#[test]
+fn reflections_between_walls_on_all_sides_are_given_up() {
+    let scene = lone_body(&[[0.0, 0.0, -1.0], [-1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, -1.0, 0.0]]);
+    let (outcome, after) = strike(&scene, ImpactLaw::Reflection, &[0.0, 0.0, 1.0], &[1.0; 4]);
+    assert_eq!(outcome.status, ImpactStatus::LimitReached);
+    assert!(outcome.solves < 100, "{}", outcome.solves);
+    assert_close(&after, &[0.0; 3], 1e-13);
+}
+
+/// What many impulses between two walls leave of a velocity is 1e-13 with a rounding of 1e-16: the walls must not pass
+/// for a squeeze.
+#[test]
+fn rounding_of_many_impulses_is_no_squeeze() {
+    let scene = lone_body(&[[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]);
+    let (outcome, _) = strike(&scene, ImpactLaw::Propagation, &[0.0, 0.0, -1.0], &[0.3; 2]);
+    assert_eq!(outcome.status, ImpactStatus::StoppedAtThreshold);
+    assert_eq!(outcome.velocities_after, [0.0; 2]);
+}
+
+/// What every law promises, for rows that repeat, oppose or depend on each other: see [`degenerate_impacts_end_well`].
+fn check_degenerate(small: &Small, v: &[f64], restitution: &[f64]) -> Result<(), TestCaseError> {
+    let scene = small.scene();
+    let (v, restitution) = (&v[..scene.free.len()], &restitution[..scene.problem.len()]);
+    let start = energy(&scene, v);
+    let delassus = scene.problem.delassus();
+    let root = |row: usize| delassus.get(row, row).sqrt();
+    let before = scene.problem.row_velocities(v).unwrap();
+    let (apart, settings) = (vec![-1.0; scene.problem.len()], SolverSettings::default());
+    let separable = solve_complementarity(&scene.problem, &delassus, &apart, None, &settings).unwrap();
+    let separable = separable.report.status == SolverStatus::Solved;
+    for law in LAWS {
+        let (outcome, after) = strike(&scene, law, v, restitution);
+        let label = format!("{small:?}\n{law:?}, v = {v:?}, e = {restitution:?}: {:?}", outcome.status);
+        prop_assert!(outcome.status != ImpactStatus::NotSolved, "{label}");
+        let ended = outcome.status != ImpactStatus::LimitReached;
+        prop_assert!(ended || law == ImpactLaw::Propagation || !separable, "{label}");
+        prop_assert!(outcome.impulses.iter().all(|impulse| *impulse >= 0.0), "{label}");
+        prop_assert!(outcome.velocities_after.iter().all(|u| *u >= 0.0), "{label}");
+        // The terms that make up a velocity; impulses of opposite rows cancel in it.
+        let terms: f64 = outcome.impulses.iter().enumerate().map(|(row, impulse)| root(row) * impulse).sum();
+        let rows_after = scene.problem.row_velocities(&after).unwrap();
+        for (row, (claimed, found)) in outcome.velocities_after.iter().zip(&rows_after).enumerate() {
+            let scale = before[row].abs() + root(row) * (terms + (2.0 * start).sqrt());
+            prop_assert!((claimed - found).abs() <= 1e-12 * scale, "{label}: row {row}: {claimed:e} {found:e}");
+        }
+        let end = energy(&scene, &after);
+        let size = start + terms * terms;
+        prop_assert!(outcome.energy_change <= 4.0 * f64::EPSILON * size, "{label}: {:e}", outcome.energy_change);
+        prop_assert!((end - start - outcome.energy_change).abs() <= 1e-13 * size, "{label}: {start} {end}");
+        let elastic = restitution.iter().all(|e| *e == 1.0) && outcome.finishing.is_empty();
+        prop_assert!(!elastic || (end - start).abs() <= 1e-12 * size, "{label}: {start} {end}");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(few(100))]
+
+    /// Impacts of up to three bodies at up to 14 rows of whole numbers, repeated, opposite or zero, mass ratios up to
+    /// 60: every law ends, leaves no row approaching and does not raise the energy. Rest is always possible, so no
+    /// impact is infeasible.
+    #[test]
+    fn degenerate_impacts_end_well(
+        small in small(vec![1.0, 1e1]),
+        v in prop::collection::vec((-3_i8..=3).prop_map(f64::from), 9),
+        even in prop::sample::select(vec![0.0, 0.5, 1.0, 0.3]),
+        uneven in prop::collection::vec(prop::sample::select(vec![0.0, 0.5, 1.0, 0.9]), 14),
+    ) {
+        check_degenerate(&small, &v, &[even; 14])?;
+        check_degenerate(&small, &v, &uneven)?;
     }
 }

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod cases;
+mod degenerate;
 mod diamonds;
 mod forces;
 mod held_rows;

@@ -2,7 +2,7 @@
 
 use super::materials::Materials;
 use super::shape::{self, Form, Matter};
-use super::{Fault, mass, vector};
+use super::{Fault, mass, pivot, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly};
@@ -28,10 +28,17 @@ pub(super) fn build(
         Body::movable(&entry.name, mass::build(entry, form.as_ref().map(|form| &form.matter), path)?)
     };
     body = body.pose(Pose::new(rotation(entry, path)?, optional(entry.position.as_ref(), path, "position")?));
-    body = body.velocity(Velocity::new(
-        optional(entry.velocity.as_ref(), path, "velocity")?,
-        optional(entry.angular_velocity.as_ref(), path, "angular_velocity")?,
-    ));
+    let velocity = optional(entry.velocity.as_ref(), path, "velocity")?;
+    let angular_velocity = optional(entry.angular_velocity.as_ref(), path, "angular_velocity")?;
+    if let Some(pivot) = &entry.pivot {
+        let pivot = vector(pivot, &path.key("pivot"))?;
+        body = body.velocity(Velocity::new(DVec3::ZERO, angular_velocity)).pivot(pivot);
+        if entry.velocity.is_some() {
+            pivot::check_velocity(&body, pivot, velocity, &path.key("velocity"))?;
+        }
+    } else {
+        body = body.velocity(Velocity::new(velocity, angular_velocity));
+    }
     if let Some(material) = &entry.material {
         body = body.material(materials.get(material, &path.key("material"))?);
     }
@@ -41,7 +48,7 @@ pub(super) fn build(
     Ok(body)
 }
 
-/// A fixed body has no mass and no velocity.
+/// A fixed body has no mass, no velocity and no pivot.
 fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
     let moves = |velocity: &Option<Exactly<f64, 3>>| velocity.as_ref().is_some_and(|v| v.0 != [0.0; 3]);
     let meaningless = [
@@ -49,6 +56,7 @@ fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
         (entry.density.is_some(), "density"),
         (entry.inertia.is_some(), "inertia"),
         (entry.hollow, "hollow"),
+        (entry.pivot.is_some(), "pivot"),
         (moves(&entry.velocity), "velocity"),
         (moves(&entry.angular_velocity), "angular_velocity"),
     ];

@@ -2,7 +2,7 @@
 
 use super::Fault;
 use crate::document::KeyPath;
-use crate::error::{Refusal, list};
+use crate::error::{Refusal, nearest};
 use crate::format::{MaterialEntry, PairEntry};
 use polhode::SceneError;
 use polhode::scene::{Material, PairRule};
@@ -31,8 +31,8 @@ impl Materials {
     /// The material of this name, given at `path`.
     pub(super) fn get(&self, name: &str, path: &KeyPath) -> Result<Material, Fault> {
         self.0.get(name).cloned().ok_or_else(|| {
-            let names: Vec<_> = self.0.keys().collect();
-            let known = if names.is_empty() { "none, the scene has no materials".to_owned() } else { list(&names) };
+            let names: Vec<_> = self.0.keys().map(String::as_str).collect();
+            let known = nearest(name, &names, "none, the scene has no materials");
             (path.clone(), Refusal::UnknownName { kind: "material", name: name.to_owned(), known })
         })
     }

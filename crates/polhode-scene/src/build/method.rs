@@ -3,16 +3,17 @@
 use super::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName, TierName};
+use crate::format::{
+    ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName,
+};
 use polhode::SceneError;
-use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+use polhode::scene::{ContactMethod, ImpactLaw, Method, Orientation, RotationRate, Tier};
 
 /// The method that the file asks for.
 pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let path = KeyPath::of(&["method"]);
-    // These two have one member each yet, the one that the engine has: a scene that names it gets it.
-    let (None | Some(OrientationName::Quaternion), None | Some(ResponseName::Constraint)) =
-        (entry.orientation, entry.response);
+    // This has one member yet, the one that the engine has: a scene that names it gets it.
+    let (None | Some(ResponseName::Constraint)) = entry.response;
     let step_s = entry.step.map(|step| positive(step, &path.key("step"))).transpose()?;
     let tolerance = entry.tolerance.map(|tolerance| positive(tolerance, &path.key("tolerance"))).transpose()?;
     if entry.max_events_per_step == Some(0) {
@@ -21,7 +22,9 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let method = Method {
         tier: entry.tier.map(tier),
         step_s,
-        integrator: entry.integrator.map(integrator),
+        integrator: entry.integrator.map(|IntegratorName(integrator)| integrator),
+        orientation: entry.orientation.map(orientation),
+        rotation_rate: entry.rotation_rate.map(rotation_rate),
         impact: entry.impact.map(impact),
         contact: entry.contact.map(contact),
         tolerance,
@@ -36,11 +39,12 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
     let path = KeyPath::of(&["method"]);
     match error {
         SceneError::Number { key, .. } => KeyPath::of(&key.split('.').collect::<Vec<_>>()),
-        // Two knobs that do not go together: the one that is not the tier.
-        _ if entry.contact == Some(ContactName::LeastForce) && entry.integrator != Some(IntegratorName::Rk4) => {
+        // Knobs that do not go together: the one that is not the tier or the integrator.
+        _ if entry.contact == Some(ContactName::LeastForce) && entry.tier != Some(TierName::Thesis) => {
             path.key("contact")
         }
-        _ if entry.integrator.is_some() => path.key("integrator"),
+        _ if entry.orientation.is_some() => path.key("orientation"),
+        _ if entry.rotation_rate.is_some() => path.key("rotation_rate"),
         _ => path,
     }
 }
@@ -52,10 +56,21 @@ const fn tier(name: TierName) -> Tier {
     }
 }
 
-const fn integrator(name: IntegratorName) -> Integrator {
+const fn orientation(name: OrientationName) -> Orientation {
     match name {
-        IntegratorName::Rk4 => Integrator::Rk4,
-        IntegratorName::Exact => Integrator::Exact,
+        OrientationName::Quaternion => Orientation::Quaternion,
+        OrientationName::QuaternionUnnormalized => Orientation::QuaternionUnnormalized,
+        OrientationName::QuaternionThreeNumbers => Orientation::QuaternionThreeNumbers,
+        OrientationName::Matrix => Orientation::Matrix,
+        OrientationName::MatrixUnorthogonalized => Orientation::MatrixUnorthogonalized,
+        OrientationName::EulerAngles => Orientation::EulerAngles,
+    }
+}
+
+const fn rotation_rate(name: RotationRateName) -> RotationRate {
+    match name {
+        RotationRateName::AngularMomentum => RotationRate::AngularMomentum,
+        RotationRateName::AngularVelocity => RotationRate::AngularVelocity,
     }
 }
 

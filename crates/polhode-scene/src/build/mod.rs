@@ -5,25 +5,36 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `bodies` | bodies by name, for what refers to them |
 //! | `body` | a body: its pose, motion, shape and mass |
+//! | `force` | forces |
 //! | `mass` | mass properties from mass or density, shape and inertia |
 //! | `materials` | materials and rules for pairs of them |
 //! | `method` | tier and knobs |
+//! | `pivot` | the velocity of a body on a pivot |
 //! | `shape` | shapes, and the meshes they are read from |
+//! | `signal` | signals, which forces are multiplied by |
+//! | `spring` | springs |
 
+mod bodies;
 mod body;
+mod force;
 mod mass;
 mod materials;
 mod method;
+mod pivot;
 mod shape;
+mod signal;
+mod spring;
 
 use crate::document::KeyPath;
-use crate::error::{Refusal, list};
+use crate::error::Refusal;
 use crate::format::{self, Exactly, NoContactEntry, SceneFile, ShapeEntry};
 use crate::mesh_file::MeshFolder;
+use bodies::Bodies;
 use glam::DVec3;
 use materials::Materials;
-use polhode::{Scene, SceneBuilder, SceneError};
+use polhode::{Scene, SceneError};
 
 /// A refusal and the path of the key it is about.
 pub(crate) type Fault = (KeyPath, Refusal);
@@ -48,31 +59,48 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
         builder = builder.pair_rule(materials.pair_rule(entry, &KeyPath::element("pairs", index))?);
     }
     check_names(file)?;
+    let mut list = Vec::with_capacity(file.bodies.len());
     for (index, entry) in file.bodies.iter().enumerate() {
-        builder = builder.body(body::build(entry, &materials, folder, &KeyPath::element("bodies", index))?);
+        list.push(body::build(entry, &materials, folder, &KeyPath::element("bodies", index))?);
+    }
+    let bodies = Bodies::new(&list);
+    for force in force::build(file, &bodies)? {
+        builder = builder.force(force);
     }
     for (index, group) in file.no_contact.iter().enumerate() {
-        builder = no_contact(builder, group, file, &KeyPath::element("no_contact", index))?;
+        builder = builder.no_contact(no_contact(group, &bodies, &KeyPath::element("no_contact", index))?);
+    }
+    for body in list {
+        builder = builder.body(body);
     }
     builder.build().map_err(|error| (path_of(&error, file), Refusal::Scene(error)))
 }
 
-/// Where an error of the whole scene is best shown: at the body it names, else at the top.
+/// Where an error of the whole scene is best shown: at the body or the force it names, else at the top.
 pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
-    let body = |name: &str| file.bodies.iter().position(|body| body.name == name);
-    let index = match error {
+    let body = |name: &str| {
+        let index = file.bodies.iter().position(|body| body.name == name);
+        index.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
+    };
+    match error {
         SceneError::NotFinite { body: name, .. }
         | SceneError::InitialOverlap { body_b: name, .. }
         | SceneError::DuplicateName(name)
         | SceneError::FixedBodyMoves(name)
         | SceneError::MovingHalfSpace(name) => body(name),
-        SceneError::EmptyName(index) => Some(*index),
-        SceneError::NotYetAvailable { .. } => {
-            file.bodies.iter().position(|body| matches!(body.shape, Some(ShapeEntry::Mesh(_))))
+        SceneError::FixedBodyPivots(name) => body(name).key("pivot"),
+        SceneError::PivotMoves { body: name, .. } => body(name).key("velocity"),
+        SceneError::EmptyName(index) => KeyPath::element("bodies", *index),
+        SceneError::Force { force: number, .. } | SceneError::ForceOnUnknownBody { force: number, .. } => {
+            force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
-        _ => None,
-    };
-    index.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
+        SceneError::IntegratorTakesNoVelocities { .. } => KeyPath::of(&["method", "integrator"]),
+        SceneError::NotYetAvailable { .. } => {
+            let mesh = file.bodies.iter().position(|body| matches!(body.shape, Some(ShapeEntry::Mesh(_))));
+            mesh.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
+        }
+        _ => KeyPath::root(),
+    }
 }
 
 /// Every body has a name of its own.
@@ -90,27 +118,15 @@ fn check_names(file: &SceneFile) -> Result<(), Fault> {
     Ok(())
 }
 
-fn no_contact(
-    builder: SceneBuilder,
-    group: &NoContactEntry,
-    file: &SceneFile,
-    path: &KeyPath,
-) -> Result<SceneBuilder, Fault> {
+/// Numbers of the bodies of a group that does not collide.
+fn no_contact(group: &NoContactEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<usize>, Fault> {
     let path = path.key("bodies");
     if group.bodies.len() < 2 {
         let accepted = "names of two or more bodies".to_owned();
         return Err((path, Refusal::Type { found: format!("length {}", group.bodies.len()), accepted }));
     }
-    let names: Vec<_> = file.bodies.iter().map(|body| body.name.as_str()).collect();
-    let mut bodies = Vec::with_capacity(group.bodies.len());
-    for (index, name) in group.bodies.iter().enumerate() {
-        let Some(body) = names.iter().position(|known| known == name) else {
-            let refusal = Refusal::UnknownName { kind: "body", name: name.clone(), known: list(&names) };
-            return Err((path.index(index), refusal));
-        };
-        bodies.push(body);
-    }
-    Ok(builder.no_contact(bodies))
+    let number = |(index, name): (usize, &String)| Ok(bodies.get(name, &path.index(index))?.0);
+    group.bodies.iter().enumerate().map(number).collect()
 }
 
 /// `value`, when it is positive and finite.
@@ -122,13 +138,28 @@ fn positive(value: f64, path: &KeyPath) -> Result<f64, Fault> {
     }
 }
 
+/// `value`, when it is finite and not negative.
+fn not_negative(value: f64, path: &KeyPath) -> Result<f64, Fault> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err((path.clone(), Refusal::Number { value, accepted: "a finite number of at least 0" }))
+    }
+}
+
+/// `value`, when it is finite.
+fn finite(value: f64, path: &KeyPath) -> Result<f64, Fault> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err((path.clone(), Refusal::Number { value, accepted: "a finite number" }))
+    }
+}
+
 /// Three numbers, when all are finite.
 fn vector(value: &Exactly<f64, 3>, path: &KeyPath) -> Result<DVec3, Fault> {
-    match value.0.iter().position(|component| !component.is_finite()) {
-        Some(index) => {
-            let refusal = Refusal::Number { value: value.0[index], accepted: "a finite number" };
-            Err((path.index(index), refusal))
-        }
-        None => Ok(DVec3::from_array(value.0)),
+    for (index, &component) in value.0.iter().enumerate() {
+        finite(component, &path.index(index))?;
     }
+    Ok(DVec3::from_array(value.0))
 }

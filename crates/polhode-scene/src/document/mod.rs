@@ -62,10 +62,15 @@ impl Document {
         }
         SceneFile::deserialize(toml::Deserializer::from(tree)).map_err(|error| {
             let span = error.span().unwrap_or_default();
-            let key = self
-                .tree()
-                .map_or_else(|_| String::new(), |tree| tree::written(tree.get_ref(), &tree::path_at(&tree, &span)));
-            self.refused(&span, key, Refusal::from_message(error.message()))
+            let (path, key) = self.tree().map_or_else(
+                |_| (KeyPath::root(), String::new()),
+                |tree| {
+                    let path = tree::path_at(&tree, &span);
+                    let key = tree::written(tree.get_ref(), &path);
+                    (path, key)
+                },
+            );
+            self.refused(&span, key, Refusal::from_message(error.message(), &path))
         })
     }
 

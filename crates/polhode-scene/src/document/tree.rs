@@ -109,6 +109,7 @@ impl Search {
             DeValue::Array(array) => {
                 for (index, element) in array.iter().enumerate() {
                     self.at.push(Step::Index(index));
+                    self.consider_element(&element.span());
                     self.value(element);
                     self.at.pop();
                 }
@@ -117,11 +118,22 @@ impl Search {
         }
     }
 
+    fn holds(&self, range: &Range<usize>) -> bool {
+        range.start <= self.span.start && self.span.end <= range.end && !self.span.is_empty()
+    }
+
+    /// The header `[[bodies]]` of a lone element is the range of the array too; the element is meant.
+    fn consider_element(&mut self, range: &Range<usize>) {
+        if self.holds(range) && range.len() <= self.length {
+            self.length = range.len();
+            self.found = self.at.clone();
+        }
+    }
+
     fn consider(&mut self, range: &Range<usize>) {
-        let holds = range.start <= self.span.start && self.span.end <= range.end && !self.span.is_empty();
         // Of equal ranges the first wins: the header `[[bodies]]` is the range of the body and of nothing inside it,
         // while a dotted key is the range of the key itself and of the table it makes.
-        if holds && range.len() < self.length {
+        if self.holds(range) && range.len() < self.length {
             self.length = range.len();
             self.found = self.at.clone();
         }

@@ -32,7 +32,9 @@ pub struct BodyEntry {
     pub orientation: Option<Exactly<f64, 4>>,
     /// Orientation as axis times angle, rad; or orientation.
     pub rotation_vector: Option<Vector>,
-    /// Velocity of the centre of mass, world, m/s.
+    /// A point of the world, m, that is held fixed in the body, which then only turns about it.
+    pub pivot: Option<Vector>,
+    /// Velocity of the centre of mass, world, m/s; of a body with a pivot that of its rotation, or absent.
     pub velocity: Option<Vector>,
     /// Angular velocity, world, rad/s.
     pub angular_velocity: Option<Vector>,

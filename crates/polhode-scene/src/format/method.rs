@@ -1,5 +1,6 @@
 //! The method: one tier and the knobs behind it.
 
+use super::integrator::IntegratorName;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -12,10 +13,12 @@ pub struct MethodEntry {
     /// Step, s: the fixed step of tier thesis, the upper bound of a step of tier accurate.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: Option<f64>,
-    /// How free motion and contact phases are integrated.
+    /// How bodies are integrated that no contact holds.
     pub integrator: Option<IntegratorName>,
-    /// How the integrator represents orientation.
+    /// How the integrator rk4 represents orientation.
     pub orientation: Option<OrientationName>,
+    /// The variable of rotation of the integrator rk4.
+    pub rotation_rate: Option<RotationRateName>,
     /// What happens when bodies hit each other.
     pub impact: Option<ImpactName>,
     /// How the forces of resting contacts are found.
@@ -40,22 +43,32 @@ pub enum TierName {
     Accurate,
 }
 
-/// How free motion and contact phases are integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum IntegratorName {
-    /// Classical Runge-Kutta with a fixed step (tier thesis).
-    Rk4,
-    /// Closed-form flight (tier accurate).
-    Exact,
-}
-
-/// How the integrator represents orientation.
+/// How the integrator rk4 represents orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum OrientationName {
-    /// By a unit quaternion.
+    /// By a quaternion, normalised after each step.
     Quaternion,
+    /// By a quaternion that is never normalised.
+    QuaternionUnnormalized,
+    /// By the three numbers x, y, z of a unit quaternion with w >= 0, as the thesis suggests to store it.
+    QuaternionThreeNumbers,
+    /// By a matrix, brought to the nearest rotation after each step.
+    Matrix,
+    /// By a matrix that drifts from a rotation.
+    MatrixUnorthogonalized,
+    /// By Euler angles about z, x, z; singular where the z axis of the body lies along that of the world.
+    EulerAngles,
+}
+
+/// The variable of rotation of the integrator rk4.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RotationRateName {
+    /// Angular momentum, constant in free motion.
+    AngularMomentum,
+    /// Angular velocity, by equation 9 of the thesis.
+    AngularVelocity,
 }
 
 /// What happens when bodies hit each other.

@@ -8,23 +8,38 @@
 //! |---|---|
 //! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
+//! | `integrator` | [`IntegratorName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
+//! | `force` | [`ForceEntry`] and the kinds of force |
+//! | `signal` | [`SignalEntry`]: numbers as functions of time |
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
 
 mod body;
 mod exactly;
+mod force;
+mod integrator;
 mod method;
 pub(crate) mod planned;
 mod scene;
+mod signal;
 
 pub use body::{BodyEntry, BoxEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PointsEntry, ShapeEntry, SphereEntry};
 pub use exactly::{Exactly, Vector};
-pub use method::{ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName, TierName};
+pub use force::{
+    AppliedForceEntry, AppliedTorqueEntry, DragEntry, DragLawName, ForceEntry, ForceKind, FrameName,
+    MutualGravityEntry, PointGravityEntry, SpringEntry,
+};
+pub use integrator::IntegratorName;
+pub use method::{ContactName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile};
+pub use signal::{SignalEntry, SinusoidEntry};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;
 
 /// Kinds of shape, for messages.
 pub(crate) const SHAPES: &str = "box, sphere, half_space, points, convex or mesh";
+
+/// Kinds of force, for messages.
+pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";

@@ -41,33 +41,12 @@ pub(crate) struct Request {
 
 const PLANNED: &[Planned] = &[
     Planned { path: &["joints"], values: &[], instead: "bodies without joints" },
-    Planned { path: &["forces"], values: &[], instead: "gravity alone" },
-    Planned { path: &["bodies", "*", "pivot"], values: &[], instead: "a body that moves freely" },
     Planned { path: &["bodies", "*", "shape", "cylinder"], values: &[], instead: SHAPES },
     Planned { path: &["bodies", "*", "shape", "cone"], values: &[], instead: SHAPES },
     Planned { path: &["bodies", "*", "shape", "capsule"], values: &[], instead: SHAPES },
     Planned { path: &["bodies", "*", "shape", "torus"], values: &[], instead: SHAPES },
     Planned { path: &["bodies", "*", "shape", "compound"], values: &[], instead: SHAPES },
     Planned { path: &["method", "tier"], values: &["fast", "stepped"], instead: "accurate or thesis" },
-    Planned {
-        path: &["method", "integrator"],
-        values: &[
-            "explicit-euler",
-            "semi-implicit-euler",
-            "implicit-gyroscopic",
-            "rkmk4",
-            "cf4",
-            "splitting",
-            "splitting-4",
-            "splitting-6",
-            "moser-veselov",
-            "moser-veselov-4",
-            "implicit-midpoint",
-            "dop853",
-        ],
-        instead: "exact or rk4",
-    },
-    Planned { path: &["method", "orientation"], values: &["matrix", "euler-angles"], instead: "quaternion" },
     Planned {
         path: &["method", "impact"],
         values: &["poisson", "energetic", "pulse"],

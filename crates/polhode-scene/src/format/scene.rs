@@ -1,7 +1,7 @@
-//! The document: everything but methods and bodies.
+//! The document: everything but methods, bodies and forces.
 
 use super::exactly::{Exactly, Vector};
-use super::{BodyEntry, MethodEntry};
+use super::{BodyEntry, ForceEntry, MethodEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -36,6 +36,9 @@ pub struct SceneFile {
     /// The bodies.
     #[serde(default)]
     pub bodies: Vec<BodyEntry>,
+    /// Forces besides uniform gravity and contact.
+    #[serde(default)]
+    pub forces: Vec<ForceEntry>,
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,

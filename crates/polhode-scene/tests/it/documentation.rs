@@ -1,6 +1,8 @@
 //! The examples of docs/scene-format.md are true.
 
 use crate::scene;
+use polhode::dynamics::field::Dependence;
+use polhode::scene::Integrator;
 
 const TEXT: &str = include_str!("../../../../docs/scene-format.md");
 
@@ -12,6 +14,20 @@ fn examples_load() {
     for block in blocks {
         let whole = if block.contains("format = 1") { block.to_owned() } else { format!("format = 1\n{block}") };
         scene(&whole);
+    }
+}
+
+/// Every integrator is described with its order and the forces that it takes, as the engine has them.
+#[test]
+fn integrators_are_described() {
+    for integrator in Integrator::ALL {
+        let row = TEXT.lines().find(|line| line.starts_with(&format!("| `{integrator}`"))).unwrap();
+        let cells: Vec<_> = row.split('|').map(str::trim).collect();
+        let takes = if integrator.takes(Dependence::Velocities) { "yes" } else { "no" };
+        assert_eq!(cells[3], takes, "{row}");
+        let exact = matches!(integrator, Integrator::Exact | Integrator::ExactStrang);
+        let order = if exact { cells[2].rsplit(' ').next() } else { cells[2].split([' ', ',']).next() };
+        assert_eq!(order, Some(integrator.order().to_string().as_str()), "{row}");
     }
 }
 

@@ -1,8 +1,9 @@
 //! What is accepted, and what absent keys mean.
 
 use crate::{BASE, scene};
-use polhode::scene::{ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Tier};
+use polhode::scene::{ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, RotationRate, Tier};
 use polhode::spatial::{DVec3, Rotation};
+use polhode_scene::names;
 
 /// Absent keys: gravity, pose, velocity, material, method; the name is that of the file.
 #[test]
@@ -24,14 +25,16 @@ fn defaults() {
 fn method() {
     let text = BASE.replace(
         "name = \"base\"",
-        "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"quaternion\", \
-         impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", tolerance = 1e-9, \
+        "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"matrix\", \
+         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", tolerance = 1e-9, \
          max_events_per_step = 77 }",
     );
     let method = scene(&text).method().clone();
     assert_eq!(method.tier, Some(Tier::Thesis));
     assert_eq!(method.step_s, Some(0.001));
     assert_eq!(method.integrator, Some(Integrator::Rk4));
+    assert_eq!(method.orientation, Some(Orientation::Matrix));
+    assert_eq!(method.rotation_rate, Some(RotationRate::AngularVelocity));
     assert_eq!(method.impact, Some(ImpactLaw::Simultaneous));
     assert_eq!(method.contact, Some(ContactMethod::LeastForce));
     assert_eq!(method.tolerance, Some(1e-9));
@@ -42,15 +45,49 @@ fn method() {
 #[test]
 fn words() {
     for (knob, words) in [
-        ("tier = \"thesis\"\nmethod.integrator", &["rk4"][..]),
-        ("integrator", &["exact"]),
-        ("impact", &["propagation", "simultaneous", "reflection"]),
+        ("impact", &["propagation", "simultaneous", "reflection"][..]),
         ("contact", &["active-set"]),
         ("tier = \"thesis\"\nmethod.contact", &["least-force", "active-set"]),
     ] {
         for word in words {
             scene(&BASE.replace("name = \"base\"", &format!("method.{knob} = \"{word}\"")));
         }
+    }
+}
+
+/// Every integrator of the engine goes by its own name, in both tiers.
+#[test]
+fn integrators() {
+    for integrator in Integrator::ALL {
+        for tier in ["thesis", "accurate"] {
+            let lines = format!("method.integrator = \"{integrator}\"\nmethod.tier = \"{tier}\"");
+            let scene = scene(&BASE.replace("name = \"base\"", &lines));
+            assert_eq!(scene.method().integrator, Some(integrator));
+            assert_eq!(names::integrator(integrator), integrator.name());
+        }
+    }
+}
+
+/// Coordinates of orientation and variables of rotation, of the integrator that has them; it is that of the thesis.
+#[test]
+fn representations() {
+    use Orientation as O;
+    let with = |lines: &str| scene(&BASE.replace("name = \"base\"", lines)).method().clone();
+    for orientation in [
+        O::Quaternion,
+        O::QuaternionUnnormalized,
+        O::QuaternionThreeNumbers,
+        O::Matrix,
+        O::MatrixUnorthogonalized,
+        O::EulerAngles,
+    ] {
+        let line = format!("method.orientation = \"{}\"", names::orientation(orientation));
+        assert_eq!(with(&format!("{line}\nmethod.integrator = \"rk4\"")).orientation, Some(orientation));
+        assert_eq!(with(&format!("{line}\nmethod.tier = \"thesis\"")).orientation, Some(orientation));
+    }
+    for variable in [RotationRate::AngularMomentum, RotationRate::AngularVelocity] {
+        let line = format!("method.rotation_rate = \"{}\"", names::rotation_rate(variable));
+        assert_eq!(with(&format!("{line}\nmethod.integrator = \"rk4\"")).rotation_rate, Some(variable));
     }
 }
 

@@ -5,11 +5,13 @@
 mod comparison;
 mod documentation;
 mod fixtures;
+mod forces;
 mod format;
 mod mass;
 mod mesh_report;
 mod outputs;
 mod overrides;
+mod pivots;
 mod refusals;
 mod robustness;
 mod schema;
@@ -50,4 +52,16 @@ pub(crate) fn refused(text: &str) -> Box<Refused> {
         Err(SceneFileError::Refused(refused)) => refused,
         Err(error) => panic!("{error}"),
     }
+}
+
+/// Checks that `text` is refused at `key`, on the line that holds `shown`, with a message that holds `message`.
+#[track_caller]
+pub(crate) fn check(text: &str, key: &str, shown: &str, message: &str) {
+    let refused = refused(text);
+    let rendered = refused.to_string();
+    assert_eq!(refused.place.key, key, "{rendered}");
+    let line = text.lines().nth(refused.place.line - 1).unwrap();
+    assert!(line.contains(shown), "line {}: {line}\n{rendered}", refused.place.line);
+    assert!(rendered.contains(message), "{rendered}");
+    assert!(rendered.contains(&format!("test.toml:{}:{}", refused.place.line, refused.place.column)), "{rendered}");
 }

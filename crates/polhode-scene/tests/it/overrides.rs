@@ -2,7 +2,7 @@
 
 use crate::BASE;
 use polhode::Scene;
-use polhode::scene::ImpactLaw;
+use polhode::scene::{Force, ImpactLaw, Integrator};
 use polhode::spatial::DVec3;
 use polhode_scene::{Override, Refused, SceneFileError, load_text};
 
@@ -53,6 +53,20 @@ fn any_key() {
     assert!((sphere.bodies()[1].mass_properties().unwrap().inertia().matrix().x_axis.x - 2.4).abs() < 1e-14);
 }
 
+/// Methods, pivots and numbers of forces can be set, and forces be put to a scene that has none.
+#[test]
+fn methods_and_forces() {
+    assert_eq!(set(&["method.integrator=cf4"]).method().integrator, Some(Integrator::Cf4));
+    let spring = "forces=[{ type = { spring = { body = \"brick\", anchor = [0, 0, 0], stiffness = 1 } } }]";
+    let stiffness = |scene: &Scene| match &scene.forces()[0] {
+        Force::Spring { stiffness, .. } => *stiffness,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(stiffness(&set(&[spring])), 1.0);
+    assert_eq!(stiffness(&set(&[spring, "forces.0.type.spring.stiffness=7"])), 7.0);
+    assert_eq!(set(&["bodies.brick.pivot=[0, 0, 9]"]).bodies()[1].pivot_point(), Some(DVec3::Z * 9.0));
+}
+
 /// What is wrong with a change is shown in the text of the change, at its own column.
 #[test]
 fn places() {
@@ -72,6 +86,10 @@ fn places() {
         ("a..b=1", "a..b", 1),
         ("a\nb=1", "a\nb", 1),
         ("joints=[]", "joints", 1),
+        ("method.integrator=rk5", "method.integrator", 21),
+        ("bodies.brick.pivot=[0, 0]", "bodies.brick.pivot", 22),
+        ("forces=[{ type = { drag = { law = \"linear\" } } }]", "forces.0.type.drag", 29),
+        ("forces=[{ type = { mutual_gravity = { constant = -1 } } }]", "forces.0.type.mutual_gravity.constant", 52),
     ];
     for (change, key, column) in cases {
         let refused = refused(change);

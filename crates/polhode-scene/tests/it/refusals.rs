@@ -1,6 +1,6 @@
 //! Every mistake is refused with its place, its key, and what is accepted.
 
-use crate::{BASE, refused};
+use crate::{BASE, check, refused};
 use polhode_scene::{Refusal, SceneFileError, load, load_text};
 use std::time::{Duration, Instant};
 
@@ -9,18 +9,6 @@ fn brick(old: &str, new: &str) -> String {
     let (head, body) = BASE.split_once("name = \"brick\"").unwrap();
     let line = body.lines().find(|line| line.starts_with(old)).unwrap();
     format!("{head}name = \"brick\"{}", body.replace(line, new))
-}
-
-/// Checks that `text` is refused at `key`, on the line that holds `shown`, with a message that holds `message`.
-#[track_caller]
-fn check(text: &str, key: &str, shown: &str, message: &str) {
-    let refused = refused(text);
-    let rendered = refused.to_string();
-    assert_eq!(refused.place.key, key, "{rendered}");
-    let line = text.lines().nth(refused.place.line - 1).unwrap();
-    assert!(line.contains(shown), "line {}: {line}\n{rendered}", refused.place.line);
-    assert!(rendered.contains(message), "{rendered}");
-    assert!(rendered.contains(&format!("test.toml:{}:{}", refused.place.line, refused.place.column)), "{rendered}");
 }
 
 /// Numbers that no body can have are refused at their key.
@@ -163,6 +151,12 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
     check(&tier, "method.tier", "quick", "accepted: `thesis` or `accurate`");
+    let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
+    check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
+    let number = BASE.replace("name = \"base\"", "method.integrator = 4");
+    check(&number, "method.integrator", "4", "accepted: one of `explicit-euler`");
+    let orientation = BASE.replace("name = \"base\"", "method.orientation = \"angles\"");
+    check(&orientation, "method.orientation", "angles", "`euler-angles`");
     let pivot_elsewhere = BASE.replace("name = \"base\"", "output.pivot = 1");
     check(&pivot_elsewhere, "output.pivot", "pivot", "unknown key `pivot`");
 }
@@ -171,11 +165,7 @@ fn unknown_keys_and_values() {
 #[test]
 fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
-    let mut cases = vec![
-        (format!("{BASE}\n[[joints]]\ntype.hinge = {{ bodies = [\"a\", \"b\"] }}\n"), "joints"),
-        (format!("{BASE}\n[[forces]]\n"), "forces"),
-        (brick("position", "pivot = [0, 0, 0]"), "bodies.brick.pivot"),
-    ];
+    let mut cases = vec![(format!("{BASE}\n[[joints]]\ntype.hinge = {{ bodies = [\"a\", \"b\"] }}\n"), "joints")];
     for shape in ["cylinder", "cone", "capsule", "torus", "compound"] {
         cases.push((brick("shape", &format!("shape.{shape}.radius = 1")), "bodies.brick.shape"));
     }
@@ -184,24 +174,6 @@ fn planned_members() {
         ("impact", &["poisson", "energetic", "pulse"]),
         ("contact", &["interior-point", "sequential-impulses"]),
         ("response", &["impulse", "penalty"]),
-        ("orientation", &["matrix", "euler-angles"]),
-        (
-            "integrator",
-            &[
-                "explicit-euler",
-                "semi-implicit-euler",
-                "implicit-gyroscopic",
-                "rkmk4",
-                "cf4",
-                "splitting",
-                "splitting-4",
-                "splitting-6",
-                "moser-veselov",
-                "moser-veselov-4",
-                "implicit-midpoint",
-                "dop853",
-            ],
-        ),
     ];
     for (knob, values) in knobs {
         for value in values {
@@ -220,14 +192,41 @@ fn planned_members() {
 #[test]
 fn knobs_that_do_not_go_together() {
     let cases = [
-        ("integrator = \"rk4\"", "method.integrator"),
-        ("tier = \"thesis\"\nmethod.integrator = \"exact\"", "method.integrator"),
         ("contact = \"least-force\"", "method.contact"),
+        ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
+        ("orientation = \"matrix\"", "method.orientation"),
+        ("orientation = \"quaternion\"\nmethod.integrator = \"rkmk4\"", "method.orientation"),
+        ("rotation_rate = \"angular-velocity\"", "method.rotation_rate"),
+        (
+            "tier = \"thesis\"\nmethod.integrator = \"exact\"\nmethod.rotation_rate = \"angular-momentum\"",
+            "method.rotation_rate",
+        ),
     ];
     for (knobs, key) in cases {
         let refused = refused(&BASE.replace("name = \"base\"", &format!("method.{knobs}")));
         assert_eq!(refused.place.key, key, "{refused}");
         assert!(refused.to_string().contains("not yet available"), "{refused}");
+    }
+}
+
+/// An integrator that splits forces from motion takes no drag and no damper, and is refused where it is asked for.
+#[test]
+fn integrators_that_take_no_velocities() {
+    let forces = [
+        "type.drag = { law = \"linear\", translational = 1 }",
+        "type.spring = { body = \"brick\", anchor = [0, 0, 0], stiffness = 1, damping = 1 }",
+    ];
+    for force in forces {
+        let with = |name: &str| {
+            let method = format!("method.integrator = \"{name}\"");
+            format!("{}\n[[forces]]\n{force}\n", BASE.replace("name = \"base\"", &method))
+        };
+        for name in ["exact", "splitting-4", "moser-veselov", "implicit-midpoint"] {
+            check(&with(name), "method.integrator", name, "depends on velocities");
+        }
+        for name in ["rk4", "cf4", "dop853", "implicit-gyroscopic"] {
+            crate::scene(&with(name));
+        }
     }
 }
 
@@ -247,6 +246,7 @@ fn types() {
     check(&BASE.replace("format = 1", "format = 2"), "format", "format = 2", "accepted: 1");
     check(&BASE.replace("format = 1", ""), "", "", "missing key `format`");
     check(&BASE.replace("name = \"brick\"", ""), "bodies.1", "[[bodies]]", "missing key `name`");
+    check("format = 1\n[[bodies]]\nmass = 1\n", "bodies.0", "[[bodies]]", "missing key `name`");
     assert!(matches!(refused("bodies = 3\nformat = 1").cause, Refusal::Type { .. }));
 }
 

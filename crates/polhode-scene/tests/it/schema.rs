@@ -1,5 +1,6 @@
 //! The JSON Schema lists what is accepted, and nothing that is not yet available.
 
+use polhode::scene::Integrator;
 use polhode_scene::schema;
 use serde_json::Value;
 
@@ -32,16 +33,20 @@ fn lists_what_is_accepted() {
     assert!(schema["$schema"].as_str().is_some_and(|draft| draft.contains("json-schema.org")));
     let mut words = Vec::new();
     collect(&schema, &mut words);
-    let accepted = "format name duration gravity method output materials pairs bodies no_contact interval friction \
-        restitution tier step integrator orientation impact contact response tolerance max_events_per_step fixed shape \
-        mass density inertia hollow position rotation_vector velocity angular_velocity material box sphere half_space \
-        points convex mesh size radius normal positions file thesis accurate rk4 exact quaternion propagation \
-        simultaneous reflection least-force active-set constraint";
-    for word in accepted.split_whitespace() {
+    let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval friction \
+        restitution tier step integrator orientation rotation_rate impact contact response tolerance max_events_per_step fixed shape \
+        mass density inertia hollow position rotation_vector velocity angular_velocity material pivot box sphere half_space \
+        points convex mesh size radius normal positions file thesis accurate quaternion \
+        quaternion-unnormalized quaternion-three-numbers matrix matrix-unorthogonalized euler-angles angular-momentum \
+        angular-velocity type point_gravity mutual_gravity force torque drag spring center mu constant body frame point \
+        signal world sinusoid table polynomial amplitude frequency_hz phase law linear quadratic translational \
+        rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set constraint";
+    let integrators = Integrator::ALL.map(Integrator::name);
+    for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");
     }
-    let planned = "joints forces pivot cylinder cone capsule torus compound fast stepped poisson energetic pulse \
-        interior-point sequential-impulses impulse penalty matrix euler-angles dop853 splitting";
+    let planned = "joints cylinder cone capsule torus compound fast stepped poisson energetic pulse \
+        interior-point sequential-impulses impulse penalty";
     for word in planned.split_whitespace() {
         assert!(!words.iter().any(|known| known == word), "{word} is not yet available");
     }
@@ -53,5 +58,10 @@ fn refuses_unknown_keys() {
     let schema = schema();
     assert_eq!(schema["additionalProperties"], false);
     assert_eq!(schema["$defs"]["BodyEntry"]["additionalProperties"], false);
+    for (name, definition) in schema["$defs"].as_object().unwrap() {
+        if definition["type"] == "object" {
+            assert_eq!(definition["additionalProperties"], false, "{name}");
+        }
+    }
     assert_eq!(schema["required"], serde_json::json!(["format"]));
 }

@@ -2,10 +2,13 @@
 
 use super::hold::Forces;
 use super::projection;
+use super::stepped::Stepper;
 use super::trial::Trial;
-use crate::books::{Books, energy_of};
+use crate::books::{Books, Received, gravity_at};
+use crate::free_stage::{self, Ends};
+use crate::interaction::assembly::free_acceleration;
 use crate::interaction::contact_set::{ContactId, Hold, Touch};
-use crate::interaction::groups::{Group, groups};
+use crate::interaction::groups::{Group, coupled_groups, groups};
 use crate::observer::Observer;
 use crate::settings::Settings;
 use crate::world::World;
@@ -13,7 +16,6 @@ use crate::{Acceleration, Certificate, Effects, Energy, Event, RunReport, Simula
 use polhode_contact::Bvh;
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverReport, SolverStatus};
-use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
@@ -29,8 +31,10 @@ pub(super) enum Mode {
     Fixed,
     /// Freely, by its flight record.
     Flight(Box<Flight>),
-    /// With held contacts, integrated.
+    /// With held contacts, or under forces, integrated by DOP853.
     Constrained,
+    /// By the integrator of free motion.
+    Stepped,
     /// Not at all: its group is in certified equilibrium at zero velocity.
     Rest,
 }
@@ -42,6 +46,7 @@ pub(crate) struct Engine {
     pub(super) settings: Settings,
     effects: Effects,
     pub(super) t: f64,
+    pub(super) stepper: Stepper,
     /// States at `t`.
     pub(super) states: Vec<BodyState>,
     pub(super) modes: Vec<Mode>,
@@ -91,6 +96,7 @@ impl Engine {
             settings,
             effects,
             t: 0.0,
+            stepper: Stepper::new(&settings),
             states,
             modes,
             touches: Vec::new(),
@@ -152,7 +158,7 @@ impl Engine {
         if self.stalls == PATIENCE {
             self.warn("contacts undo each other at one instant: what is still wrong is put up with for one step");
         }
-        self.emit_samples(&trial, t_next, observer);
+        self.emit_samples(&trial, t_next, observer)?;
         self.advance(&trial, t_next)?;
         if contact_change.is_some() || impact.is_some() {
             self.resolve(&near)?;
@@ -169,15 +175,16 @@ impl Engine {
         Ok(())
     }
 
-    /// Moving groups: bodies with held contacts that are not at rest.
+    /// Moving groups: bodies with held contacts that are not at rest, and bodies under forces, those together that
+    /// forces couple.
     pub(super) fn constrained_groups(&self) -> Vec<Group> {
         let held = self.touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
         let constrained = |body: usize| matches!(self.modes[body], Mode::Constrained);
-        groups(
-            &self.world,
-            held.filter(|(_, touch)| constrained(touch.id.a) || constrained(touch.id.b))
-                .map(|(index, touch)| (index, touch.id.a, touch.id.b)),
-        )
+        let contacts = held
+            .filter(|(_, touch)| constrained(touch.id.a) || constrained(touch.id.b))
+            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        let bodies: Vec<usize> = (0..self.modes.len()).filter(|&body| constrained(body)).collect();
+        coupled_groups(&self.world, contacts, &bodies)
     }
 
     /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
@@ -209,7 +216,7 @@ impl Engine {
                     touch.hold = self.touches[index].hold;
                 }
             }
-            let forces = Forces::solve(&self.world, &self.states, &group.bodies, &contacts, &mut self.solver)
+            let forces = Forces::solve(&self.world, self.t, &self.states, &group.bodies, &contacts, &mut self.solver)
                 .map_err(|source| self.response_error(source))?;
             self.note_solve(&forces.solution.report)?;
         }
@@ -237,25 +244,53 @@ impl Engine {
     /// Brings all states to `t_next`; the smooth stage that ends there is booked.
     fn advance(&mut self, trial: &Trial, t_next: f64) -> Result<(), SimulationError> {
         let ends = self.states_at_end(trial, t_next)?;
+        let dt = t_next - self.t;
         self.t = t_next;
         for (body, mode) in self.modes.iter().enumerate() {
-            if let Mode::Flight(flight) = mode {
-                self.states[body] = flight.state(t_next);
+            match mode {
+                Mode::Flight(flight) => self.states[body] = flight.state(t_next),
+                Mode::Rest => self.books.equilibrium(&self.world, &self.states, body, dt),
+                Mode::Fixed | Mode::Constrained | Mode::Stepped => {}
             }
         }
+        self.advance_stepped(trial, t_next)?;
         for (group, end) in trial.groups.iter().zip(ends) {
-            let before = energy_of(&self.world, &self.states, &group.bodies);
-            for (&body, state) in group.bodies.iter().zip(end) {
+            let before = self.books.balance(&self.world, &self.states, &group.bodies);
+            for (&body, mut state) in group.bodies.iter().zip(end.states) {
+                self.world.keep_in_plane(body, &mut state);
                 self.states[body] = state;
             }
-            let integrated = energy_of(&self.world, &self.states, &group.bodies);
-            self.books.ledger.numerical.add(before - integrated);
+            let integrated = self.books.balance(&self.world, &self.states, &group.bodies);
+            self.books.smooth_stage(before, integrated, end.received);
             projection::project(&self.world, &mut self.states, &group.bodies, &group.held)
                 .map_err(|source| self.response_error(source))?;
-            let projected = energy_of(&self.world, &self.states, &group.bodies);
-            self.books.ledger.projection.add(integrated - projected);
+            let projected = self.books.balance(&self.world, &self.states, &group.bodies);
+            self.books.projection(integrated, projected);
         }
         self.refresh_kinematics();
+        Ok(())
+    }
+
+    /// Brings the stepped bodies to `t_next`.
+    fn advance_stepped(&mut self, trial: &Trial, t_next: f64) -> Result<(), SimulationError> {
+        let bodies = self.stepped_bodies();
+        if bodies.is_empty() {
+            return Ok(());
+        }
+        let mut ends = self.states.clone();
+        self.stepped_states(t_next, &mut ends)?;
+        if t_next < trial.end() {
+            self.stepper.interrupt();
+        }
+        for &body in &bodies {
+            self.world.keep_in_plane(body, &mut ends[body]);
+        }
+        let before = self.books.balance(&self.world, &self.states, &bodies);
+        let after = self.books.balance(&self.world, &ends, &bodies);
+        let stage = Ends { t: [trial.start(), t_next], states: [&self.states, &ends] };
+        let received = free_stage::received(&self.world, stage, &bodies, self.books.ledger.momentum.about);
+        self.books.smooth_stage(before, after, received);
+        self.states = ends;
         Ok(())
     }
 
@@ -273,22 +308,30 @@ impl Engine {
 
     /// Puts a body on a new flight record from its present state.
     pub(super) fn take_off(&mut self, body: usize) {
-        if let Some(rigid) = &self.world.bodies[body].rigid {
-            self.modes[body] =
-                Mode::Flight(Box::new(Flight::new(rigid, self.t, &self.states[body], self.world.gravity())));
+        if let Some(mode) = self.free_mode(body) {
+            if !matches!(mode, Mode::Constrained) || !matches!(self.modes[body], Mode::Constrained) {
+                self.stepper.interrupt();
+            }
+            self.modes[body] = mode;
         }
     }
 
     /// Ends a body's flight record, if it has one: what the record lost or gained in energy is booked.
     pub(super) fn land(&mut self, body: usize) {
         if let Mode::Flight(flight) = &self.modes[body] {
-            let (start, end) = (*flight.start(), flight.state(self.t));
-            let total = |state| {
-                let (kinetic, potential) = self.world.energies(body, state);
-                kinetic + potential
-            };
-            let lost = total(&start) - total(&end);
-            self.books.ledger.numerical.add(lost);
+            let (start, dt) = (*flight.start(), self.t - flight.t0());
+            let mut states = std::mem::take(&mut self.states);
+            states[body] = start;
+            let before = self.books.balance(&self.world, &states, &[body]);
+            // The mean place of the flight for the moment of the weight; what it falls adds nothing to it.
+            let mut middle = start;
+            middle.pose.translation += start.linear_velocity * (0.5 * dt);
+            states[body] = middle;
+            let gravity = gravity_at(&self.world, &states, body, self.books.ledger.momentum.about, dt);
+            states[body] = flight.state(self.t);
+            let after = self.books.balance(&self.world, &states, &[body]);
+            self.states = states;
+            self.books.smooth_stage(before, after, Received { gravity, ..Received::default() });
         }
     }
 
@@ -357,15 +400,18 @@ impl Engine {
     }
 
     /// Samples that fall before `t_next`, evaluated within the step.
-    fn emit_samples(&mut self, trial: &Trial, t_next: f64, observer: &mut dyn Observer) {
+    fn emit_samples(&mut self, trial: &Trial, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         while self.sample_time(self.next_sample) < t_next {
             let t = self.sample_time(self.next_sample);
-            let samples: Vec<_> = (0..self.world.bodies.len())
-                .map(|body| self.world.sample(body, &self.state_within(trial, body, t)))
-                .collect();
+            let mut states: Vec<_> =
+                (0..self.world.bodies.len()).map(|body| self.state_within(trial, body, t)).collect();
+            self.stepped_states(t, &mut states)?;
+            let samples: Vec<_> =
+                states.iter().enumerate().map(|(body, state)| self.world.sample(body, state)).collect();
             observer.sample(t, &samples);
             self.next_sample += 1;
         }
+        Ok(())
     }
 
     /// A sample of the present states.
@@ -380,13 +426,19 @@ impl Engine {
     /// # Errors
     /// When the forces cannot be found.
     pub(crate) fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
-        let mut out: Vec<_> = (0..self.world.bodies.len()).map(|body| self.free_acceleration(body)).collect();
+        let loads = self.world.loads(self.t, &self.states);
+        let mut out: Vec<_> = (0..self.world.bodies.len())
+            .map(|body| {
+                let (linear, angular) = free_acceleration(&self.world, &self.states, &loads, body);
+                self.world.reported_acceleration(body, &self.states[body], linear, angular)
+            })
+            .collect();
         for (bodies, members) in self.sustained_groups() {
-            let forces = Forces::solve(&self.world, &self.states, &bodies, &members, &mut self.solver)
+            let forces = Forces::solve(&self.world, self.t, &self.states, &bodies, &members, &mut self.solver)
                 .map_err(|source| self.response_error(source))?;
             self.note_solve(&forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
-                out[body] = Acceleration { linear, angular };
+                out[body] = self.world.reported_acceleration(body, &self.states[body], linear, angular);
             }
         }
         Ok(out)
@@ -399,18 +451,6 @@ impl Engine {
             .into_iter()
             .map(|group| (group.bodies, group.contacts.iter().map(|&i| self.touches[i]).collect()))
             .collect()
-    }
-
-    fn free_acceleration(&self, body: usize) -> Acceleration {
-        let state = &self.states[body];
-        self.world.bodies[body].rigid.as_ref().map_or(
-            Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO },
-            |rigid| {
-                let w = rigid.angular_velocity(state);
-                let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-                Acceleration { linear: self.world.gravity(), angular: -(inverse * w.cross(state.angular_momentum)) }
-            },
-        )
     }
 
     /// Writes the results of the run into its report.

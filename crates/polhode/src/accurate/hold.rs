@@ -6,7 +6,7 @@
 use crate::interaction::assembly::Assembly;
 use crate::interaction::contact_set::{Hold, Touch};
 use crate::world::World;
-use polhode_dynamics::BodyState;
+use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -14,10 +14,6 @@ use std::collections::BTreeSet;
 /// A contact that accelerates apart by more than this opens: relative to the largest relative acceleration that the
 /// group's contacts would have without forces. Round-off of the solve is some 1e-15 of it.
 const OPENING_RELATIVE: f64 = 1e-11;
-
-/// The same where contacts depend on each other. Directions in which they differ by less than some 3e-7 of the lever
-/// arm are lost in the rounding of `G`, whose pivots are quadratic in it, and show as accelerations of that size.
-const OPENING_RELATIVE_DEPENDENT: f64 = 1e-6;
 
 /// The net force on a body in equilibrium is at most this fraction of the sum of the magnitudes of the forces on it;
 /// likewise for moments. Round-off of a few hundred contacts stays below 1e-13.
@@ -32,17 +28,18 @@ pub(super) struct Forces {
     accelerations: Vec<f64>,
     /// What counts as opening, m/s^2.
     pub(super) opening: f64,
-    /// The same for bodies that are all exactly at rest, m/s^2.
-    pub(super) opening_from_rest: f64,
+    /// Largest sum of weight and force of fields on a body of the group, N: what contact forces may cancel from.
+    pub(super) load: f64,
 }
 
 impl Forces {
-    /// Solves for the forces of `contacts` on `bodies` (movable, ascending).
+    /// Solves for the forces of `contacts` on `bodies` (movable, ascending) at time `t`.
     ///
     /// # Errors
     /// When the problem is not finite.
     pub(super) fn solve(
         world: &World,
+        t: f64,
         states: &[BodyState],
         bodies: &[usize],
         contacts: &[Touch],
@@ -50,20 +47,23 @@ impl Forces {
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let assembly = Assembly::new(world, states, bodies, rows)?;
-        let free = assembly.free_accelerations(world, states);
+        let loads = world.loads(t, states);
+        let free = assembly.free_accelerations(world, states, &loads);
+        let load = bodies.iter().map(|&body| {
+            let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+            mass * world.gravity().length() + loads.of(body).force.length()
+        });
+        let load = load.fold(0.0, f64::max);
         let b = assembly.acceleration_constants(&free, contacts.iter().map(|touch| &touch.kinematics))?;
         let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();
-        let relative =
-            if solution.report.rank < contacts.len() { OPENING_RELATIVE_DEPENDENT } else { OPENING_RELATIVE };
-        let largest = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        let (opening, opening_from_rest) = (relative * largest, OPENING_RELATIVE * largest);
+        let opening = OPENING_RELATIVE * b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let mut accelerations = assembly.problem.response(&solution.forces)?;
         for (a, f) in accelerations.iter_mut().zip(&free) {
             *a += f;
         }
-        Ok(Self { solution, assembly, accelerations, opening, opening_from_rest })
+        Ok(Self { solution, assembly, accelerations, opening, load })
     }
 
     /// Generalised accelerations: (body, linear, angular).

@@ -66,7 +66,7 @@ impl Engine {
                 Some(swept_box(shape, &**motion, (trial.t, trial.end()), margin))
             })
             .collect();
-        let moves = |body: usize| matches!(self.modes[body], Mode::Flight(_) | Mode::Constrained);
+        let moves = |body: usize| matches!(self.modes[body], Mode::Flight(_) | Mode::Constrained | Mode::Stepped);
         self.broad_phase
             .pairs(&boxes)
             .into_iter()

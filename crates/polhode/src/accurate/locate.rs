@@ -24,6 +24,9 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest extrapolation back, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
+/// Intervals of a step at whose ends contacts that are not held are looked for.
+const DIP_SAMPLES: u32 = 8;
+
 /// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
 /// judged by (1e-12).
 const PENETRATION_RELATIVE: f64 = 2.5e-13;
@@ -70,10 +73,11 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
-        if self.violations(group, limit, tolerated, states)?.is_empty() {
-            return Ok(None);
-        }
-        let (mut right, mut wrong) = (start, limit);
+        let (mut right, mut wrong) = match self.first_dip(group, start, limit, tolerated, states) {
+            Some(interval) => interval,
+            None if self.violations(group, limit, tolerated, states)?.is_empty() => return Ok(None),
+            None => (start, limit),
+        };
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (right + wrong);
             if middle <= right || middle >= wrong {
@@ -86,6 +90,28 @@ impl Engine {
             }
         }
         Ok(Some(wrong))
+    }
+
+    /// The first of some intervals of the step at whose end a contact that is not held has sunk in: bodies that rock on
+    /// each other may sink and rise again within a step, and its end would not show it.
+    fn first_dip(
+        &self,
+        group: &GroupTrial,
+        start: f64,
+        limit: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Option<(f64, f64)> {
+        let mut before = start;
+        for k in 1..DIP_SAMPLES {
+            let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
+            group.states_at(t, states);
+            if self.penetrating(group, states, tolerated).is_some() {
+                return Some((before, t));
+            }
+            before = t;
+        }
+        None
     }
 
     /// What is wrong with the held contacts of a group at time `t` of its trial: the contacts of the first kind of
@@ -113,7 +139,7 @@ impl Engine {
             left.extend(self.penetrating(group, states, tolerated));
         }
         if left.is_empty() {
-            let forces = self.forces_of(group, states, &touches)?;
+            let forces = self.forces_of(group, t, states, &touches)?;
             let opens = touches.iter().zip(&forces.solution.residual_accelerations);
             let opens = opens.filter(|&(touch, &w)| w > forces.opening && !tolerated.contains(&touch.id));
             left.extend(opens.map(|(touch, _)| touch.id));
@@ -124,10 +150,11 @@ impl Engine {
     fn forces_of(
         &mut self,
         group: &GroupTrial,
+        t: f64,
         states: &[BodyState],
         touches: &[Touch],
     ) -> Result<Forces, SimulationError> {
-        let forces = Forces::solve(&self.world, states, &group.bodies, touches, &mut self.solver)
+        let forces = Forces::solve(&self.world, t, states, &group.bodies, touches, &mut self.solver)
             .map_err(|source| self.response_error(source))?;
         self.note_solve(&forces.solution.report)?;
         Ok(forces)
@@ -155,7 +182,7 @@ impl Engine {
                     Some(Touch { id, kinematics, hold: Hold::Held, known: true })
                 })
                 .collect();
-            let forces = self.forces_of(group, states, &touches)?;
+            let forces = self.forces_of(group, t, states, &touches)?;
             let accelerations = forces.solution.residual_accelerations;
             let opening = touches.iter().zip(&accelerations).filter(|&(_, &w)| w > forces.opening);
             self.departing.extend(opening.map(|(touch, _)| touch.id));
@@ -182,12 +209,18 @@ impl Engine {
             let depth = PENETRATION_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(states, a, b);
             // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
             let contacts = self.world.contacts_of_pair(states, a, b, self.world.touch_distance(states, a, b));
-            // What parts already needs no contact: it leaves by itself.
+            // What parts already needs no contact: it leaves by itself, unless it has come in since the step began.
             let closing = contacts.iter().filter(|touch| {
-                touch.kinematics.geometry.separation < -depth && touch.kinematics.separation_rate < 0.0
+                touch.kinematics.geometry.separation < -depth
+                    && (touch.kinematics.separation_rate < 0.0 || self.was_clear(touch.id, depth))
             });
             closing.map(|touch| touch.id).find(|id| group.held.binary_search(id).is_err() && !tolerated.contains(id))
         })
+    }
+
+    /// Whether a contact was clear of its features at the start of the step.
+    fn was_clear(&self, id: ContactId, depth: f64) -> bool {
+        self.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// When a contact that was clear at the start of the step closes within it: the time at which its separation is

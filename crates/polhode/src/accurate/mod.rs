@@ -12,6 +12,7 @@ mod locate;
 mod projection;
 mod resolve;
 mod start;
+pub(crate) mod stepped;
 mod system;
 mod trial;
 

@@ -7,11 +7,10 @@ use super::engine::{Engine, Mode};
 use super::hold::Forces;
 use super::projection;
 use crate::SimulationError;
-use crate::books::energy_of;
 use crate::event::{Event, EventKind};
 use crate::interaction::contact_set::{ContactId, Hold, Touch};
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{impulse_event, strike};
+use crate::interaction::impact::{impulse_event, strike, support};
 use polhode_response::impact::{ImpactOutcome, ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -34,6 +33,10 @@ const INVISIBLE_HEIGHT: f64 = 64.0;
 /// A contact whose force is below this fraction of the group's largest carries none.
 const DEPARTED_FORCE: f64 = 1e-6;
 
+/// The same as a fraction of the weight and the forces on a body of the group: where all contacts of a group let go at
+/// once, the largest of their forces is a rounding too.
+const DEPARTED_LOAD: f64 = 1e-9;
+
 /// Contacts that open are told from those that hold at this fraction of the threshold by which the location of
 /// contact changes found them, so that both sides of a mirror-symmetric scene open together.
 const OPENING_FRACTION: f64 = 0.5;
@@ -50,6 +53,7 @@ impl Engine {
         for group in self.groups_in_motion() {
             self.decide_holds(&group)?;
         }
+        self.wake_coupled();
         self.release_free_bodies();
         self.report_pairs(&held_before);
         Ok(())
@@ -113,10 +117,13 @@ impl Engine {
         let outcome = strike(&self.world, &mut self.states, group, &self.touches, law, &settings, &mut self.solver)
             .map_err(|source| self.response_error(source))?;
         self.certificate.max_residual = self.certificate.max_residual.max(outcome.residual);
-        self.books.ledger.impact.add(-outcome.energy_change);
+        let impulses = group.contacts.iter().zip(&outcome.impulses);
+        let impulses = impulses.map(|(&i, &p)| (self.touches[i].id, &self.touches[i].kinematics.geometry, p));
+        let given = support(&self.world, self.books.ledger.momentum.about, impulses);
+        self.books.impact(outcome.energy_change, given);
         for application in &outcome.applications {
-            let touch = &self.touches[group.contacts[application.row]];
-            self.events.push(impulse_event(self.t, touch, application));
+            let touch = self.touches[group.contacts[application.row]];
+            self.report_contact(&impulse_event(self.t, &touch, application), touch.id);
         }
         self.warn_about_impact(&outcome);
         if outcome.status == ImpactStatus::NotSolved {
@@ -165,12 +172,9 @@ impl Engine {
             self.end_bounces(group, &candidates)?;
             forces = self.forces(group, &candidates)?;
         }
-        // From exact rest nothing is lost in rounding, and even the slowest fall must begin.
-        let from_rest = group.bodies.iter().all(|&body| self.speed(body) == 0.0);
-        let opening = if from_rest { forces.opening_from_rest } else { forces.opening };
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
-                Ok(row) => self.hold_of(&self.touches[i], &forces, row, opening),
+                Ok(row) => self.hold_of(&self.touches[i], &forces, row),
                 Err(_) => Hold::Open,
             };
             self.set_hold(i, hold);
@@ -180,28 +184,41 @@ impl Engine {
 
     fn forces(&mut self, group: &Group, candidates: &[usize]) -> Result<Forces, SimulationError> {
         let members: Vec<Touch> = candidates.iter().map(|&i| self.touches[i]).collect();
-        let forces = Forces::solve(&self.world, &self.states, &group.bodies, &members, &mut self.solver)
+        let forces = Forces::solve(&self.world, self.t, &self.states, &group.bodies, &members, &mut self.solver)
             .map_err(|source| self.response_error(source))?;
         self.note_solve(&forces.solution.report)?;
         Ok(forces)
     }
 
     /// Whether a candidate holds: it carries force, or it neither opens nor has been open.
-    fn hold_of(&self, touch: &Touch, forces: &Forces, row: usize, opening: f64) -> Hold {
-        let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * opening;
+    fn hold_of(&self, touch: &Touch, forces: &Forces, row: usize) -> Hold {
+        let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
         let was_open = touch.known && touch.hold == Hold::Open;
         // The force of a contact that departs has fallen to zero; one that still carries load was found by mistake.
         let largest = forces.solution.forces.iter().fold(0.0f64, |most, &f| most.max(f));
-        if self.departing.contains(&touch.id) && forces.solution.forces[row] <= DEPARTED_FORCE * largest {
+        let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
+        if self.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
             return Hold::Open;
         }
         if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
     }
 
+    /// Reports an event at a contact point; one that stands for its mirror image too is reported at both.
+    fn report_contact(&mut self, event: &Event, id: ContactId) {
+        let Some(aside) = self.world.mirrored(&self.states, id) else {
+            self.events.push(*event);
+            return;
+        };
+        let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
+        for point in [event.point - aside, event.point + aside] {
+            self.events.push(Event { point, impulse, energy_change_j, ..*event });
+        }
+    }
+
     fn set_hold(&mut self, i: usize, hold: Hold) {
         let touch = self.touches[i];
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
-            self.events.push(contact_event(self.t, EventKind::Detach, &touch));
+            self.report_contact(&contact_event(self.t, EventKind::Detach, &touch), touch.id);
         }
         self.touches[i].hold = hold;
         self.touches[i].known = true;
@@ -238,11 +255,11 @@ impl Engine {
     fn end_bounces(&mut self, group: &Group, candidates: &[usize]) -> Result<(), SimulationError> {
         self.ground(group);
         let ids: Vec<_> = candidates.iter().map(|&i| self.touches[i].id).collect();
-        let before = energy_of(&self.world, &self.states, &group.bodies);
+        let before = self.books.balance(&self.world, &self.states, &group.bodies);
         projection::project_velocities(&self.world, &mut self.states, &group.bodies, &ids)
             .map_err(|source| self.response_error(source))?;
-        let after = energy_of(&self.world, &self.states, &group.bodies);
-        self.books.ledger.rest.add(before - after);
+        let after = self.books.balance(&self.world, &self.states, &group.bodies);
+        self.books.rest(before, after);
         self.refresh_kinematics();
         Ok(())
     }
@@ -257,13 +274,16 @@ impl Engine {
             self.ground(&component);
             let ids: Vec<_> = component.contacts.iter().map(|&i| self.touches[i].id).collect();
             let touching = self.with_overlaps(&ids, &component);
-            let before = energy_of(&self.world, &self.states, &component.bodies);
+            let before = self.books.balance(&self.world, &self.states, &component.bodies);
             projection::project_positions(&self.world, &mut self.states, &component.bodies, &touching)
                 .and_then(|()| projection::project_velocities(&self.world, &mut self.states, &component.bodies, &ids))
                 .map_err(|source| self.response_error(source))?;
-            let after = energy_of(&self.world, &self.states, &component.bodies);
-            self.books.ledger.projection.add(before - after);
-            let rests = component.bodies.iter().all(|&body| balanced.contains(&body) && self.is_slow(body));
+            let after = self.books.balance(&self.world, &self.states, &component.bodies);
+            self.books.projection(before, after);
+            let rests = component
+                .bodies
+                .iter()
+                .all(|&body| balanced.contains(&body) && self.is_slow(body) && self.forces_last(body));
             for &body in &component.bodies {
                 if rests { self.stop(body) } else { self.modes[body] = Mode::Constrained }
             }
@@ -289,18 +309,19 @@ impl Engine {
     fn ground(&mut self, group: &Group) {
         for &body in &group.bodies {
             self.land(body);
-            if matches!(self.modes[body], Mode::Flight(_)) {
+            if matches!(self.modes[body], Mode::Flight(_) | Mode::Stepped) {
                 self.modes[body] = Mode::Constrained;
+                self.stepper.interrupt();
             }
         }
     }
 
     /// Sets a body in equilibrium exactly to rest; what kinetic energy it had left is booked.
     fn stop(&mut self, body: usize) {
-        let before = energy_of(&self.world, &self.states, &[body]);
+        let before = self.books.balance(&self.world, &self.states, &[body]);
         self.states[body].linear_velocity = DVec3::ZERO;
         self.states[body].angular_momentum = DVec3::ZERO;
-        self.books.ledger.rest.add(before - energy_of(&self.world, &self.states, &[body]));
+        self.books.rest(before, self.books.balance(&self.world, &self.states, &[body]));
         let rested = matches!(self.modes[body], Mode::Rest);
         self.modes[body] = Mode::Rest;
         self.woken.remove(&body);
@@ -363,6 +384,41 @@ impl Engine {
 
     pub(super) fn is_sustained(&self, touch: &Touch) -> bool {
         touch.kinematics.separation_rate.abs() <= self.sustained_speed(touch)
+    }
+
+    /// Whether the forces on a body stay as they are while it rests: none changes with time, and the bodies that forces
+    /// couple it to rest too or are about to.
+    fn forces_last(&self, body: usize) -> bool {
+        let couplings = self.world.couplings.iter().filter(|together| together.contains(&body));
+        let still = |&other: &usize| matches!(self.modes[other], Mode::Rest) || self.is_slow(other);
+        !self.world.is_driven(body) && couplings.flatten().all(still)
+    }
+
+    /// Wakes what rests and is coupled by a force to a body that moves, and what rests with it.
+    fn wake_coupled(&mut self) {
+        let rests = |modes: &[Mode], body: usize| matches!(modes[body], Mode::Rest);
+        loop {
+            let mut wake = BTreeSet::new();
+            for together in &self.world.couplings {
+                if together.iter().any(|&body| !rests(&self.modes, body)) {
+                    wake.extend(together.iter().copied().filter(|&body| rests(&self.modes, body)));
+                }
+            }
+            for touch in self.touches.iter().filter(|touch| touch.hold == Hold::Held) {
+                for (body, other) in [(touch.id.a, touch.id.b), (touch.id.b, touch.id.a)] {
+                    if matches!(self.modes[other], Mode::Constrained) && rests(&self.modes, body) {
+                        wake.insert(body);
+                    }
+                }
+            }
+            if wake.is_empty() {
+                return;
+            }
+            for body in wake {
+                self.modes[body] = Mode::Constrained;
+                self.woken.insert(body);
+            }
+        }
     }
 
     fn is_slow(&self, body: usize) -> bool {

@@ -4,7 +4,6 @@ use super::engine::Engine;
 use super::impact_search::swept_box;
 use super::projection;
 use crate::SimulationError;
-use crate::books::energy_of;
 use crate::interaction::contact_set::{Hold, Touch};
 use crate::interaction::groups::groups;
 use crate::scene::SceneError;
@@ -97,11 +96,11 @@ impl Engine {
         let all = self.touches.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b));
         for group in groups(&self.world, all) {
             let ids: Vec<_> = group.contacts.iter().map(|&i| self.touches[i].id).collect();
-            let before = energy_of(&self.world, &self.states, &group.bodies);
+            let before = self.books.balance(&self.world, &self.states, &group.bodies);
             projection::project_positions(&self.world, &mut self.states, &group.bodies, &ids)
                 .map_err(|source| self.response_error(source))?;
-            let after = energy_of(&self.world, &self.states, &group.bodies);
-            self.books.ledger.projection.add(before - after);
+            let after = self.books.balance(&self.world, &self.states, &group.bodies);
+            self.books.projection(before, after);
         }
         for body in 0..self.world.bodies.len() {
             self.take_off(body);

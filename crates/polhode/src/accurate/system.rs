@@ -6,16 +6,38 @@
 //! pull) is checked on the result, not here.
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
+//! With force fields and pivots, g and L' are those of [`polhode_dynamics::FreeMotion`]. Twenty more numbers follow the
+//! bodies, for the ledgers: impulse and moment about the ledger's point of fixed bodies, of the weights and of the
+//! fields; what drag took, and the work of forces from outside.
 
+use crate::Momentum;
+use crate::books::{Received, given_by_fields, gravity_at};
 use crate::interaction::assembly::Assembly;
 use crate::interaction::contact_set::ContactId;
-use crate::world::World;
+use crate::interaction::impact::support;
+use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
-use polhode_dynamics::free_fall::quaternion_rate;
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
-use polhode_dynamics::{BodyState, System};
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
+use polhode_dynamics::{BodyState, RigidBody, System};
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::{DQuat, DVec3};
+
+/// Numbers after those of the bodies: what the outside gives.
+const TAIL: usize = 20;
+
+/// What gravity and fixed bodies gave, from the end of a flat state.
+pub(super) fn received(flat: &[f64]) -> Received {
+    let Some(tail) = flat.last_chunk::<TAIL>() else { return Received::default() };
+    let vector = |first: usize| DVec3::new(tail[first], tail[first + 1], tail[first + 2]);
+    let momentum = |first: usize| Momentum { linear: vector(first), angular: vector(first + 3) };
+    Received {
+        support: momentum(0),
+        gravity: momentum(6),
+        fields: momentum(12),
+        damping_j: tail[18],
+        external_j: tail[19],
+    }
+}
 
 /// A moving group with its held contacts.
 #[derive(Debug)]
@@ -23,6 +45,8 @@ pub(super) struct ContactSystem<'a> {
     world: &'a World,
     bodies: &'a [usize],
     held: &'a [ContactId],
+    /// The point of the ledger of momentum.
+    about: DVec3,
     /// States of all bodies; those of `bodies` are overwritten at every stage.
     states: Vec<BodyState>,
     /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
@@ -31,8 +55,14 @@ pub(super) struct ContactSystem<'a> {
 }
 
 impl<'a> ContactSystem<'a> {
-    pub(super) fn new(world: &'a World, states: &[BodyState], bodies: &'a [usize], held: &'a [ContactId]) -> Self {
-        Self { world, bodies, held, states: states.to_vec(), contacts: Vec::with_capacity(held.len()) }
+    pub(super) fn new(
+        world: &'a World,
+        states: &[BodyState],
+        bodies: &'a [usize],
+        held: &'a [ContactId],
+        about: DVec3,
+    ) -> Self {
+        Self { world, bodies, held, about, states: states.to_vec(), contacts: Vec::with_capacity(held.len()) }
     }
 
     /// The group's bodies.
@@ -42,21 +72,46 @@ impl<'a> ContactSystem<'a> {
 
     /// Flat state of the group.
     pub(super) fn pack(&self) -> Vec<f64> {
-        self.bodies.iter().flat_map(|&body| self.states[body].to_array()).collect()
+        let bodies = self.bodies.iter().flat_map(|&body| self.states[body].to_array());
+        bodies.chain([0.0; TAIL]).collect()
     }
 
     /// Forces of the held contacts at the present states.
-    fn held_forces(&self) -> Result<Vec<f64>, ResponseError> {
+    fn held_forces(&self, loads: &Loads) -> Result<Vec<f64>, ResponseError> {
+        if self.contacts.is_empty() {
+            return Ok(Vec::new());
+        }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, &self.states, self.bodies, rows)?;
-        let free = assembly.free_accelerations(self.world, &self.states);
+        let free = assembly.free_accelerations(self.world, &self.states, loads);
         let b = assembly.acceleration_constants(&free, self.contacts.iter().map(|(_, k)| k))?;
         let delassus = assembly.problem.delassus();
         LeastNormHold::factor(&delassus)?.solve(&delassus, &b)
     }
 
+    /// Rates of what the outside gives.
+    fn outside_rates(&self, t: f64, forces: &[f64], rates: &mut [f64]) {
+        rates.fill(0.0);
+        let contacts = self.contacts.iter().zip(forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        let support = support(self.world, self.about, contacts);
+        add(&mut rates[..], support.linear);
+        add(&mut rates[3..], support.angular);
+        for &body in self.bodies {
+            let gravity = gravity_at(self.world, &self.states, body, self.about, 1.0);
+            add(&mut rates[6..], gravity.linear);
+            add(&mut rates[9..], gravity.angular);
+        }
+        if self.world.has_fields() {
+            let given = given_by_fields(self.world, t, &self.states, self.bodies, self.about);
+            add(&mut rates[12..], given.fields.linear);
+            add(&mut rates[15..], given.fields.angular);
+            rates[18] = given.damping_j;
+            rates[19] = given.external_j;
+        }
+    }
+
     /// Rates without contact forces.
-    fn free_rates(&self, state: &[f64], rates: &mut [f64]) {
+    fn free_rates(&self, loads: &Loads, state: &[f64], rates: &mut [f64]) {
         let numbers = state.as_chunks::<WIDTH>().0;
         for ((&body, number), rate) in self.bodies.iter().zip(numbers).zip(rates.as_chunks_mut::<WIDTH>().0) {
             let velocity = self.world.velocity(body, &self.states[body]);
@@ -68,8 +123,11 @@ impl<'a> ContactSystem<'a> {
             );
             rate[POSITION..QUATERNION].copy_from_slice(&velocity.linear.to_array());
             rate[QUATERNION..LINEAR_VELOCITY].copy_from_slice(&quaternion_rate(quaternion, velocity.angular));
-            rate[LINEAR_VELOCITY..ANGULAR_MOMENTUM].copy_from_slice(&self.world.gravity().to_array());
-            rate[ANGULAR_MOMENTUM..].fill(0.0);
+            let load = loads.of(body);
+            let inverse_mass = self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+            let acceleration = self.world.free_acceleration(body) + load.force * inverse_mass;
+            rate[LINEAR_VELOCITY..ANGULAR_MOMENTUM].copy_from_slice(&acceleration.to_array());
+            rate[ANGULAR_MOMENTUM..].copy_from_slice(&load.torque.to_array());
         }
     }
 }
@@ -78,18 +136,19 @@ impl System for ContactSystem<'_> {
     type Error = ResponseError;
 
     fn dimension(&self) -> usize {
-        self.bodies.len() * WIDTH
+        self.bodies.len() * WIDTH + TAIL
     }
 
-    fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), ResponseError> {
+    fn derivative(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), ResponseError> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
         let (world, states) = (self.world, &self.states);
         self.contacts.clear();
         self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
-        let forces = self.held_forces()?;
-        self.free_rates(state, rates);
+        let loads = self.world.loads(t, &self.states);
+        let forces = self.held_forces(&loads)?;
+        self.free_rates(&loads, state, rates);
         for ((id, k), &force) in self.contacts.iter().zip(&forces) {
             for (body, signed) in [(id.a, force), (id.b, -force)] {
                 let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid)
@@ -103,6 +162,7 @@ impl System for ContactSystem<'_> {
                 add(&mut rate[ANGULAR_MOMENTUM..], moment);
             }
         }
+        self.outside_rates(t, &forces, &mut rates[self.bodies.len() * WIDTH..]);
         Ok(())
     }
 }

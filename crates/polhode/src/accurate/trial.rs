@@ -5,13 +5,18 @@
 //! interpolated, so that states at events are as accurate as states at step ends.
 
 use super::engine::{Engine, Mode};
-use super::system::ContactSystem;
+use super::stepped::SteppedTrial;
+use super::system::{ContactSystem, received};
 use crate::SimulationError;
+use crate::books::Received;
 use crate::interaction::contact_set::{ContactId, Hold};
-use crate::world::World;
-use polhode_dynamics::{BodyState, DenseStep, Dop853, state::WIDTH};
+use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrator::dop853::STEP_SHARE;
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use polhode_dynamics::{BodyState, DenseStep, Dop853, RigidBody};
 use polhode_response::ResponseError;
-use polhode_spatial::{Motion, Still};
+use polhode_spatial::{DVec3, Motion, Still};
+use std::ops::Range;
 
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
@@ -26,6 +31,7 @@ pub(super) struct Trial {
     /// End of the step: `t + h`, or exactly the end of the run.
     end: f64,
     pub(super) groups: Vec<GroupTrial>,
+    pub(super) stepped: Option<SteppedTrial>,
 }
 
 /// A step of one group.
@@ -42,6 +48,11 @@ pub(super) struct GroupTrial {
 impl Trial {
     pub(super) fn end(&self) -> f64 {
         self.end
+    }
+
+    /// Start of the step, s.
+    pub(super) fn start(&self) -> f64 {
+        self.t
     }
 }
 
@@ -61,6 +72,20 @@ fn unpack(flat: &[f64]) -> impl Iterator<Item = BodyState> + '_ {
     flat.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array)
 }
 
+/// A group at the end of its step.
+pub(super) struct GroupEnd {
+    /// States of its bodies.
+    pub(super) states: Vec<BodyState>,
+    /// What gravity and fixed bodies gave to it over the step.
+    pub(super) received: Received,
+}
+
+impl GroupEnd {
+    fn new(flat: &[f64]) -> Self {
+        Self { states: unpack(flat).collect(), received: received(flat) }
+    }
+}
+
 /// One attempt at a step of a group.
 struct Attempt {
     integrator: Dop853,
@@ -76,13 +101,16 @@ impl Engine {
         let limit = self.step_limit();
         let groups = self.constrained_groups();
         if groups.is_empty() {
-            return Ok(Trial { t: self.t, end: self.end_of(limit), groups: Vec::new() });
+            let end = self.end_of(limit);
+            let stepped = self.step_freely(end)?;
+            return Ok(Trial { t: self.t, end, groups: Vec::new(), stepped });
         }
         let mut h = self.proposed_step_s.min(limit);
         loop {
             self.check_step(h)?;
             match self.attempt_all(&groups, h) {
-                Ok((trial, factor)) => {
+                Ok((mut trial, factor)) => {
+                    trial.stepped = self.step_freely(trial.end)?;
                     self.proposed_step_s = (h * factor).min(self.settings.step_s);
                     return Ok(trial);
                 }
@@ -102,7 +130,8 @@ impl Engine {
                 .filter(|&&i| self.touches[i].hold == Hold::Held)
                 .map(|&i| self.touches[i].id)
                 .collect();
-            let mut system = ContactSystem::new(&self.world, &self.states, &group.bodies, &held);
+            let mut system =
+                ContactSystem::new(&self.world, &self.states, &group.bodies, &held, self.books.ledger.momentum.about);
             let mut attempt = self.attempt(&mut system, h).map_err(|_| FAILED_STAGE_FACTOR)?;
             let factor = Dop853::next_step_factor(attempt.error);
             if attempt.error > 1.0 || attempt.error.is_nan() {
@@ -114,29 +143,94 @@ impl Engine {
             let end_state = attempt.integrator.end_state().to_vec();
             trials.push(GroupTrial { bodies: group.bodies.clone(), held, dense, end_state });
         }
-        Ok((Trial { t: self.t, end: self.end_of(h), groups: trials }, smallest))
+        Ok((Trial { t: self.t, end: self.end_of(h), groups: trials, stepped: None }, smallest))
     }
 
     fn attempt(&self, system: &mut ContactSystem<'_>, h: f64) -> Result<Attempt, ResponseError> {
         let state = system.pack();
-        let scale = error_scale(&self.world, &self.states, system.bodies(), self.settings.tolerance);
         let mut integrator = Dop853::new(state.len());
-        let error = integrator.attempt(system, self.t, &state, h, &scale)?;
+        integrator.attempt_unscaled(system, self.t, &state, h)?;
+        let error = self.error_of(&integrator, system.bodies(), self.t + h);
         Ok(Attempt { integrator, error })
     }
 
+    /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
+    fn error_of(&self, integrator: &Dop853, bodies: &[usize], t_end: f64) -> f64 {
+        let mut worst = 0.0f64;
+        let mut ends = self.states.clone();
+        for (&body, state) in bodies.iter().zip(unpack(integrator.end_state())) {
+            ends[body] = state;
+        }
+        let loads = self.world.loads(t_end, &ends);
+        for (index, &body) in bodies.iter().enumerate() {
+            let offset = index * WIDTH;
+            let own = offset..offset + WIDTH;
+            let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
+            let (Some(rates), Some(end)) = (rates, end) else { continue };
+            for (quantity, allowed) in self.allowances(body, rates, end, loads.of(body)) {
+                let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
+                // No error is none, also where nothing moves and nothing is allowed.
+                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+            }
+        }
+        worst
+    }
+
+    /// The error allowed in a step for each quantity of a body: the tolerance, of which a step may use [`STEP_SHARE`],
+    /// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
+    /// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
+    /// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
+    fn allowances(&self, body: usize, rates: &[f64], end: &[f64], load: Wrench) -> [(Range<usize>, f64); 4] {
+        let tolerance = STEP_SHARE * self.settings.tolerance;
+        let length = self.world.bodies[body].size;
+        let velocity = self.world.velocity(body, &self.states[body]);
+        let gravity_speed = (self.world.gravity().length() * length).sqrt();
+        let rigid = self.world.bodies[body].rigid.as_ref();
+        let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());
+        let inverse_mass = rigid.map_or(0.0, RigidBody::inverse_mass);
+        let size = |of: &[f64], first: usize| DVec3::new(of[first], of[first + 1], of[first + 2]).length();
+        let per_moment = |value: f64| if moment > 0.0 { value / moment } else { 0.0 };
+        let speed = [
+            gravity_speed,
+            velocity.linear.length(),
+            velocity.angular.length() * length,
+            (size(rates, LINEAR_VELOCITY) * length).sqrt(),
+            per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
+            // Where a force sets in within the step, what moves at its end is of the order of the error.
+            (load.force.length() * inverse_mass * length).sqrt(),
+            per_moment(load.torque.length()).sqrt() * length,
+            size(end, LINEAR_VELOCITY),
+            per_moment(size(end, ANGULAR_MOMENTUM)) * length,
+        ]
+        .into_iter()
+        .fold(0.0, f64::max);
+        [
+            (POSITION..QUATERNION, tolerance * length),
+            (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
+            (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
+            (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
+        ]
+    }
+
     /// States of each group's bodies at `t_next`: the end of the trial, or of a shorter step from the same start.
-    pub(super) fn states_at_end(&self, trial: &Trial, t_next: f64) -> Result<Vec<Vec<BodyState>>, SimulationError> {
+    pub(super) fn states_at_end(&self, trial: &Trial, t_next: f64) -> Result<Vec<GroupEnd>, SimulationError> {
         let mut ends = Vec::with_capacity(trial.groups.len());
         for group in &trial.groups {
             if t_next >= trial.end {
-                ends.push(unpack(&group.end_state).collect());
+                ends.push(GroupEnd::new(&group.end_state));
                 continue;
             }
             let h = t_next - trial.t;
-            let mut system = ContactSystem::new(&self.world, &self.states, &group.bodies, &group.held);
+            let mut system = ContactSystem::new(
+                &self.world,
+                &self.states,
+                &group.bodies,
+                &group.held,
+                self.books.ledger.momentum.about,
+            );
             let attempt = self.attempt(&mut system, h).map_err(|source| self.response_error(source))?;
-            ends.push(unpack(attempt.integrator.end_state()).collect());
+            ends.push(GroupEnd::new(attempt.integrator.end_state()));
         }
         Ok(ends)
     }
@@ -145,7 +239,8 @@ impl Engine {
     pub(super) fn state_within(&self, trial: &Trial, body: usize, t: f64) -> BodyState {
         match &self.modes[body] {
             Mode::Flight(flight) => flight.state(t),
-            Mode::Fixed | Mode::Rest => self.states[body],
+            // Those of stepped bodies are written by `stepped_states`.
+            Mode::Fixed | Mode::Rest | Mode::Stepped => self.states[body],
             Mode::Constrained => {
                 let mut state = self.states[body];
                 if let Some((group, index)) = trial.find(body) {
@@ -164,6 +259,15 @@ impl Engine {
             (Mode::Flight(flight), _, _) => flight.clone(),
             (Mode::Constrained, Some((group, index)), Some(rigid)) => {
                 match group.dense.body_motion(index * WIDTH, rigid) {
+                    Some(motion) => Box::new(motion),
+                    None => Box::new(Still(self.states[body].pose)),
+                }
+            }
+            (Mode::Stepped, _, Some(rigid)) => {
+                let dense = trial.stepped.as_ref().and_then(|stepped| stepped.dense.as_ref());
+                let motion =
+                    dense.zip(self.world.slot(body)).and_then(|(dense, slot)| dense.body_motion(slot * WIDTH, rigid));
+                match motion {
                     Some(motion) => Box::new(motion),
                     None => Box::new(Still(self.states[body].pose)),
                 }
@@ -190,23 +294,4 @@ impl Trial {
     fn find(&self, body: usize) -> Option<(&GroupTrial, usize)> {
         self.groups.iter().find_map(|group| Some((group, group.bodies.binary_search(&body).ok()?)))
     }
-}
-
-/// Error scale of each number of the flat state: the tolerance times the size of what the number measures. Length is
-/// the body's size, speed the larger of its own speed and what gravity gives over its size.
-fn error_scale(world: &World, states: &[BodyState], bodies: &[usize], tolerance: f64) -> Vec<f64> {
-    let mut scale = Vec::with_capacity(bodies.len() * WIDTH);
-    for &body in bodies {
-        let length = world.bodies[body].size;
-        let velocity = world.velocity(body, &states[body]);
-        let gravity_speed = (world.gravity().length() * length).sqrt();
-        let speed = velocity.linear.length().max(velocity.angular.length() * length).max(gravity_speed);
-        let moment = world.bodies[body].rigid.as_ref().map_or(0.0, |rigid| rigid.moments().z);
-        let angular_momentum = moment * speed / length;
-        scale.extend([tolerance * length; 3]);
-        scale.extend([tolerance; 4]);
-        scale.extend([tolerance * speed; 3]);
-        scale.extend([tolerance * angular_momentum; 3]);
-    }
-    scale
 }

@@ -2,17 +2,54 @@
 //!
 //! Generalised velocity of a body: (v of the centre of mass, w), world axes; inverse mass `diag(1/m 1, I^-1)`. The row
 //! of a contact is `(n, r_A x n)` for A and `-(n, r_B x n)` for B, with r from the centre of mass to the point
-//! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17).
+//! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
+//! coordinates instead of six, and everything else is the same.
 
 use crate::interaction::contact_set::ContactId;
-use crate::world::World;
+use crate::planar::PlaneOfMotion;
+use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 
-/// Width of a body's generalised velocity in space.
-const WIDTH: usize = 6;
+/// Coordinates of a body's generalised velocity: six in space, three in a plane.
+#[derive(Debug, Clone, Copy)]
+enum Coordinates {
+    Space,
+    Plane(PlaneOfMotion),
+}
+
+impl Coordinates {
+    fn of(world: &World) -> Self {
+        world.plane.map_or(Self::Space, Self::Plane)
+    }
+
+    fn width(self) -> usize {
+        match self {
+            Self::Space => 6,
+            Self::Plane(_) => 3,
+        }
+    }
+
+    /// Appends the coordinates of a linear and an angular part.
+    fn push(self, out: &mut Vec<f64>, linear: DVec3, angular: DVec3) {
+        match self {
+            Self::Space => out.extend([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]),
+            Self::Plane(plane) => out.extend(plane.coordinates(linear, angular)),
+        }
+    }
+
+    /// Linear and angular part of coordinates.
+    fn parts(self, c: &[f64]) -> (DVec3, DVec3) {
+        match (self, c) {
+            (Self::Space, &[a, b, c, d, e, f]) => (DVec3::new(a, b, c), DVec3::new(d, e, f)),
+            (Self::Plane(plane), &[a, b, c]) => plane.velocity([a, b, c]),
+            // Coordinates come in chunks of the width.
+            _ => (DVec3::ZERO, DVec3::ZERO),
+        }
+    }
+}
 
 /// Contacts of a group of bodies, assembled.
 #[derive(Debug)]
@@ -20,6 +57,7 @@ pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
+    coordinates: Coordinates,
 }
 
 impl Assembly {
@@ -33,38 +71,39 @@ impl Assembly {
         bodies: &[usize],
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
     ) -> Result<Self, ResponseError> {
-        let mut inverse_masses = Vec::with_capacity(bodies.len() * WIDTH * WIDTH);
+        let coordinates = Coordinates::of(world);
+        let width = coordinates.width();
+        let mut inverse_masses = Vec::with_capacity(bodies.len() * width * width);
         for &body in bodies {
             push_inverse_mass(&mut inverse_masses, world, states, body);
         }
-        let mut problem = ContactProblem::new(WIDTH, inverse_masses)?;
+        let mut problem = ContactProblem::new(width, inverse_masses)?;
+        let (mut row_a, mut row_b) = (Vec::with_capacity(width), Vec::with_capacity(width));
         for (id, geometry) in contacts {
-            let block = |body: usize, sign: f64| {
+            let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
                 let index = bodies.binary_search(&body).ok()?;
                 let normal = geometry.normal * sign;
                 let moment = (geometry.point - states[body].pose.translation).cross(normal);
-                Some((index, [normal.x, normal.y, normal.z, moment.x, moment.y, moment.z]))
+                row.clear();
+                coordinates.push(row, normal, moment);
+                Some(index)
             };
-            match (block(id.a, 1.0), block(id.b, -1.0)) {
-                (Some((a, row_a)), Some((b, row_b))) => problem.push_row(&[(a, &row_a), (b, &row_b)]),
-                (Some((body, row)), None) | (None, Some((body, row))) => problem.push_row(&[(body, &row)]),
+            match (block(id.a, 1.0, &mut row_a), block(id.b, -1.0, &mut row_b)) {
+                (Some(a), Some(b)) => problem.push_row(&[(a, &row_a), (b, &row_b)]),
+                (Some(a), None) => problem.push_row(&[(a, &row_a)]),
+                (None, Some(b)) => problem.push_row(&[(b, &row_b)]),
                 (None, None) => problem.push_row(&[]),
             }?;
         }
-        Ok(Self { problem, bodies: bodies.to_vec() })
+        Ok(Self { problem, bodies: bodies.to_vec(), coordinates })
     }
 
-    /// Generalised accelerations without contact forces: gravity, and `-I^-1 (w x L)`.
-    pub(crate) fn free_accelerations(&self, world: &World, states: &[BodyState]) -> Vec<f64> {
-        let mut out = Vec::with_capacity(self.bodies.len() * WIDTH);
+    /// Generalised accelerations without contact forces: `g + F/m` and `I^-1 (torque - w x L)`.
+    pub(crate) fn free_accelerations(&self, world: &World, states: &[BodyState], loads: &Loads) -> Vec<f64> {
+        let mut out = Vec::with_capacity(self.bodies.len() * self.coordinates.width());
         for &body in &self.bodies {
-            let state = &states[body];
-            let angular = world.bodies[body].rigid.as_ref().map_or(DVec3::ZERO, |rigid| {
-                let w = rigid.angular_velocity(state);
-                let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-                -(inverse * w.cross(state.angular_momentum))
-            });
-            push(&mut out, world.gravity(), angular);
+            let (linear, angular) = free_acceleration(world, states, loads, body);
+            self.coordinates.push(&mut out, linear, angular);
         }
         out
     }
@@ -89,9 +128,21 @@ impl Assembly {
     pub(crate) fn split<'a>(&'a self, columns: &'a [f64]) -> impl Iterator<Item = (usize, DVec3, DVec3)> + 'a {
         self.bodies
             .iter()
-            .zip(columns.chunks_exact(WIDTH))
-            .map(|(&body, c)| (body, DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5])))
+            .zip(columns.chunks_exact(self.coordinates.width()))
+            .map(|(&body, c)| (body, self.coordinates.parts(c)))
+            .map(|(body, (linear, angular))| (body, linear, angular))
     }
+}
+
+/// Linear and angular acceleration of a body without contact forces.
+pub(crate) fn free_acceleration(world: &World, states: &[BodyState], loads: &Loads, body: usize) -> (DVec3, DVec3) {
+    let (state, load) = (&states[body], loads.of(body));
+    world.bodies[body].rigid.as_ref().map_or((DVec3::ZERO, DVec3::ZERO), |rigid| {
+        let w = rigid.angular_velocity(state);
+        let inverse = rigid.inverse_inertia_world(state.pose.rotation);
+        let linear = world.free_acceleration(body) + load.force * rigid.inverse_mass();
+        (linear, inverse * (load.torque - w.cross(state.angular_momentum)))
+    })
 }
 
 /// Applies impulses (N s) along the normals of contacts to the momenta of their bodies (thesis, equations 10-13).
@@ -112,21 +163,28 @@ pub(crate) fn apply_impulses<'a>(
     }
 }
 
-fn push(out: &mut Vec<f64>, linear: DVec3, angular: DVec3) {
-    out.extend([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]);
-}
-
-/// Appends the 6 x 6 inverse mass of a movable body.
+/// Appends the inverse mass of a movable body: `diag(1/m 1, I^-1)` in space, `diag(1/m, 1/m, n.I^-1 n)` in a plane.
 fn push_inverse_mass(out: &mut Vec<f64>, world: &World, states: &[BodyState], body: usize) {
+    let coordinates = Coordinates::of(world);
+    let width = coordinates.width();
     let start = out.len();
-    out.resize(start + WIDTH * WIDTH, 0.0);
+    out.resize(start + width * width, 0.0);
     let Some(rigid) = &world.bodies[body].rigid else { return };
     let block = &mut out[start..];
     let inverse_inertia = rigid.inverse_inertia_world(states[body].pose.rotation);
-    for i in 0..3 {
-        block[i * WIDTH + i] = rigid.inverse_mass();
-        for j in 0..3 {
-            block[(3 + i) * WIDTH + 3 + j] = inverse_inertia.col(j)[i];
+    match coordinates {
+        Coordinates::Space => {
+            for i in 0..3 {
+                block[i * width + i] = rigid.inverse_mass();
+                for j in 0..3 {
+                    block[(3 + i) * width + 3 + j] = inverse_inertia.col(j)[i];
+                }
+            }
+        }
+        Coordinates::Plane(plane) => {
+            block[0] = rigid.inverse_mass();
+            block[width + 1] = rigid.inverse_mass();
+            block[2 * width + 2] = plane.normal().dot(inverse_inertia * plane.normal());
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::interaction::vertex_vertex::counterpart;
 use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{ContactFeature, ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
-use polhode_spatial::Velocity;
+use polhode_spatial::{DVec3, Velocity};
 
 /// Vertices that meet within this fraction of touch are treated alike from both sides; a contact that has left its
 /// face by the whole of it is given up, so that the two rules do not undo each other.
@@ -54,6 +54,17 @@ impl World {
     /// Geometry, approach and acceleration terms of a contact at the given states; none when its features no longer
     /// define a contact (edges have become parallel).
     pub(crate) fn kinematics(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+        let mut kinematics = self.kinematics_in_space(states, id)?;
+        if let Some(plane) = &self.plane {
+            // It stands for its mirror image too, and together they act in the plane.
+            let geometry = &mut kinematics.geometry;
+            geometry.point = plane.project_point(geometry.point);
+            geometry.normal = plane.project_vector(geometry.normal);
+        }
+        Some(kinematics)
+    }
+
+    fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         polhode_contact::kinematics(
@@ -65,6 +76,20 @@ impl World {
             &state_b.pose,
             &self.velocity(id.b, state_b),
         )
+    }
+
+    /// From the plane of a planar motion to a contact point that stands for its mirror image too, m; none for a point
+    /// that is its own image, and where there is no plane.
+    pub(crate) fn mirrored(&self, states: &[BodyState], id: ContactId) -> Option<DVec3> {
+        let plane = self.plane?;
+        let height = plane.height(self.kinematics_in_space(states, id)?.geometry.point);
+        let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(id.a, id.b);
+        (height.abs() > distance).then(|| plane.normal() * height)
+    }
+
+    /// Whether a contact point stands for itself in planar motion, and not its mirror image for it.
+    fn is_counted(&self, point: DVec3, distance: f64) -> bool {
+        self.plane.is_none_or(|plane| plane.height(point) >= -distance)
     }
 
     /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
@@ -81,6 +106,9 @@ impl World {
         features.dedup();
         let touch = |feature| {
             let id = ContactId { a, b, feature };
+            if !self.is_counted(self.kinematics_in_space(states, id)?.geometry.point, distance) {
+                return None;
+            }
             let kinematics = self.kinematics(states, id)?;
             Some(Touch { id, kinematics, hold: Hold::Open, known: false })
         };

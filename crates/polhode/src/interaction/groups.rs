@@ -1,4 +1,4 @@
-//! Groups: bodies connected by contacts.
+//! Groups: bodies connected by contacts, or by forces between them.
 //!
 //! Immovable bodies carry no motion from one contact to another and so connect nothing. Groups and their members are
 //! ordered by body number, so that results do not depend on how they were found.
@@ -16,8 +16,35 @@ pub(crate) struct Group {
 
 /// The groups that `contacts` (index of the contact, body A, body B) form.
 pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
+    joined(world, contacts, &[], &[])
+}
+
+/// The groups that `contacts` and the force fields that couple bodies form among `bodies`, each of which is in one.
+pub(crate) fn coupled_groups(
+    world: &World,
+    contacts: impl Iterator<Item = (usize, usize, usize)>,
+    bodies: &[usize],
+) -> Vec<Group> {
+    joined(world, contacts, bodies, &world.couplings)
+}
+
+/// Groups by contacts, of `bodies` also by couplings.
+fn joined(
+    world: &World,
+    contacts: impl Iterator<Item = (usize, usize, usize)>,
+    bodies: &[usize],
+    couplings: &[Vec<usize>],
+) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
     let mut parent: Vec<usize> = (0..world.bodies.len()).collect();
+    for together in couplings {
+        let mut members = together.iter().copied().filter(|body| bodies.contains(body));
+        let Some(first) = members.next() else { continue };
+        for body in members {
+            let (root_a, root_b) = (root(&mut parent, first), root(&mut parent, body));
+            parent[root_a.max(root_b)] = root_a.min(root_b);
+        }
+    }
     for &(_, a, b) in &contacts {
         if world.bodies[a].moves() && world.bodies[b].moves() {
             let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
@@ -27,6 +54,9 @@ pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize
     }
     let mut slot: Vec<Option<usize>> = vec![None; world.bodies.len()];
     let mut touched = vec![false; world.bodies.len()];
+    for &body in bodies {
+        touched[body] = true;
+    }
     for &(_, a, b) in &contacts {
         touched[a] |= world.bodies[a].moves();
         touched[b] |= world.bodies[b].moves();

@@ -2,14 +2,36 @@
 
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::contact_set::Touch;
+use crate::interaction::contact_set::{ContactId, Touch};
 use crate::interaction::groups::Group;
 use crate::scene::ImpactLaw;
 use crate::world::World;
+use crate::{Momentum, MomentumSum};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactSettings};
 use polhode_response::{ComplementaritySolver, ResponseError};
+use polhode_spatial::DVec3;
+
+/// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
+/// about a point: what contacts with fixed bodies give, since between bodies that move nothing is gained.
+pub(crate) fn support<'a>(
+    world: &World,
+    about: DVec3,
+    contacts: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
+) -> Momentum {
+    let mut sum = MomentumSum::default();
+    for (id, geometry, p) in contacts {
+        let sign = match (world.carries_momentum(id.a), world.carries_momentum(id.b)) {
+            (true, false) => 1.0,
+            (false, true) => -1.0,
+            _ => continue,
+        };
+        let linear = geometry.normal * (sign * p);
+        sum.add(Momentum { linear, angular: (geometry.point - about).cross(linear) });
+    }
+    sum.value()
+}
 
 /// Strikes the contacts of a group and updates the momenta of its bodies.
 ///

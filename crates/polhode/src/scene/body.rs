@@ -1,7 +1,7 @@
 //! Bodies of a scene.
 
 use super::{Geometry, Material};
-use polhode_spatial::{MassProperties, Pose, Velocity};
+use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
 
 /// Whether and how a body moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +24,7 @@ pub struct Body {
     pub(crate) pose: Pose,
     pub(crate) velocity: Velocity,
     pub(crate) material: Material,
+    pub(crate) pivot: Option<DVec3>,
 }
 
 impl Body {
@@ -45,12 +46,20 @@ impl Body {
             pose: Pose::IDENTITY,
             velocity: Velocity::ZERO,
             material: Material::default(),
+            pivot: None,
         }
     }
 
     /// With this shape.
     pub fn geometry(mut self, geometry: Geometry) -> Self {
         self.geometry = Some(geometry);
+        self
+    }
+
+    /// Held at a point of the world (m) that the body then only turns about, as a top or a pendulum does. The velocity of
+    /// the centre of mass follows from the angular velocity and need not be given.
+    pub fn pivot(mut self, point: DVec3) -> Self {
+        self.pivot = Some(point);
         self
     }
 
@@ -70,6 +79,11 @@ impl Body {
     pub fn material(mut self, material: Material) -> Self {
         self.material = material;
         self
+    }
+
+    /// The point of the world that it is held at, m.
+    pub fn pivot_point(&self) -> Option<DVec3> {
+        self.pivot
     }
 
     /// The body's name.

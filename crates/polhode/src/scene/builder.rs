@@ -1,6 +1,6 @@
 //! Building and checking a scene.
 
-use super::{Body, DEFAULT_GRAVITY, Geometry, Method, PairRule, Scene, SceneError};
+use super::{Body, DEFAULT_GRAVITY, Force, Geometry, Method, PairRule, Scene, SceneError, force};
 use polhode_contact::Shape;
 use polhode_spatial::DVec3;
 
@@ -12,6 +12,9 @@ const DEFAULT_OUTPUT_INTERVAL_S: f64 = 0.01;
 
 /// Samples or steps of a run at the most.
 const MOST_STEPS: f64 = 1e12;
+
+/// How far the velocity given to a pivoted body may be from that of its rotation, relative to it.
+const PIVOT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Collects the parts of a scene; [`SceneBuilder::build`] checks them together.
 #[derive(Debug, Clone)]
@@ -29,6 +32,7 @@ impl SceneBuilder {
                 gravity: DEFAULT_GRAVITY,
                 method: Method::default(),
                 bodies: Vec::new(),
+                forces: Vec::new(),
                 pair_rules: Vec::new(),
                 no_contact: Vec::new(),
             },
@@ -62,6 +66,12 @@ impl SceneBuilder {
     /// One more body.
     pub fn body(mut self, body: Body) -> Self {
         self.scene.bodies.push(body);
+        self
+    }
+
+    /// One more force.
+    pub fn force(mut self, force: Force) -> Self {
+        self.scene.forces.push(force);
         self
     }
 
@@ -104,13 +114,17 @@ impl SceneBuilder {
         if let Some(&unknown) = scene.no_contact.iter().flatten().find(|&&index| index >= scene.bodies.len()) {
             return Err(SceneError::UnknownBody(unknown));
         }
+        for (number, force) in scene.forces.iter().enumerate() {
+            force::check(number, force, &scene.bodies)?;
+        }
+        force::check_integrator(scene.method.integrator, &scene.forces)?;
         check_meshes_stay_alone(&scene)?;
         Ok(scene)
     }
 }
 
 /// A run must end: neither samples nor steps may be more than can be counted down in a lifetime.
-fn check_counts(scene: &Scene) -> Result<(), SceneError> {
+pub(super) fn check_counts(scene: &Scene) -> Result<(), SceneError> {
     let too_many = |interval: f64| scene.duration_s / interval > MOST_STEPS;
     if too_many(scene.output_interval_s) {
         let (key, accepted) = ("output.interval", "at least duration / 1e12");
@@ -134,11 +148,33 @@ fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     if !body.velocity.is_finite() {
         return not_finite("its velocity");
     }
+    if let Some(pivot) = body.pivot {
+        check_pivot(body, pivot)?;
+    }
     if body.is_fixed() && !body.velocity.is_zero() {
         return Err(SceneError::FixedBodyMoves(body.name.clone()));
     }
     if !body.is_fixed() && matches!(&body.geometry, Some(Geometry::Shape(Shape::HalfSpace(_)))) {
         return Err(SceneError::MovingHalfSpace(body.name.clone()));
+    }
+    Ok(())
+}
+
+/// A pivoted body moves about a point that stays: a velocity of its centre of mass, when it is given, must be that of
+/// the rotation.
+fn check_pivot(body: &Body, pivot: DVec3) -> Result<(), SceneError> {
+    if !pivot.is_finite() {
+        return Err(SceneError::NotFinite { body: body.name.clone(), quantity: "its pivot" });
+    }
+    let Some(properties) = body.mass_properties() else { return Err(SceneError::FixedBodyPivots(body.name.clone())) };
+    let arm = body.pose.transform_point(properties.center_of_mass()) - pivot;
+    let turning = body.velocity.angular.cross(arm);
+    let difference = (body.velocity.linear - turning).length();
+    if body.velocity.linear != DVec3::ZERO
+        && difference > PIVOT_VELOCITY_RELATIVE * body.velocity.angular.length() * arm.length()
+    {
+        let needed = turning.to_array();
+        return Err(SceneError::PivotMoves { body: body.name.clone(), difference, needed });
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene.
 
 use polhode_contact::ShapeError;
+use polhode_dynamics::field::FieldError;
 use thiserror::Error;
 
 /// Why a scene is refused. Each message names the place, the value and what is accepted.
@@ -56,6 +57,46 @@ pub enum SceneError {
     /// A group of bodies names one that is not there.
     #[error("no_contact names body number {0}, which does not exist")]
     UnknownBody(usize),
+    /// A force names a body that is not there.
+    #[error("force number {force} names body number {body}, which does not exist")]
+    ForceOnUnknownBody {
+        /// Which force.
+        force: usize,
+        /// The body named.
+        body: usize,
+    },
+    /// A number of a force is out of range.
+    #[error("force number {force}: {source}")]
+    Force {
+        /// Which force.
+        force: usize,
+        /// Why.
+        source: FieldError,
+    },
+    /// The integrator asked for cannot take a force of the scene.
+    #[error(
+        "integrator {integrator} cannot take a force that depends on velocities (drag, damping): use dop853 or rk4"
+    )]
+    IntegratorTakesNoVelocities {
+        /// Its name.
+        integrator: &'static str,
+    },
+    /// A fixed body is given a pivot.
+    #[error("body {0} is fixed and has a pivot: fixed bodies do not turn")]
+    FixedBodyPivots(String),
+    /// A pivoted body is given a velocity that moves its pivot.
+    #[error(
+        "body {body} has a pivot, but its velocity is off by {difference:e} m/s from that of its rotation about it, \
+         {needed:?}: give that, or leave the velocity out"
+    )]
+    PivotMoves {
+        /// The body.
+        body: String,
+        /// How far the velocity is off, m/s.
+        difference: f64,
+        /// The velocity of the centre of mass that the rotation gives, m/s.
+        needed: [f64; 3],
+    },
     /// The scene asks for something that is planned but not built.
     #[error("not yet available: {what}; use {instead}")]
     NotYetAvailable {

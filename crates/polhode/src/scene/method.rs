@@ -4,6 +4,7 @@
 //! here, so that it cannot be asked for.
 
 use super::SceneError;
+pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,15 +13,6 @@ pub enum Tier {
     Thesis,
     /// Flight records, error-controlled contact phases, located impacts and force events, exact contact forces.
     Accurate,
-}
-
-/// How free motion and contact phases are integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Integrator {
-    /// Classical Runge-Kutta on orientation and angular momentum, with the step given (tier `thesis`).
-    Rk4,
-    /// Closed-form flight; contact phases by DOP853 (tier `accurate`).
-    Exact,
 }
 
 /// What happens when bodies hit each other.
@@ -50,8 +42,12 @@ pub struct Method {
     pub tier: Option<Tier>,
     /// Step, s: the fixed step of `thesis`, the upper bound of a step of `accurate`.
     pub step_s: Option<f64>,
-    /// Integrator.
+    /// Integrator of bodies that no contact holds; contact phases of `accurate` are integrated by DOP853.
     pub integrator: Option<Integrator>,
+    /// Coordinates of orientation, for `rk4`.
+    pub orientation: Option<Orientation>,
+    /// Variable of rotation, for `rk4`.
+    pub rotation_rate: Option<RotationRate>,
     /// Impact law.
     pub impact: Option<ImpactLaw>,
     /// Contact forces.
@@ -84,18 +80,21 @@ impl Method {
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
-        match (self.tier.unwrap_or(Tier::Accurate), self.integrator, self.contact) {
-            (Tier::Thesis, Some(Integrator::Exact), _) => {
-                refuse("integrator = \"exact\" with tier = \"thesis\"", "integrator = \"rk4\"")
-            }
-            (Tier::Accurate, Some(Integrator::Rk4), _) => {
-                refuse("integrator = \"rk4\" with tier = \"accurate\"", "integrator = \"exact\", or tier = \"thesis\"")
-            }
-            (Tier::Accurate, _, Some(ContactMethod::LeastForce)) => refuse(
+        let tier = self.tier.unwrap_or(Tier::Accurate);
+        if (tier, self.contact) == (Tier::Accurate, Some(ContactMethod::LeastForce)) {
+            return refuse(
                 "contact = \"least-force\" with tier = \"accurate\"",
                 "contact = \"active-set\", or tier = \"thesis\"",
-            ),
-            _ => Ok(()),
+            );
         }
+        let representation = self.orientation.is_some() || self.rotation_rate.is_some();
+        let rk4 = match self.integrator {
+            Some(integrator) => integrator == Integrator::Rk4,
+            None => tier == Tier::Thesis,
+        };
+        if representation && !rk4 {
+            return refuse("orientation or rotation_rate without integrator = \"rk4\"", "integrator = \"rk4\"");
+        }
+        Ok(())
     }
 }

@@ -6,6 +6,7 @@
 mod body;
 mod builder;
 mod error;
+mod force;
 mod geometry;
 mod material;
 mod method;
@@ -13,9 +14,12 @@ mod method;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use error::SceneError;
+pub(crate) use force::MovingFrames;
+pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
-pub use method::{ContactMethod, ImpactLaw, Integrator, Method, Tier};
+pub use method::{ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 
 use polhode_spatial::DVec3;
 
@@ -31,6 +35,7 @@ pub struct Scene {
     pub(crate) gravity: DVec3,
     pub(crate) method: Method,
     pub(crate) bodies: Vec<Body>,
+    pub(crate) forces: Vec<Force>,
     pub(crate) pair_rules: Vec<PairRule>,
     pub(crate) no_contact: Vec<Vec<usize>>,
 }
@@ -81,9 +86,23 @@ impl Scene {
         Ok(self)
     }
 
+    /// Checks the method, and that a run ends.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`].
+    pub(crate) fn check_times(&self) -> Result<(), SceneError> {
+        self.method.validate()?;
+        builder::check_counts(self)
+    }
+
     /// The bodies, in the order of the scene.
     pub fn bodies(&self) -> &[Body] {
         &self.bodies
+    }
+
+    /// Forces besides gravity and contact.
+    pub fn forces(&self) -> &[Force] {
+        &self.forces
     }
 
     /// Friction and restitution of a pair of bodies (indices into [`Scene::bodies`]).
@@ -94,6 +113,11 @@ impl Scene {
             rule.apply(ma, mb, &mut combined);
         }
         combined
+    }
+
+    /// Whether any two bodies may collide.
+    pub fn any_may_collide(&self) -> bool {
+        (0..self.bodies.len()).any(|b| (0..b).any(|a| self.may_collide(a, b)))
     }
 
     /// Whether two bodies may collide: not both immovable, both with a shape, and not in one `no_contact` group.

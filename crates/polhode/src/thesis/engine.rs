@@ -1,18 +1,22 @@
 //! A run by the thesis's algorithm, and one step of it.
 
-use super::system::{Load, LoadedBodies};
-use crate::books::{Books, energy_of};
-use crate::interaction::assembly::Assembly;
+use super::system::LoadedBodies;
+use crate::accurate::stepped;
+use crate::books::{Books, Received};
+use crate::free_stage::{self, Ends};
+use crate::interaction::assembly::{Assembly, free_acceleration};
 use crate::interaction::contact_set::Touch;
 use crate::interaction::groups::groups;
-use crate::interaction::impact::{impulse_event, strike};
+use crate::interaction::impact::{impulse_event, strike, support};
 use crate::observer::Observer;
 use crate::scene::ContactMethod;
 use crate::settings::Settings;
 use crate::world::World;
-use crate::{Acceleration, Certificate, Event, RunReport, SimulationError};
+use crate::{Acceleration, Certificate, Event, Momentum, RunReport, SimulationError};
 use polhode_contact::{Aabb, BroadPhase, Bvh, swept_aabb};
-use polhode_dynamics::{BodyState, RigidBody, Rk4};
+use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrator::Integrator;
+use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::impact::ImpactSettings;
 use polhode_response::least_force::{LeastForceStage, least_force};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
@@ -45,6 +49,9 @@ pub(crate) struct ThesisEngine {
     /// Numbers of the bodies that move, and their mass properties.
     movable: Vec<usize>,
     rigid: Vec<RigidBody>,
+    integrator: Box<dyn Integrator>,
+    /// What acts during the present step.
+    loaded: LoadedBodies,
     solver: ComplementaritySolver,
     broad_phase: Bvh,
     books: Books,
@@ -67,6 +74,8 @@ impl ThesisEngine {
             states,
             movable,
             rigid,
+            integrator: stepped::build(&settings),
+            loaded: LoadedBodies::default(),
             solver: ComplementaritySolver::default(),
             broad_phase: Bvh::default(),
             books,
@@ -99,12 +108,15 @@ impl ThesisEngine {
         self.apply_impulses(&touches, observer)?;
         let resting = self.resting_forces()?;
         let loads = self.loads(&resting);
-        self.emit_samples_within(&loads, t_next, observer);
 
-        let before = energy_of(&self.world, &self.states, &self.movable);
-        self.states = self.integrated(&loads, h);
-        let after = energy_of(&self.world, &self.states, &self.movable);
-        self.books.ledger.numerical.add(before - after);
+        self.integrate(loads.clone(), h)?;
+        self.emit_samples_within(t_next, observer)?;
+        let before = self.books.balance(&self.world, &self.states, &self.movable);
+        let ends = self.all_states(self.integrator.states());
+        let received = self.received(&resting, &loads, &ends, t_next);
+        self.states = ends;
+        let after = self.books.balance(&self.world, &self.states, &self.movable);
+        self.books.smooth_stage(before, after, received);
         self.t = t_next;
         self.steps += 1;
         self.audit()?;
@@ -155,7 +167,10 @@ impl ThesisEngine {
             let law = self.settings.impact;
             let outcome = strike(&self.world, &mut self.states, &group, touches, law, &settings, &mut self.solver)
                 .map_err(|source| self.response_error(source))?;
-            self.books.ledger.impact.add(-outcome.energy_change);
+            let impulses = group.contacts.iter().zip(&outcome.impulses);
+            let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
+            let given = support(&self.world, self.books.ledger.momentum.about, impulses);
+            self.books.impact(outcome.energy_change, given);
             self.certificate.max_residual = self.certificate.max_residual.max(outcome.residual);
             for application in &outcome.applications {
                 let event: Event = impulse_event(self.t, &touches[group.contacts[application.row]], application);
@@ -192,7 +207,8 @@ impl ThesisEngine {
         kinematics: impl Iterator<Item = &'a polhode_contact::ContactKinematics>,
     ) -> Result<Vec<f64>, ResponseError> {
         let assembly = Assembly::new(&self.world, &self.states, bodies, rows)?;
-        let free = assembly.free_accelerations(&self.world, &self.states);
+        let loads = self.world.loads(self.t, &self.states);
+        let free = assembly.free_accelerations(&self.world, &self.states, &loads);
         let b = assembly.acceleration_constants(&free, kinematics)?;
         let delassus = assembly.problem.delassus();
         let (forces, bound) = match self.settings.contact {
@@ -218,30 +234,64 @@ impl ThesisEngine {
     }
 
     /// What the forces add up to on every movable body.
-    fn loads(&self, resting: &RestingForces) -> Vec<Load> {
-        let mut loads = vec![Load::default(); self.movable.len()];
+    fn loads(&self, resting: &RestingForces) -> Vec<Wrench> {
+        let mut loads = vec![Wrench::default(); self.movable.len()];
         for (touch, &force) in resting.touches.iter().zip(&resting.forces) {
             for (body, signed) in [(touch.id.a, force), (touch.id.b, -force)] {
                 if let Ok(index) = self.movable.binary_search(&body) {
                     let geometry = &touch.kinematics.geometry;
                     let vector = geometry.normal * signed;
                     loads[index].force += vector;
-                    loads[index].moment += (geometry.point - self.states[body].pose.translation).cross(vector);
+                    let center = self.rigid[index].center_of_mass_position(&self.states[body]);
+                    loads[index].torque += (geometry.point - center).cross(vector);
                 }
             }
         }
         loads
     }
 
-    /// The states after a step of length `h` under the loads.
-    fn integrated(&self, loads: &[Load], h: f64) -> Vec<BodyState> {
-        let mut flat: Vec<f64> = self.movable.iter().flat_map(|&body| self.states[body].to_array()).collect();
-        let mut system = LoadedBodies::new(&self.rigid, loads, self.world.gravity());
-        // The system's error type has no values.
-        let Ok(()) = Rk4::new(flat.len()).step(&mut system, self.t, h, &mut flat);
+    /// What gravity, fields and fixed bodies give over the step to `ends`: the forces of contacts are constant, and the
+    /// points they act at move with the bodies' centres.
+    fn received(&self, resting: &RestingForces, loads: &[Wrench], ends: &[BodyState], t_next: f64) -> Received {
+        let about = self.books.ledger.momentum.about;
+        let h = t_next - self.t;
+        let stage = Ends { t: [self.t, t_next], states: [&self.states, ends] };
+        let mut received = free_stage::received(&self.world, stage, &self.movable, about);
+        for (&body, (rigid, load)) in self.movable.iter().zip(self.rigid.iter().zip(loads)) {
+            let state = &self.states[body];
+            let acceleration = self.world.gravity() + load.force * rigid.inverse_mass();
+            let shift = state.linear_velocity * (0.5 * h) + acceleration * (h * h / 6.0);
+            let contacts = resting.touches.iter().zip(&resting.forces);
+            let contacts = contacts.filter(|(touch, _)| touch.id.a == body || touch.id.b == body);
+            let now = support(
+                &self.world,
+                about,
+                contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h)),
+            );
+            let moved = Momentum { linear: DVec3::ZERO, angular: shift.cross(now.linear) };
+            received.support = received.support + now + moved;
+        }
+        received
+    }
+
+    /// Integrates the bodies over a step of length `h` under the loads. The integrator goes on from its own variables
+    /// while nothing but itself has changed the states.
+    fn integrate(&mut self, loads: Vec<Wrench>, h: f64) -> Result<(), SimulationError> {
+        let loaded = loads.iter().any(|load| *load != Wrench::default());
+        let states = self.world.movable_states(&self.states);
+        self.loaded = LoadedBodies::new(self.world.shared_fields(), loads);
+        let motion = self.loaded.motion(&self.rigid, self.world.gravity());
+        if loaded || self.integrator.states() != states {
+            self.integrator.start(&motion, self.t, &states);
+        }
+        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t: self.t, source })
+    }
+
+    /// States of all bodies, given those of the movable ones.
+    fn all_states(&self, movable: &[BodyState]) -> Vec<BodyState> {
         let mut states = self.states.clone();
-        for (&body, numbers) in self.movable.iter().zip(flat.as_chunks().0) {
-            states[body] = BodyState::from_array(numbers);
+        for (&body, state) in self.movable.iter().zip(movable) {
+            states[body] = *state;
         }
         states
     }
@@ -250,7 +300,10 @@ impl ThesisEngine {
         if let Some(body) = self.states.iter().position(|state| !state.is_finite()) {
             return Err(SimulationError::Diverged { body: self.world.bodies[body].name.clone(), t: self.t });
         }
-        self.books.observe(&self.world, &self.states);
+        let energy = self.books.observe(&self.world, &self.states);
+        if !energy.final_j.is_finite() {
+            return Err(SimulationError::EnergyOverflow { t: self.t });
+        }
         for touch in self.detect() {
             let depth = -touch.kinematics.geometry.separation;
             self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(depth);
@@ -263,15 +316,20 @@ impl ThesisEngine {
         observer.sample(t, &samples);
     }
 
-    /// Samples before the end of the step, by a shorter step under the same loads.
-    fn emit_samples_within(&mut self, loads: &[Load], t_next: f64, observer: &mut dyn Observer) {
+    /// Samples before the end of the step that has just been integrated, by a shorter step under the same loads.
+    fn emit_samples_within(&mut self, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         loop {
             let t = self.next_sample as f64 * self.world.scene.output_interval_s();
             if t >= t_next {
-                break;
+                return Ok(());
             }
-            let states = self.integrated(loads, t - self.t);
-            self.emit_sample(t, &states, observer);
+            let motion = self.loaded.motion(&self.rigid, self.world.gravity());
+            let mut movable = self.world.movable_states(&self.states);
+            let within = t.min(self.integrator.time());
+            self.integrator
+                .states_within(&motion, within, &mut movable)
+                .map_err(|source| SimulationError::Integration { t: self.t, source })?;
+            self.emit_sample(t, &self.all_states(&movable), observer);
             self.next_sample += 1;
         }
     }
@@ -283,15 +341,16 @@ impl ThesisEngine {
     pub(crate) fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
         let resting = self.resting_forces()?;
         let loads = self.loads(&resting);
+        let fields = self.world.loads(self.t, &self.states);
         let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; self.world.bodies.len()];
         for ((&body, rigid), load) in self.movable.iter().zip(&self.rigid).zip(&loads) {
             let state = &self.states[body];
-            let w = rigid.angular_velocity(state);
+            let (linear, angular) = free_acceleration(&self.world, &self.states, &fields, body);
+            let arm = state.pose.rotation.rotate(rigid.arm());
+            let torque = load.torque + arm.cross(load.force);
             let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-            out[body] = Acceleration {
-                linear: self.world.gravity() + load.force * rigid.inverse_mass(),
-                angular: inverse * (load.moment - w.cross(state.angular_momentum)),
-            };
+            let (linear, angular) = (linear + load.force * rigid.inverse_mass(), angular + inverse * torque);
+            out[body] = self.world.reported_acceleration(body, state, linear, angular);
         }
         Ok(out)
     }

@@ -1,52 +1,66 @@
-//! Bodies under gravity and forces that stay the same over a step (thesis, equations 15 and 16).
+//! Bodies under the scene's forces and contact forces that stay the same over a step (thesis, equations 15 and 16).
 
-use polhode_dynamics::free_fall::FreeFall;
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH, normalize};
-use polhode_dynamics::{RigidBody, System};
+use polhode_dynamics::field::{Account, Dependence, Field, Wrench};
+use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::DVec3;
-use std::convert::Infallible;
+use std::sync::Arc;
 
-/// Force and moment about the centre of mass on one body, N and N m, world.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Load {
-    pub(super) force: DVec3,
-    pub(super) moment: DVec3,
-}
-
-/// Movable bodies, one after the other, each under its load.
+/// What acts on the movable bodies during a step.
 #[derive(Debug)]
-pub(super) struct LoadedBodies<'a> {
-    bodies: &'a [RigidBody],
-    loads: &'a [Load],
-    free: FreeFall<'a>,
+pub(super) struct LoadedBodies {
+    fields: [Box<dyn Field>; 1],
 }
 
-impl<'a> LoadedBodies<'a> {
-    pub(super) fn new(bodies: &'a [RigidBody], loads: &'a [Load], gravity: DVec3) -> Self {
-        Self { bodies, loads, free: FreeFall::new(bodies, gravity) }
+impl Default for LoadedBodies {
+    fn default() -> Self {
+        Self::new(Arc::from(Vec::new()), Vec::new())
     }
 }
 
-impl System for LoadedBodies<'_> {
-    type Error = Infallible;
-
-    fn dimension(&self) -> usize {
-        self.free.dimension()
+impl LoadedBodies {
+    /// The scene's fields, and a constant load per body, torques about the centres of mass.
+    pub(super) fn new(fields: Arc<[Box<dyn Field>]>, loads: Vec<Wrench>) -> Self {
+        Self { fields: [Box::new(FieldsAndLoads { fields, loads })] }
     }
 
-    fn derivative(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
-        self.free.derivative(t, state, rates)?;
-        for ((body, load), rate) in self.bodies.iter().zip(self.loads).zip(rates.as_chunks_mut::<WIDTH>().0) {
-            let acceleration = load.force * body.inverse_mass();
-            for axis in 0..3 {
-                rate[LINEAR_VELOCITY + axis] += acceleration[axis];
-                rate[ANGULAR_MOMENTUM + axis] += load.moment[axis];
-            }
+    /// The motion under them.
+    pub(super) fn motion<'a>(&'a self, bodies: &'a [RigidBody], gravity: DVec3) -> FreeMotion<'a> {
+        FreeMotion::new(bodies, gravity, &self.fields)
+    }
+}
+
+/// The scene's fields and constant loads as one field, which an integrator takes.
+#[derive(Debug)]
+struct FieldsAndLoads {
+    fields: Arc<[Box<dyn Field>]>,
+    loads: Vec<Wrench>,
+}
+
+impl Field for FieldsAndLoads {
+    fn dependence(&self) -> Dependence {
+        self.fields.iter().map(|field| field.dependence()).max().unwrap_or(Dependence::Poses)
+    }
+
+    fn account(&self) -> Account {
+        Account::External
+    }
+
+    fn acts_on(&self, body: usize) -> bool {
+        let load = self.loads.get(body).is_some_and(|load| *load != Wrench::default());
+        load || self.fields.iter().any(|field| field.acts_on(body))
+    }
+
+    fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
+        for field in self.fields.iter() {
+            field.add_wrenches(t, bodies, states, wrenches);
         }
-        Ok(())
+        for (wrench, load) in wrenches.iter_mut().zip(&self.loads) {
+            wrench.force += load.force;
+            wrench.torque += load.torque;
+        }
     }
 
-    fn normalize(&self, state: &mut [f64]) {
-        normalize(state);
+    fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {
+        self.fields.iter().map(|field| field.potential_energy(bodies, states)).sum()
     }
 }

@@ -4,7 +4,7 @@ use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector};
-use polhode::{Body, Effects, EventKind, Scene};
+use polhode::{Body, Decision, Effect, Effects, EventKind, RunReport, Scene};
 
 /// A bounce of e = 1/2 at another scale of length: times scale with the root of it, and the ball rests when it should.
 #[test]
@@ -54,10 +54,40 @@ fn tilted_landing_follows_a_turned_and_moved_world() {
     assert!((moved.0 - home.0).length() < 1e-8 && (moved.1 - home.1).length() < 1e-8, "{moved:?} {home:?}");
 }
 
-/// Leaving out rest, and asking for every effect, give the same bits, while a box lands, rattles and comes to rest.
+/// Leaving out rest, and asking for every effect, give the same bits, while a box lands, rattles and comes to rest. It is
+/// turned about no axis of its own, so that its motion is in no plane.
 #[test]
 fn all_effects_give_the_same_bits_as_the_plan() {
-    let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Y * 0.4), DVec3::Z);
+    let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.1, 0.4, 0.2)), DVec3::Z);
+    let (planned, all) = rattle(pose);
+    assert_eq!(planned.bodies, all.bodies);
+    assert!(planned.bodies[1].1.velocity.is_zero(), "{:?}", planned.bodies[1]);
+    assert!(planned.ledger.closure_relative() < 1e-12 && planned.ledger.momentum.closure_relative() < 1e-12);
+}
+
+/// A box that is tipped about one of its axes lands, rattles and comes to rest in a plane: the three velocities of a
+/// planar motion give what the six give, in any plane, and the box never leaves it.
+#[test]
+fn planar_motion_is_the_motion_in_space() {
+    let tipped = Rotation::from_rotation_vector(DVec3::Y * 0.4);
+    for turn in [Rotation::IDENTITY, Rotation::from_rotation_vector(DVec3::Z * 0.7)] {
+        let (planned, all) = rattle(Pose::new(turn * tipped, DVec3::Z));
+        let is_planar = |report: &RunReport| {
+            let planar = report.plan.effects.iter().find(|e| e.effect == Effect::PlanarMotion);
+            planar.is_some_and(|e| e.decision == Decision::On)
+        };
+        assert!(is_planar(&planned) && !is_planar(&all));
+        let (a, b) = (planned.bodies[1].1, all.bodies[1].1);
+        assert!((a.pose.translation - b.pose.translation).length() < 1e-12, "{a:?} {b:?}");
+        assert!(a.pose.rotation.angle_to(b.pose.rotation) < 1e-12, "{a:?} {b:?}");
+        let out_of_plane = turn.rotate(DVec3::Y).dot(a.pose.translation);
+        assert!(out_of_plane.abs() < 1e-15, "{out_of_plane:e}");
+        assert_eq!(planned.events, all.events);
+    }
+}
+
+/// A box on a floor from `pose`, with the planned effects and with all.
+fn rattle(pose: Pose) -> (RunReport, RunReport) {
     let scene = Scene::builder("rattle")
         .method(accurate())
         .duration_s(3.0)
@@ -65,9 +95,5 @@ fn all_effects_give_the_same_bits_as_the_plan() {
         .body(brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO).pose(pose).material(elastic(0.4)))
         .build()
         .unwrap();
-    let (planned, _) = run(&scene, Effects::Planned);
-    let (all, _) = run(&scene, Effects::All);
-    assert_eq!(planned.bodies, all.bodies);
-    assert!(planned.bodies[1].1.velocity.is_zero(), "{:?}", planned.bodies[1]);
-    assert!(planned.ledger.closure_relative() < 1e-12);
+    (run(&scene, Effects::Planned).0, run(&scene, Effects::All).0)
 }

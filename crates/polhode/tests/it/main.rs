@@ -2,9 +2,17 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod bad_numbers;
+mod checks;
 mod diamonds;
 mod flight;
+mod forces;
+mod forces_with_contact;
 mod impacts;
+mod integrators;
 mod invariance;
+mod momentum;
+mod pivots;
+mod planar;
 mod support;
 mod table_edge;

@@ -1,0 +1,145 @@
+//! The table as CSV (RFC 4180): one row for every candidate, also for those that failed.
+
+use super::study::{Entry, Measured, Study};
+use std::fmt::Write as _;
+
+/// The columns. Errors are relative, angles in rad; an empty field is what was not measured.
+const COLUMNS: [&str; 20] = [
+    "method",
+    "setting",
+    "changes",
+    "reference",
+    "reference_error",
+    "error",
+    "position_error",
+    "attitude_error_rad",
+    "final_position_error",
+    "final_attitude_error_rad",
+    "final_velocity_error",
+    "energy_error",
+    "time_ratio",
+    "time_s",
+    "rounds",
+    "instructions",
+    "steps",
+    "pareto",
+    "base",
+    "failure",
+];
+
+/// The whole file.
+pub(super) fn text(study: &Study) -> String {
+    let mut text = format!("{}\n", COLUMNS.join(","));
+    for (number, entry) in study.entries.iter().enumerate() {
+        let mut fields = described(study, entry);
+        match &entry.outcome {
+            Ok(measured) => fields.extend(numbers(measured)),
+            Err(_) => fields.resize(fields.len() + NUMBERS, String::new()),
+        }
+        fields.push((study.base == Some(number)).to_string());
+        fields.push(entry.outcome.as_ref().err().cloned().unwrap_or_default());
+        let quoted: Vec<_> = fields.iter().map(|field| quoted(field)).collect();
+        let _ = writeln!(text, "{}", quoted.join(","));
+    }
+    text
+}
+
+fn described(study: &Study, entry: &Entry) -> Vec<String> {
+    let changes: Vec<_> =
+        entry.candidate.changes.iter().map(|change| format!("{}={}", change.key, change.value)).collect();
+    let reference = study.references.get(entry.reference);
+    vec![
+        entry.candidate.series.clone(),
+        entry.candidate.rung.clone(),
+        changes.join(" "),
+        reference.map_or("", |reference| reference.kind.word()).to_owned(),
+        reference.map_or(String::new(), |reference| digits(reference.error)),
+    ]
+}
+
+/// Columns from `error` to `pareto`.
+const NUMBERS: usize = 13;
+
+fn numbers(measured: &Measured) -> [String; NUMBERS] {
+    let errors = &measured.errors;
+    [
+        digits(errors.headline()),
+        digits(errors.position),
+        digits(errors.attitude),
+        digits(errors.final_position),
+        digits(errors.final_attitude),
+        digits(errors.final_velocity),
+        digits(measured.energy_error),
+        digits(measured.timing.ratio),
+        digits(measured.timing.seconds),
+        measured.timing.rounds.to_string(),
+        measured.instructions.map_or(String::new(), |count| count.to_string()),
+        measured.steps.to_string(),
+        measured.on_front.to_string(),
+    ]
+}
+
+/// The fewest digits that give the same bits when read.
+fn digits(number: f64) -> String {
+    format!("{number:?}")
+}
+
+/// A field, in quotes when it holds a comma, a quote or a line's end.
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! Every row has every column, failures too, and what needs quotes has them.
+    use super::super::candidate::{Candidate, change};
+    use super::super::error::Errors;
+    use super::super::runs::Solver;
+    use super::super::study::Counting;
+    use super::super::timing::Timing;
+    use super::*;
+    use polhode::scene::Integrator;
+
+    #[test]
+    fn rows_of_a_run_and_of_a_failure() {
+        let candidate = |rung: &str| Candidate {
+            series: "cf4".to_owned(),
+            rung: rung.to_owned(),
+            changes: vec![change("method.integrator", "cf4"), change("method.step", "0.1")],
+            growth: None,
+        };
+        let measured = Measured {
+            errors: Errors { position: 0.25, attitude: 0.5, ..Errors::default() },
+            energy_error: 1e-9,
+            steps: 10,
+            solver: Solver { integrator: Integrator::Cf4, closed_form: false },
+            timing: Timing { ratio: 0.75, seconds: 0.001, rounds: 3 },
+            instructions: None,
+            on_front: true,
+        };
+        let failure = "refused, \"why\"".to_owned();
+        let study = Study {
+            scene: "test".to_owned(),
+            duration_s: 1.0,
+            references: Vec::new(),
+            entries: vec![
+                Entry { candidate: candidate("step 0.1"), reference: 0, outcome: Ok(measured) },
+                Entry { candidate: candidate(""), reference: 0, outcome: Err(failure) },
+            ],
+            base: Some(0),
+            counting: Counting::Time,
+            samples: 1,
+        };
+        let text = text(&study);
+        let rows: Vec<_> = text.lines().collect();
+        assert_eq!(rows[0], COLUMNS.join(","));
+        let changes = "method.integrator=cf4 method.step=0.1";
+        let numbers = "0.5,0.25,0.5,0.0,0.0,0.0,1e-9,0.75,0.001,3,,10,true,true,";
+        assert_eq!(rows[1], format!("cf4,step 0.1,{changes},,,{numbers}"));
+        assert_eq!(rows[2], format!("cf4,,{changes},,,,,,,,,,,,,,,,false,\"refused, \"\"why\"\"\""));
+    }
+}

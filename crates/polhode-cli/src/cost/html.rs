@@ -1,0 +1,75 @@
+//! Figure and table as one page that needs nothing else.
+
+use super::study::{Entry, Study};
+use super::text;
+use std::fmt::Write as _;
+
+/// A click on a heading sorts by that column, a second one the other way round; numbers sort as numbers.
+const SCRIPT: &str = r#"document.querySelectorAll("th").forEach((th, column) => th.addEventListener("click", () => {
+  const body = document.querySelector("tbody"), up = th.dataset.up !== "1";
+  th.dataset.up = up ? "1" : "0";
+  const key = row => column > 1 && row.cells.length < 4 ? Infinity : row.cells[column].dataset.value ?? row.cells[column].textContent;
+  const order = (a, b) => a - b || (isNaN(a - b) ? String(a).localeCompare(String(b)) : 0);
+  [...body.rows].sort((a, b) => (up ? 1 : -1) * order(key(a), key(b))).forEach(row => body.append(row));
+}));"#;
+
+const STYLE: &str = "body{font:15px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
+svg{max-width:100%;height:auto}table{border-collapse:collapse}th{cursor:pointer;border-bottom:2px solid #888}\
+th,td{padding:.15em .8em;text-align:left;white-space:nowrap}td.n{text-align:right;font-variant-numeric:tabular-nums}\
+tr.front{background:#fff3d0}pre{white-space:pre-wrap}";
+
+const COLUMNS: [&str; 10] =
+    ["method", "setting", "error", "position", "attitude, rad", "velocity", "energy", "time", "instructions", "steps"];
+
+/// The whole page; `figure` is the SVG.
+pub(super) fn page(study: &Study, figure: &str) -> String {
+    let scene = escaped(&study.scene);
+    let mut rows = String::new();
+    for entry in &study.entries {
+        row(&mut rows, study, entry);
+    }
+    let mut headings = String::new();
+    for column in COLUMNS {
+        let _ = write!(headings, "<th>{column}</th>");
+    }
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{scene}: what accuracy costs</title>\n\
+         <style>{STYLE}</style>\n<h1>{scene}: what accuracy costs</h1>\n{figure}\n<pre>{}</pre>\n\
+         <p>Rows on the Pareto front are marked: none is both cheaper and more accurate. A click on a heading sorts.</p>\n\
+         <table>\n<thead><tr>{headings}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n<script>{SCRIPT}</script>\n</html>\n",
+        escaped(&text::notes(study))
+    )
+}
+
+fn row(rows: &mut String, study: &Study, entry: &Entry) {
+    let name = format!("<td>{}</td><td>{}</td>", escaped(&entry.candidate.series), escaped(&entry.candidate.rung));
+    let measured = match &entry.outcome {
+        Ok(measured) => measured,
+        Err(reason) => {
+            let _ = writeln!(rows, "<tr>{name}<td colspan=\"{}\">{}</td></tr>", COLUMNS.len() - 2, escaped(reason));
+            return;
+        }
+    };
+    let errors = &measured.errors;
+    let class = if measured.on_front { " class=\"front\"" } else { "" };
+    let _ = write!(rows, "<tr{class}>{name}");
+    let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
+    let _ = write!(rows, "{}", cell(errors.headline(), &escaped(&text::at_most(errors.headline(), floor))));
+    for error in [errors.position, errors.attitude, errors.final_velocity, measured.energy_error] {
+        rows.push_str(&cell(error, &format!("{error:.2e}")));
+    }
+    rows.push_str(&cell(measured.timing.ratio, &text::ratio(measured.timing.ratio)));
+    match measured.instructions {
+        Some(count) => rows.push_str(&cell(count as f64, &count.to_string())),
+        None => rows.push_str("<td></td>"),
+    }
+    let _ = writeln!(rows, "{}</tr>", cell(measured.steps as f64, &measured.steps.to_string()));
+}
+
+fn cell(value: f64, shown: &str) -> String {
+    format!("<td class=\"n\" data-value=\"{value:?}\">{shown}</td>")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

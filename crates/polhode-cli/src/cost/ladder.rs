@@ -1,0 +1,235 @@
+//! The candidates when none are asked for: every integrator over steps where nothing can collide, the tiers over steps
+//! and tolerances where bodies meet.
+
+use super::candidate::{Candidate, change};
+use polhode::Scene;
+use polhode::scene::Integrator;
+use polhode_scene::{Override, names};
+
+/// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.
+const STEP_RATIO: u64 = 4;
+
+/// Steps in a ladder.
+const STEP_RUNGS: u32 = 6;
+
+/// Steps of the coarsest rung at the least.
+const FEWEST_STEPS: f64 = 20.0;
+
+/// Steps of the coarsest rung at the most: a scene that turns faster than that needs steps that are asked for.
+const MOST_COARSEST_STEPS: f64 = 1e6;
+
+/// Largest angle turned in a step of the coarsest rung, rad: beyond it no method of fixed step is of use.
+const COARSEST_ANGLE: f64 = 1.0;
+
+/// Characters of a number in a table; one of more is shown in fewer digits.
+const WIDEST: usize = 8;
+
+/// Tolerances of error-controlled methods (dimensionless).
+const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// Loosest tolerance tried where bodies meet: a looser one leaves events where they are not.
+const LOOSEST_CONTACT_TOLERANCE: f64 = 1e-6;
+
+/// How much longer an error-controlled run takes at the next tolerance, about: 100^(1/8), rounded up.
+const TOLERANCE_GROWTH: f64 = 2.0;
+
+/// What decides about the candidates of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SceneFacts {
+    /// Simulated time, s.
+    pub(crate) duration_s: f64,
+    /// Whether two bodies may collide.
+    pub(crate) contact: bool,
+    /// Whether all motion is flight in closed form.
+    pub(crate) closed_form: bool,
+    /// Largest angular speed of a body, rad/s.
+    pub(crate) angular_speed: f64,
+}
+
+/// Whether two bodies of the scene may collide.
+pub(crate) fn may_collide(scene: &Scene) -> bool {
+    let count = scene.bodies().len();
+    (0..count).any(|a| (a + 1..count).any(|b| scene.may_collide(a, b)))
+}
+
+/// One method and the setting that is stepped through.
+struct Series {
+    name: &'static str,
+    /// Key and value that select the method.
+    selects: [&'static str; 2],
+    /// What it needs besides.
+    besides: Vec<(&'static str, String)>,
+    stepped: &'static str,
+    values: Vec<String>,
+    growth: f64,
+}
+
+/// Candidates for a scene, the cheapest of each series first. Keys in `given` are set already: a method that they
+/// exclude is left out, and a setting that they fix is not stepped through.
+pub(crate) fn candidates(facts: &SceneFacts, given: &[Override]) -> Vec<Candidate> {
+    let value_of = |key: &str| given.iter().rev().find(|change| change.key == key).map(|change| change.value.as_str());
+    let all = if facts.contact { with_contact(facts) } else { without_contact(facts) };
+    let mut candidates = Vec::new();
+    for series in all {
+        let [key, value] = series.selects;
+        if value_of(key).is_some_and(|given| given.trim_matches(['"', '\'']) != value) {
+            continue;
+        }
+        let mut base = vec![change(key, value)];
+        base.extend(series.besides.iter().map(|(key, value)| change(key, value)));
+        base.retain(|change| value_of(&change.key).is_none());
+        if let Some(given) = value_of(series.stepped) {
+            let rung = rung(series.stepped, given);
+            candidates.push(Candidate { series: series.name.to_owned(), rung, changes: base, growth: None });
+            continue;
+        }
+        for (number, value) in series.values.iter().enumerate() {
+            let mut changes = base.clone();
+            changes.push(change(series.stepped, value));
+            let growth = (number > 0).then_some(series.growth);
+            let rung = rung(series.stepped, value);
+            candidates.push(Candidate { series: series.name.to_owned(), rung, changes, growth });
+        }
+    }
+    candidates
+}
+
+fn rung(key: &str, value: &str) -> String {
+    let short =
+        if value.len() > WIDEST { value.parse().map_or_else(|_| value.to_owned(), shown) } else { value.to_owned() };
+    format!("{} {short}", key.strip_prefix("method.").unwrap_or(key))
+}
+
+/// Every integrator: those of fixed step over steps, the error-controlled one over tolerances; one that is a closed
+/// form here needs a single step.
+fn without_contact(facts: &SceneFacts) -> Vec<Series> {
+    let series = |integrator: Integrator| {
+        let name = names::integrator(integrator);
+        let selects = ["method.integrator", name];
+        if name == names::integrator(Integrator::Dop853) {
+            let values = TOLERANCES.map(|tolerance| format!("{tolerance:e}")).to_vec();
+            // The step is an upper bound that must not bind.
+            let besides = vec![("method.step", number(facts.duration_s))];
+            Series { name, selects, besides, stepped: "method.tolerance", values, growth: TOLERANCE_GROWTH }
+        } else {
+            let is_closed = matches!(integrator, Integrator::Exact | Integrator::ExactStrang) && facts.closed_form;
+            let values = if is_closed { vec![number(facts.duration_s)] } else { steps(facts) };
+            Series { name, selects, besides: Vec::new(), stepped: "method.step", values, growth: STEP_RATIO as f64 }
+        }
+    };
+    Integrator::ALL.into_iter().map(series).collect()
+}
+
+/// The accurate tier over tolerances, the thesis's over steps.
+fn with_contact(facts: &SceneFacts) -> Vec<Series> {
+    let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
+    vec![
+        Series {
+            name: "accurate",
+            selects: ["method.tier", "accurate"],
+            besides: Vec::new(),
+            stepped: "method.tolerance",
+            values: tight.map(|tolerance| format!("{tolerance:e}")).collect(),
+            growth: TOLERANCE_GROWTH,
+        },
+        Series {
+            name: "thesis",
+            selects: ["method.tier", "thesis"],
+            besides: Vec::new(),
+            stepped: "method.step",
+            values: steps(facts),
+            growth: STEP_RATIO as f64,
+        },
+    ]
+}
+
+/// Steps that divide the duration, the coarsest first, as they are written in a scene file.
+pub(crate) fn steps(facts: &SceneFacts) -> Vec<String> {
+    let turns = facts.angular_speed * facts.duration_s / COARSEST_ANGLE;
+    // What is not a number counts as no turning.
+    let turns = if turns.is_nan() { 0.0 } else { turns };
+    let coarsest = round_up(turns.clamp(FEWEST_STEPS, MOST_COARSEST_STEPS)) as u64;
+    (0..STEP_RUNGS).map(|rung| number(dividing(facts.duration_s, coarsest * STEP_RATIO.pow(rung)))).collect()
+}
+
+/// The smallest number of at least `duration / count` that reaches the duration in `count` steps: one that fell short
+/// of it by its rounding would cost one step more.
+fn dividing(duration_s: f64, count: u64) -> f64 {
+    let step = duration_s / count as f64;
+    if step * (count as f64) < duration_s { step.next_up() } else { step }
+}
+
+/// 1, 2 or 5 times a power of ten, not below `value`: counts of steps that a person would choose.
+fn round_up(value: f64) -> f64 {
+    let power = 10.0_f64.powf(value.log10().floor());
+    [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|&round| round >= value).unwrap_or(10.0 * power)
+}
+
+/// A number in at most four digits, to be read.
+fn shown(value: f64) -> String {
+    format!("{:?}", format!("{value:.3e}").parse().unwrap_or(value))
+}
+
+/// A number in the fewest digits that give the same bits when read.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+#[cfg(test)]
+mod tests {
+    //! Ladders span what the scene needs, and what is set already is left as it is.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+    use super::*;
+
+    const FREE: SceneFacts = SceneFacts { duration_s: 100.0, contact: false, closed_form: true, angular_speed: 2.0 };
+
+    #[test]
+    fn the_coarsest_step_turns_by_a_radian_at_most() {
+        assert_eq!(steps(&FREE)[..3], ["0.5", "0.125", "0.03125"]);
+        let slow = SceneFacts { angular_speed: 0.0, ..FREE };
+        assert_eq!(steps(&slow)[0], "5.0");
+        for speed in [f64::NAN, f64::INFINITY, 1e300] {
+            assert_eq!(steps(&SceneFacts { angular_speed: speed, ..FREE }).len(), STEP_RUNGS as usize);
+        }
+    }
+
+    #[test]
+    fn steps_reach_the_end_without_a_sliver() {
+        for duration_s in [0.1, 0.3, 1.0 / 3.0, 1e-7, 12345.678] {
+            for step in steps(&SceneFacts { duration_s, ..FREE }) {
+                let step: f64 = step.parse().unwrap();
+                let count = (duration_s / step).round();
+                assert!(step * count >= duration_s && step * (count - 1.0) < duration_s, "{step} of {duration_s}");
+            }
+        }
+    }
+
+    #[test]
+    fn counts_are_round() {
+        assert_eq!([20.0, 21.0, 51.0, 229.0, 1e6].map(round_up), [20.0, 50.0, 100.0, 500.0, 1e6]);
+    }
+
+    #[test]
+    fn every_integrator_is_a_candidate_where_nothing_collides() {
+        let all = candidates(&FREE, &[]);
+        for integrator in Integrator::ALL {
+            let name = names::integrator(integrator);
+            assert!(all.iter().any(|candidate| candidate.series == name), "{name}");
+        }
+        let exact: Vec<_> = all.iter().filter(|candidate| candidate.series == "exact").collect();
+        assert_eq!(exact.len(), 1, "a closed form needs no ladder");
+        assert_eq!(exact[0].value("method.step"), Some("100.0"));
+    }
+
+    #[test]
+    fn what_is_given_is_not_varied() {
+        let given = [change("method.integrator", "\"rk4\""), change("method.step", "0.1")];
+        let all = candidates(&FREE, &given);
+        assert_eq!(all.len(), 1);
+        assert_eq!((all[0].name().as_str(), all[0].changes.len()), ("rk4 step 0.1", 0));
+        let contact = SceneFacts { contact: true, ..FREE };
+        let all = candidates(&contact, &[change("method.tier", "thesis")]);
+        assert!(all.iter().all(|candidate| candidate.series == "thesis"));
+        assert_eq!(all.len(), STEP_RUNGS as usize);
+    }
+}

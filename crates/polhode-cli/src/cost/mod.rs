@@ -1,0 +1,128 @@
+//! `polhode cost`: error against time over methods and steps.
+//!
+//! A scene is run by many candidates, each a change of its settings. The error of a candidate is its distance from the
+//! exact solution, or from the finest one where there is none; its cost is time as a ratio, measured in interleaved
+//! rounds, or instructions. Both are told with what is known about them: no error below that of the reference itself
+//! is claimed, and a candidate that is refused or fails is listed with its reason.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `candidate` | a candidate; combinations of `--vary` |
+//! | `ladder` | the candidates when none are asked for |
+//! | `source` | the scene, loaded with changes and run |
+//! | `reference` | the exact or the finest solution, and how well it is known |
+//! | `error` | how far a run is from the reference |
+//! | `timing`, `instructions` | what a run costs |
+//! | `front` | the Pareto front, and the cheapest that reaches a target |
+//! | `runs` | all runs of a study |
+//! | `study` | all of it together |
+//! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
+//! | `file` | files that appear when they are complete |
+//! | `progress` | a bar on a terminal |
+
+mod candidate;
+mod csv;
+mod error;
+mod figure;
+mod file;
+mod front;
+mod html;
+mod instructions;
+mod json;
+mod ladder;
+mod progress;
+mod reference;
+mod runs;
+mod source;
+mod study;
+mod text;
+mod timing;
+
+pub(crate) use instructions::probe;
+
+use crate::args::{CostArgs, SceneArgs};
+use crate::failure::{self, Failure};
+use crate::stdout;
+use candidate::Axis;
+use file::NewFile;
+use polhode_scene::Override;
+use source::Source;
+use std::path::PathBuf;
+use study::{Counting, Options, Study};
+use timing::Effort;
+
+/// Rounds of timing that `polhode run --accuracy` makes: enough to choose between methods.
+const FEW_ROUNDS: Effort = Effort { fewest_rounds: 2, most_rounds: 5, enough_s: 0.02 };
+
+/// Time that `polhode run --accuracy` may search for, about, s.
+const SEARCH_S: f64 = 10.0;
+
+/// Samples that it takes errors from.
+const SEARCH_SAMPLES: u32 = 100;
+
+/// Runs the study and tells it in every way asked for; exit code 1 when a target is not reached.
+pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
+    positive("--target", args.target)?;
+    positive("--budget", Some(args.budget))?;
+    let axes: Vec<Axis> =
+        args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(|fault| usage(&fault))?;
+    let counting = if args.instructions { Counting::Instructions } else { Counting::Time };
+    if counting == Counting::Instructions {
+        instructions::available()?;
+    }
+    let source = Source::new(&args.scene)?;
+    // A folder that does not exist is found before the work, not after it.
+    let [csv, svg, html] = [&args.csv, &args.svg, &args.html].map(|path| open(path.as_ref()));
+    let (csv, svg, html) = (csv?, svg?, html?);
+    let effort =
+        Effort { fewest_rounds: args.rounds.min(3) as usize, most_rounds: args.rounds as usize, enough_s: 0.2 };
+    let options = Options { samples: args.samples, effort, budget_s: args.budget, counting };
+    let study = Study::run(&source, &axes, &options)?;
+    let drawn = if svg.is_some() || html.is_some() { figure::svg(&study)? } else { String::new() };
+    for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
+        if let Some(file) = file {
+            file.write(&text)?;
+        }
+    }
+    if args.json {
+        stdout::json(&json::value(&study, args.target))?;
+    } else {
+        stdout::text(&text::page(&study, args.target))?;
+    }
+    match args.target {
+        Some(target) if study.cheapest(target).is_none() => Err(Failure::Check(text::not_reached(&study, target))),
+        _ => Ok(()),
+    }
+}
+
+/// The settings of the cheapest method that reaches an accuracy; stderr is told which it is.
+///
+/// # Errors
+/// When no candidate reaches it.
+pub(crate) fn settings_for(scene: &SceneArgs, accuracy: f64) -> Result<Vec<Override>, Failure> {
+    positive("--accuracy", Some(accuracy))?;
+    let options = Options { samples: SEARCH_SAMPLES, effort: FEW_ROUNDS, budget_s: SEARCH_S, counting: Counting::Time };
+    let study = Study::run(&Source::new(scene)?, &[], &options)?;
+    let Some(entry) = study.cheapest(accuracy) else {
+        return Err(Failure::Check(text::not_reached(&study, accuracy)));
+    };
+    failure::note(&format!("note: {}", text::reached(&study, entry, accuracy)));
+    Ok(entry.candidate.changes.clone())
+}
+
+fn open(path: Option<&PathBuf>) -> Result<Option<NewFile>, Failure> {
+    path.map(|path| NewFile::create(path)).transpose()
+}
+
+fn positive(option: &str, value: Option<f64>) -> Result<(), Failure> {
+    match value {
+        Some(value) if !(value > 0.0 && value.is_finite()) => {
+            Err(usage(&format!("{option} {value}: a positive number is needed")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn usage(message: &str) -> Failure {
+    Failure::Usage(format!("error: {message}"))
+}

@@ -1,0 +1,263 @@
+//! A study: every candidate's error and cost, and which of them are worth their cost.
+
+use super::candidate::Candidate;
+use super::error::Errors;
+use super::front::{self, Point};
+use super::progress::Progress;
+use super::reference::{self, Reference};
+use super::runs::{Compared, Difference, Runs, Solver};
+use super::source::Source;
+use super::timing::{Effort, Timing};
+use super::{candidate::Axis, ladder};
+use crate::failure::Failure;
+use polhode::scene::Integrator;
+use polhode_scene::names;
+
+/// Ratios of time that are closer than this cannot be told apart from run to run (relative).
+const TIME_RESOLUTION: f64 = 0.1;
+
+/// What is asked of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Options {
+    /// Samples that errors are taken from.
+    pub(crate) samples: u32,
+    /// How long each candidate is timed.
+    pub(crate) effort: Effort,
+    /// Time that the default candidates may take together, about, s.
+    pub(crate) budget_s: f64,
+    /// Whether cost is counted in instructions too.
+    pub(crate) counting: Counting,
+}
+
+/// What cost is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Counting {
+    /// Time as a ratio.
+    Time,
+    /// Instructions; time is given beside.
+    Instructions,
+}
+
+/// What was measured.
+#[derive(Debug)]
+pub(crate) struct Study {
+    /// Name of the scene.
+    pub(crate) scene: String,
+    /// Simulated time, s.
+    pub(crate) duration_s: f64,
+    /// What candidates were compared with: one for every model.
+    pub(crate) references: Vec<Reference>,
+    /// Every candidate, also those that failed.
+    pub(crate) entries: Vec<Entry>,
+    /// The candidate whose time is the unit, when any ran.
+    pub(crate) base: Option<usize>,
+    /// What cost is measured in.
+    pub(crate) counting: Counting,
+    /// Samples that errors were taken from.
+    pub(crate) samples: u32,
+}
+
+/// A candidate and what came of it.
+#[derive(Debug)]
+pub(crate) struct Entry {
+    /// The candidate.
+    pub(crate) candidate: Candidate,
+    /// Number of its reference.
+    pub(crate) reference: usize,
+    /// What was measured, or why not.
+    pub(crate) outcome: Result<Measured, String>,
+}
+
+/// Error and cost of a candidate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Measured {
+    /// How far it is from the reference.
+    pub(crate) errors: Errors,
+    /// `D_numerical`, relative.
+    pub(crate) energy_error: f64,
+    /// Steps.
+    pub(crate) steps: u64,
+    /// How it moved its bodies.
+    pub(crate) solver: Solver,
+    /// Its time.
+    pub(crate) timing: Timing,
+    /// Instructions, when they were counted.
+    pub(crate) instructions: Option<u64>,
+    /// Whether it is on the Pareto front.
+    pub(crate) on_front: bool,
+}
+
+impl Measured {
+    /// Its cost.
+    pub(crate) fn cost(&self) -> f64 {
+        self.instructions.map_or(self.timing.ratio, |count| count as f64)
+    }
+}
+
+impl Study {
+    /// Runs, times and judges the candidates of `axes`, or the default ones when there are none.
+    ///
+    /// # Errors
+    /// When the scene or `axes` are refused, or there is no reference to compare with.
+    pub(crate) fn run(source: &Source, axes: &[Axis], options: &Options) -> Result<Self, Failure> {
+        let scene = source.load()?.scene;
+        let progress = Progress::new();
+        let asked = super::candidate::product(axes).map_err(|fault| usage(&fault))?;
+        progress.phase("reference", 1);
+        let (references, candidates) = if axes.is_empty() {
+            let reference = reference::find(source, &[], options.samples, None).map_err(|fault| check(&fault))?;
+            let candidates = ladder::candidates(&reference.facts, &source.given);
+            (vec![reference], candidates)
+        } else {
+            (references(source, &asked, options.samples)?, asked)
+        };
+        let mut runs = Runs::new(source, options, &progress, &candidates);
+        let mut errors = runs.errors(&references, candidates);
+        let base = base(&errors);
+        let timings = runs.timings(&mut errors, base);
+        let counts = runs.instructions(&errors);
+        progress.clear();
+        let entries = judged(errors, timings, counts, &references, options.counting);
+        let (scene, duration_s) = (scene.name().to_owned(), scene.duration_s());
+        Ok(Self { scene, duration_s, references, entries, base, counting: options.counting, samples: options.samples })
+    }
+
+    /// The cheapest candidate whose error is known to be at most `target`.
+    pub(crate) fn cheapest(&self, target: f64) -> Option<&Entry> {
+        let points: Vec<_> = self.entries.iter().map(|entry| point(entry, &self.references)).collect();
+        front::cheapest(&points, target).and_then(|number| self.entries.get(number))
+    }
+
+    /// The smallest error that any candidate is known to reach, with its name.
+    pub(crate) fn most_accurate(&self) -> Option<(f64, String)> {
+        let known = self.entries.iter().filter_map(|entry| {
+            let error = self.known_error(entry)?;
+            error.is_finite().then(|| (error, entry.candidate.name()))
+        });
+        known.min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+
+    /// How close to a reference a candidate comes that integrates in another way, with its name.
+    pub(crate) fn confirmed(&self, reference: usize) -> Option<(f64, String)> {
+        let own = Solver::of(&self.references.get(reference)?.run.report.plan);
+        let others = self.entries.iter().filter(|entry| entry.reference == reference).filter_map(|entry| {
+            let measured = entry.outcome.as_ref().ok()?;
+            let error = measured.errors.headline();
+            (!measured.solver.is_alike(own) && error.is_finite()).then(|| (error, entry.candidate.name()))
+        });
+        others.min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+
+    /// A candidate's error, or that of its reference where that is larger.
+    pub(crate) fn known_error(&self, entry: &Entry) -> Option<f64> {
+        let measured = entry.outcome.as_ref().ok()?;
+        Some(super::error::worst(measured.errors.headline(), self.references.get(entry.reference)?.error))
+    }
+
+    /// Name of the candidate whose time is the unit.
+    pub(crate) fn base_name(&self) -> String {
+        let entry = self.base.and_then(|base| self.entries.get(base));
+        entry.map_or_else(|| "none".to_owned(), |entry| entry.candidate.name())
+    }
+
+    /// What the numbers of cost are.
+    pub(crate) fn cost_unit(&self) -> String {
+        match self.counting {
+            Counting::Time => format!("time, relative to {}", self.base_name()),
+            Counting::Instructions => "instructions".to_owned(),
+        }
+    }
+}
+
+/// One reference for every model among the candidates, in the order in which they occur.
+fn references(source: &Source, candidates: &[Candidate], samples: u32) -> Result<Vec<Reference>, Failure> {
+    let steps = candidates.iter().filter_map(|candidate| candidate.value("method.step")?.parse::<f64>().ok());
+    let finest_step_s = steps.filter(|&step| step > 0.0).min_by(f64::total_cmp);
+    let mut references: Vec<Reference> = Vec::new();
+    for candidate in candidates {
+        let model = candidate.model();
+        if !references.iter().any(|reference| reference.model == model) {
+            let found = reference::find(source, &model, samples, finest_step_s);
+            references.push(found.map_err(|fault| check(&format!("{}: {fault}", candidate.name())))?);
+        }
+    }
+    Ok(references)
+}
+
+fn usage(message: &str) -> Failure {
+    Failure::Usage(format!("error: {message}"))
+}
+
+fn check(message: &str) -> Failure {
+    Failure::Check(format!("error: {message}"))
+}
+
+/// The candidate whose time is the unit: RK4, the thesis's method, at its middle step; else the first that ran.
+fn base(compared: &[Compared]) -> Option<usize> {
+    let rk4 = names::integrator(Integrator::Rk4);
+    let ran = |series: Option<&str>| -> Vec<usize> {
+        let is =
+            |entry: &Compared| entry.outcome.is_ok() && series.is_none_or(|series| entry.candidate.series == series);
+        compared.iter().enumerate().filter(|(_, entry)| is(entry)).map(|(number, _)| number).collect()
+    };
+    let steps = ran(Some(rk4));
+    steps.get(steps.len() / 2).or(ran(None).first()).copied()
+}
+
+/// Everything together, with the Pareto front.
+fn judged(
+    compared: Vec<Compared>,
+    timings: Vec<Option<Timing>>,
+    counts: Vec<Option<Result<u64, String>>>,
+    references: &[Reference],
+    counting: Counting,
+) -> Vec<Entry> {
+    let resolution = if counting == Counting::Time { TIME_RESOLUTION } else { 0.0 };
+    let mut entries: Vec<Entry> = Vec::with_capacity(compared.len());
+    for ((entry, timing), count) in compared.into_iter().zip(timings).zip(counts) {
+        let outcome = entry.outcome.and_then(|Difference { errors, energy_error, steps, solver }| {
+            let timing = timing.ok_or_else(|| "it was not timed".to_owned())?;
+            let instructions = count.transpose()?;
+            Ok(Measured { errors, energy_error, steps, solver, timing, instructions, on_front: false })
+        });
+        entries.push(Entry { candidate: entry.candidate, reference: entry.reference, outcome });
+    }
+    let points: Vec<_> = entries.iter().map(|entry| point(entry, references)).collect();
+    for (entry, is_on) in entries.iter_mut().zip(front::front(&points, resolution)) {
+        if let Ok(measured) = &mut entry.outcome {
+            measured.on_front = is_on;
+        }
+    }
+    entries
+}
+
+/// Cost and error of an entry; not a number for one that failed.
+fn point(entry: &Entry, references: &[Reference]) -> Point {
+    let floor = references.get(entry.reference).map_or(f64::NAN, |reference| reference.error);
+    match &entry.outcome {
+        Ok(measured) => Point::new(measured.cost(), measured.errors.headline(), floor),
+        Err(_) => Point::new(f64::NAN, f64::NAN, f64::NAN),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! Which candidate is the unit of time.
+    use super::*;
+
+    fn compared(series: &str, runs: bool) -> Compared {
+        let candidate = Candidate { series: series.to_owned(), rung: String::new(), changes: Vec::new(), growth: None };
+        let solver = Solver { integrator: Integrator::Rk4, closed_form: false };
+        let difference = Difference { errors: Errors::default(), energy_error: 0.0, steps: 1, solver };
+        let outcome = if runs { Ok(difference) } else { Err(String::new()) };
+        Compared { candidate, reference: 0, outcome }
+    }
+
+    #[test]
+    fn the_unit_is_rk4_at_its_middle_step() {
+        let all = [compared("cf4", true), compared("rk4", true), compared("rk4", true), compared("rk4", true)];
+        assert_eq!(base(&all), Some(2));
+        assert_eq!(base(&[compared("rk4", false), compared("cf4", false), compared("exact", true)]), Some(2));
+        assert_eq!(base(&[compared("rk4", false)]), None);
+    }
+}

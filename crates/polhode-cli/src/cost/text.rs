@@ -1,0 +1,168 @@
+//! The table for people.
+
+use super::candidate::Candidate;
+use super::reference::{Kind, Reference};
+use super::study::{Counting, Entry, Measured, Study};
+use crate::text::{Table, number};
+use std::fmt::Write as _;
+
+/// Reference, table, what was left out, and the candidate that reaches a target.
+pub(super) fn page(study: &Study, target: Option<f64>) -> String {
+    let mut page = format!("scene {}, {} s\n\n{}\n", study.scene, study.duration_s, notes(study));
+    let mut table = Table::default();
+    table.cells(columns(study));
+    for entry in &study.entries {
+        if let Ok(measured) = &entry.outcome {
+            table.cells(row(study, entry, measured));
+        }
+    }
+    page.push_str(&table.print());
+    page.push_str("  * on the Pareto front: none is both cheaper and more accurate (an error above 1 is no answer)\n");
+    let failures = failures(study);
+    if !failures.is_empty() {
+        page.push_str("\nnot in the table\n");
+        let mut reasons = Table::default();
+        for (names, reason) in failures {
+            reasons.row([&names, &reason]);
+        }
+        page.push_str(&reasons.print());
+    }
+    if let Some(target) = target
+        && let Some(entry) = study.cheapest(target)
+    {
+        let _ = write!(page, "\n{}\n\n{}", reached(study, entry, target), entry.candidate.toml());
+    }
+    page
+}
+
+/// What failed, and why: neighbours of one series that share a reason stand in one row.
+fn failures(study: &Study) -> Vec<(String, String)> {
+    let mut rows: Vec<(&Candidate, &Candidate, &String)> = Vec::new();
+    for entry in &study.entries {
+        let Err(reason) = &entry.outcome else { continue };
+        match rows.last_mut() {
+            Some((first, last, shared)) if first.series == entry.candidate.series && *shared == reason => {
+                *last = &entry.candidate;
+            }
+            _ => rows.push((&entry.candidate, &entry.candidate, reason)),
+        }
+    }
+    let names = |first: &Candidate, last: &Candidate| {
+        if first == last { first.name() } else { format!("{} ... {}", first.name(), last.rung) }
+    };
+    rows.into_iter().map(|(first, last, reason)| (names(first, last), reason.clone())).collect()
+}
+
+/// What the numbers mean: reference, scales, unit of time.
+pub(super) fn notes(study: &Study) -> String {
+    let mut lines = Table::default();
+    for (number_of, reference) in study.references.iter().enumerate() {
+        let model: Vec<_> = reference.model.iter().map(|change| format!("{}={}", change.key, change.value)).collect();
+        let of = if model.is_empty() { String::new() } else { format!(" of {}", model.join(" ")) };
+        lines.row([&format!("reference{of}"), &described(reference)]);
+        lines.row(["its own error", &format!("at most about {:.1e}: {}", reference.error, reference.basis)]);
+        if let Some((error, name)) = study.confirmed(number_of) {
+            lines.row(["confirmed", &format!("by {name} to {error:.1e}: the closest that integrates in another way")]);
+        }
+    }
+    if let Some(first) = study.references.first() {
+        let scales = &first.scales;
+        let meaning = format!(
+            "largest of position (of {} m, {}) and attitude (rad), over {} samples",
+            number(scales.length_m),
+            scales.length_is,
+            study.samples
+        );
+        lines.row(["error", &meaning]);
+    }
+    let time = format!("relative to {}: median of interleaved rounds, without preparing the scene", study.base_name());
+    lines.row(["time", &time]);
+    if study.counting == Counting::Instructions {
+        lines.row(["cost", "instructions executed, without starting and preparing"]);
+    }
+    lines.print()
+}
+
+fn described(reference: &Reference) -> String {
+    let of = match reference.kind {
+        Kind::Exact => "the exact solution, in closed form",
+        Kind::Finest => "the finest solution",
+    };
+    format!("{}: {of} ({})", reference.kind.word(), reference.method)
+}
+
+fn columns(study: &Study) -> Vec<String> {
+    let mut columns = vec!["", "method", "setting", "error", "position", "attitude", "velocity", "energy", "time"];
+    if study.counting == Counting::Instructions {
+        columns.push("instructions");
+    }
+    columns.extend(["seconds", "steps"]);
+    columns.into_iter().map(str::to_owned).collect()
+}
+
+fn row(study: &Study, entry: &Entry, measured: &Measured) -> Vec<String> {
+    let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
+    let errors = &measured.errors;
+    let mut cells = vec![
+        if measured.on_front { "*" } else { "" }.to_owned(),
+        entry.candidate.series.clone(),
+        entry.candidate.rung.clone(),
+        at_most(errors.headline(), floor),
+        short(errors.position),
+        short(errors.attitude),
+        short(errors.final_velocity),
+        short(measured.energy_error),
+        ratio(measured.timing.ratio),
+    ];
+    cells.extend(measured.instructions.map(|count| count.to_string()));
+    cells.extend([format!("{:.2e}", measured.timing.seconds), measured.steps.to_string()]);
+    cells
+}
+
+/// An error; below what is known about the reference, that.
+pub(super) fn at_most(error: f64, floor: f64) -> String {
+    if error <= floor { format!("<={floor:.1e}") } else { short(error) }
+}
+
+fn short(error: f64) -> String {
+    if error == 0.0 { "0".to_owned() } else { format!("{error:.2e}") }
+}
+
+/// Ratios below this are written with an exponent.
+const SMALL_RATIO: f64 = 0.01;
+
+/// A ratio in two or three digits.
+pub(super) fn ratio(ratio: f64) -> String {
+    if ratio >= 100.0 {
+        format!("{ratio:.0}")
+    } else if ratio >= 1.0 {
+        format!("{ratio:.2}")
+    } else if ratio >= SMALL_RATIO {
+        format!("{ratio:.3}")
+    } else {
+        format!("{ratio:.1e}")
+    }
+}
+
+/// Which candidate reaches a target, at what cost.
+pub(super) fn reached(study: &Study, entry: &Entry, target: f64) -> String {
+    let Ok(measured) = &entry.outcome else { return String::new() };
+    let error = study.known_error(entry).unwrap_or(f64::NAN);
+    format!(
+        "cheapest method with an error of at most {target:e}: {}, error {error:.1e}, {} of the time of {}",
+        entry.candidate.name(),
+        ratio(measured.timing.ratio),
+        study.base_name()
+    )
+}
+
+/// That no candidate reaches a target, and what can be done.
+pub(super) fn not_reached(study: &Study, target: f64) -> String {
+    let best = match study.most_accurate() {
+        Some((error, name)) => format!("the most accurate, {name}, is known to {error:.1e}"),
+        None => "none ran".to_owned(),
+    };
+    format!(
+        "error: no method reaches an error of {target:e}: {best}; vary steps or tolerances with `polhode cost --vary`"
+    )
+}

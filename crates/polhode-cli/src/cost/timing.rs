@@ -1,0 +1,117 @@
+//! Time as a ratio: every candidate in turn, round after round, and the median over the rounds.
+//!
+//! What slows a machine down (another program, heat, a changing clock) slows all candidates of a round alike, so the
+//! ratio to a candidate of the same round repeats where seconds do not.
+
+use super::source::Source;
+use polhode::{Scene, Unobserved};
+use std::time::Duration;
+
+/// How long timing goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Effort {
+    /// Rounds of every candidate at the least.
+    pub(crate) fewest_rounds: usize,
+    /// Rounds of a candidate at the most.
+    pub(crate) most_rounds: usize,
+    /// Once a candidate has run for this long, s, its rounds may end.
+    pub(crate) enough_s: f64,
+}
+
+/// What a candidate takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Timing {
+    /// Of the time of the base candidate: median over the rounds.
+    pub(crate) ratio: f64,
+    /// Median, s.
+    pub(crate) seconds: f64,
+    /// Rounds.
+    pub(crate) rounds: usize,
+}
+
+/// Times the scenes in rounds; one that fails has the reason instead. `base` is what ratios are relative to, and
+/// `advance` is told of every run.
+pub(crate) fn interleaved(
+    source: &Source,
+    scenes: &[Scene],
+    base: usize,
+    effort: Effort,
+    mut advance: impl FnMut(),
+) -> Vec<Result<Timing, String>> {
+    let mut taken: Vec<Result<Vec<f64>, String>> = vec![Ok(Vec::new()); scenes.len()];
+    for round in 0..effort.most_rounds {
+        let going: Vec<bool> = taken.iter().map(|times| goes_on(times, round, effort)).collect();
+        if !going.contains(&true) {
+            break;
+        }
+        for (number, scene) in scenes.iter().enumerate() {
+            // The base runs in every round: ratios need it.
+            if let (true, Ok(times)) = (going[number] || number == base, &mut taken[number]) {
+                match source.run(scene, &mut Unobserved) {
+                    Ok((_, took)) => times.push(seconds(took)),
+                    Err(reason) => taken[number] = Err(reason),
+                }
+                advance();
+            }
+        }
+    }
+    let reference = taken.get(base).and_then(|times| times.clone().ok()).unwrap_or_default();
+    taken.into_iter().map(|times| times.and_then(|times| timing(&times, &reference))).collect()
+}
+
+fn goes_on(times: &Result<Vec<f64>, String>, round: usize, effort: Effort) -> bool {
+    times.as_ref().is_ok_and(|times| round < effort.fewest_rounds || times.iter().sum::<f64>() < effort.enough_s)
+}
+
+/// A time that a clock of coarse ticks calls zero is a tick of a nanosecond: a cost is positive.
+fn seconds(took: Duration) -> f64 {
+    took.max(Duration::from_nanos(1)).as_secs_f64()
+}
+
+fn timing(times: &[f64], base: &[f64]) -> Result<Timing, String> {
+    let ratios: Vec<f64> = times.iter().zip(base).map(|(time, base)| time / base).collect();
+    match (median(&ratios), median(times)) {
+        (Some(ratio), Some(seconds)) => Ok(Timing { ratio, seconds, rounds: times.len() }),
+        _ => Err("it was not timed: the candidate that ratios are relative to failed".to_owned()),
+    }
+}
+
+/// The middle of the sorted numbers; the mean of the two middle ones of an even count.
+pub(crate) fn median(numbers: &[f64]) -> Option<f64> {
+    let mut sorted = numbers.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let upper = *sorted.get(sorted.len() / 2)?;
+    if sorted.len() % 2 == 1 { Some(upper) } else { Some(f64::midpoint(sorted[sorted.len() / 2 - 1], upper)) }
+}
+
+#[cfg(test)]
+mod tests {
+    //! Ratios are those of the same round; no clock is read.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+    use super::*;
+
+    #[test]
+    fn a_machine_that_slows_down_changes_no_ratio() {
+        let base = [1.0, 2.0, 8.0];
+        let slower = [3.0, 6.0, 24.0];
+        assert_eq!(timing(&slower, &base), Ok(Timing { ratio: 3.0, seconds: 6.0, rounds: 3 }));
+        assert_eq!(timing(&base, &base).unwrap().ratio, 1.0);
+        assert!(timing(&slower, &[]).is_err());
+    }
+
+    #[test]
+    fn the_median_is_the_middle() {
+        assert_eq!(median(&[]), None);
+        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), Some(2.5));
+    }
+
+    #[test]
+    fn rounds_end_when_enough_is_known() {
+        let effort = Effort { fewest_rounds: 3, most_rounds: 10, enough_s: 0.2 };
+        assert!(goes_on(&Ok(vec![1.0, 1.0]), 2, effort), "three rounds at the least");
+        assert!(!goes_on(&Ok(vec![1.0; 3]), 3, effort));
+        assert!(goes_on(&Ok(vec![0.01; 3]), 3, effort));
+        assert!(!goes_on(&Err(String::new()), 0, effort));
+    }
+}

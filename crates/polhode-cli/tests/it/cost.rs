@@ -1,0 +1,133 @@
+//! `polhode cost`: error against time. What is timed is only shown, never judged.
+
+use crate::{FLIGHT, Place};
+use serde_json::Value;
+
+/// Two tiers over two steps, in few and short runs.
+const VARIED: [&str; 10] = [
+    "cost",
+    "scene.toml",
+    "--vary",
+    "method.tier=accurate,thesis",
+    "--vary",
+    "method.step=0.05,0.0125",
+    "--samples",
+    "20",
+    "--rounds",
+    "2",
+];
+
+fn varied<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    VARIED.iter().chain(more).copied().collect()
+}
+
+/// The closed form is the reference of a flight; RK4 converges to it at order 4, and the table says so in every form.
+#[test]
+fn a_flight() {
+    let place = Place::with_scene(FLIGHT);
+    let files = ["--csv", "a.csv", "--svg", "a.svg", "--html", "a.html"];
+    let json = place.expect(0, &varied(&[&files[..], &["--json"]].concat())).json();
+    assert_eq!(place.list(), ["a.csv", "a.html", "a.svg", "scene.toml"]);
+    assert_eq!(json["references"][0]["kind"], "exact");
+    let floor = json["references"][0]["error"].as_f64().unwrap();
+    assert!(floor > 0.0 && floor < 1e-12, "{floor}");
+
+    let candidates = json["candidates"].as_array().unwrap();
+    let number = |candidate: usize, key: &str| candidates[candidate][key].as_f64().unwrap();
+    let names: Vec<_> = candidates.iter().map(|candidate| candidate["method"].as_str().unwrap()).collect();
+    assert_eq!(names, ["accurate", "accurate", "thesis", "thesis"]);
+    assert!(number(0, "error") <= 1e-13 && number(0, "known_error") >= floor);
+    let ratio = number(2, "error") / number(3, "error");
+    assert!((100.0..600.0).contains(&ratio), "order 4 in a quarter of the step is 256: {ratio}");
+    assert!(candidates.iter().all(|candidate| candidate["time_ratio"].as_f64().unwrap() > 0.0));
+    assert!(candidates.iter().any(|candidate| candidate["pareto"] == true));
+
+    let csv = place.read("a.csv");
+    let header: Vec<_> = csv.lines().next().unwrap().split(',').collect();
+    assert_eq!(csv.lines().count(), 5);
+    assert!(csv.lines().all(|line| line.split(',').count() == header.len()), "{csv}");
+    let svg = place.read("a.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("thesis") && svg.contains("Pareto front"));
+    let html = place.read("a.html");
+    assert!(html.contains(svg.trim_end()) && html.contains("<script>") && html.matches("<tr").count() == 5);
+}
+
+/// A target is reached by a method that is named with the lines that select it, or the exit code is 1.
+#[test]
+fn target() {
+    let place = Place::with_scene(FLIGHT);
+    let run = place.expect(0, &varied(&["--target", "1e-10"]));
+    for part in ["reference", "exact", "cheapest method", "[method]", "tier = \"", "Pareto front"] {
+        assert!(run.stdout.contains(part), "{part}\n{}", run.stdout);
+    }
+    let run = place.expect(1, &varied(&["--target", "1e-30"]));
+    assert!(run.stderr.contains("no method reaches an error of 1e-30"), "{}", run.stderr);
+}
+
+/// Without `--vary` every integrator is there: those that run in the table, the others with the reason.
+#[test]
+fn default_candidates() {
+    let place = Place::with_scene(FLIGHT);
+    let args =
+        ["cost", "scene.toml", "--duration", "0.25", "--samples", "5", "--rounds", "1", "--budget", "1", "--json"];
+    let json = place.expect(0, &args).json();
+    let candidates = json["candidates"].as_array().unwrap();
+    for name in ["exact", "rk4"] {
+        assert!(candidates.iter().any(|candidate| candidate["method"] == name), "{name}");
+    }
+    let told = |candidate: &Value| candidate["error"].is_number() != candidate["failure"].is_string();
+    assert!(candidates.iter().all(told), "{json}");
+}
+
+/// A candidate that is refused is listed with its reason; another mass is another motion, with a reference of its own.
+#[test]
+fn refused_and_other_models() {
+    let place = Place::with_scene(FLIGHT);
+    let args = ["cost", "scene.toml", "--rounds", "1", "--samples", "5"];
+    let run = place.expect(0, &[&args[..], &["--vary", "method.step=0.1,-1"]].concat());
+    assert!(run.stdout.contains("not in the table") && run.stdout.contains("step -1"), "{}", run.stdout);
+    let vary = ["--vary", "bodies.0.velocity=[1, 0, 0],[2, 0, 0]", "--json"];
+    let json = place.expect(0, &[&args[..], &vary[..]].concat()).json();
+    assert_eq!(json["references"].as_array().unwrap().len(), 2);
+    for candidate in json["candidates"].as_array().unwrap() {
+        assert!(candidate["error"].as_f64().unwrap() < 1e-12, "{candidate}");
+    }
+}
+
+/// `run --accuracy` runs by the cheapest method that the search finds, and says which.
+#[test]
+fn run_to_an_accuracy() {
+    let place = Place::with_scene(FLIGHT);
+    // One integrator is searched for its step, which is enough here.
+    let rk4 = ["run", "scene.toml", "--set", "method.integrator=rk4"];
+    let run = place.expect(0, &[&rk4[..], &["--accuracy", "1e-8", "--json"]].concat());
+    assert!(run.stderr.contains("rk4 step"), "{}", run.stderr);
+    assert!(run.stderr.contains("cheapest method with an error of at most 1e-8"), "{}", run.stderr);
+    assert_eq!(run.json()["simulated_s"], 0.5);
+    let run = place.expect(1, &[&rk4[..], &["--accuracy", "1e-30"]].concat());
+    assert!(run.stderr.contains("no method reaches") && run.stdout.is_empty(), "{}", run.stderr);
+}
+
+/// Mistakes have exit code 2, files that cannot be written 3, before anything is run.
+#[test]
+fn mistakes() {
+    let place = Place::with_scene(FLIGHT);
+    for more in [
+        &["--target", "0"][..],
+        &["--target", "nan"],
+        &["--budget", "-1"],
+        &["--rounds", "0"],
+        &["--samples", "0"],
+        &["--vary", "method.step"],
+        &["--vary", "method.step=1,,2"],
+        &["--vary", "method.step=1", "--vary", "method.step=2"],
+        &["--set", "duration=-1"],
+    ] {
+        let run = place.expect(2, &[&["cost", "scene.toml"], more].concat());
+        assert!(run.stdout.is_empty() && !run.stderr.is_empty(), "{more:?}");
+    }
+    place.expect(2, &["run", "scene.toml", "--accuracy", "-1"]);
+    place.expect(3, &["cost", "scene.toml", "--svg", "missing/a.svg"]);
+    place.expect(3, &["cost", "missing.toml"]);
+    assert_eq!(place.list(), ["scene.toml"]);
+}

@@ -1,0 +1,300 @@
+//! DOP853 with error control inside steps of fixed length: any smooth field, drag and dampers included.
+//!
+//! Each step of the caller is covered by as many steps of [`Dop853`] as the tolerance asks for; the quaternions are
+//! normalised after each. A step is accepted when the largest error of any quantity of any body, not the mean over all
+//! of them, is below its share of the tolerance: a mean over the numbers of the state grows more lenient with every
+//! body, and with every number that happens to have no error.
+//!
+//! | quantity | error allowed in one step |
+//! |---|---|
+//! | position | the body's radius of gyration |
+//! | attitude | 1 rad (twice the change of the quaternion) |
+//! | velocity | the larger of its speeds: its own, that of its points, what its acceleration gives over its radius |
+//! | angular momentum | the smallest moment times the angular speed, or what its torque gives over a turn |
+//!
+//! each times `tolerance` and [`STEP_SHARE`], and not below the rounding of the numbers themselves.
+//! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.4, II.10.
+//! How it fails: a force that acts for a small part of a step (an impulse between two stages) can be missed; at a
+//! singularity the steps shrink until [`IntegrationError::StepTooSmall`].
+
+use super::drift_kick::within;
+use super::{IntegrationError, Integrator};
+use crate::free_motion::BufferedMotion;
+use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use crate::{BodyState, DenseStep, Dop853, FreeMotion, RigidBody, System};
+use glam::DVec3;
+use std::ops::Range;
+use thiserror::Error;
+
+/// Share of the tolerance that one step may use (dimensionless): errors add over the steps, some fifty for ten seconds
+/// at two radians a second, and the interpolation within a step, of one order less, has to stay below the tolerance
+/// too. At order 8 a tenth costs a third more steps.
+pub const STEP_SHARE: f64 = 0.1;
+
+/// The smallest tolerance (dimensionless): a few hundred roundings, which no step can do better than.
+pub const SMALLEST_TOLERANCE: f64 = 256.0 * f64::EPSILON;
+
+/// The largest tolerance (dimensionless): beyond it the error estimate of a method of order 8 means nothing.
+pub const LARGEST_TOLERANCE: f64 = 1e-2;
+
+/// Rounding of a number in one step, relative to it: a dozen stages.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Attempts in one step of the caller; some seconds of work. Guards against waiting for ever near a singularity.
+const MAX_ATTEMPTS: u32 = 1_000_000;
+
+/// The largest factor for repeating a refused step.
+const REFUSED_FACTOR: f64 = 0.9;
+
+/// A tolerance out of range.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("tolerance must lie between {SMALLEST_TOLERANCE:e} and {LARGEST_TOLERANCE:e}, found {0:e}")]
+pub struct ToleranceError(pub f64);
+
+/// Error of a motion over some turns, relative to the body's size and speeds (dimensionless).
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    /// Everyday work: 1e-11.
+    pub const EVERYDAY: Self = Self(1e-11);
+
+    /// From a number.
+    ///
+    /// # Errors
+    /// When it is not between [`SMALLEST_TOLERANCE`] and [`LARGEST_TOLERANCE`].
+    pub fn new(tolerance: f64) -> Result<Self, ToleranceError> {
+        if (SMALLEST_TOLERANCE..=LARGEST_TOLERANCE).contains(&tolerance) {
+            Ok(Self(tolerance))
+        } else {
+            Err(ToleranceError(tolerance))
+        }
+    }
+
+    /// The number.
+    pub const fn get(self) -> f64 {
+        self.0
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self::EVERYDAY
+    }
+}
+
+/// The method with its tolerance.
+#[derive(Debug, Clone)]
+pub struct AdaptiveDop853 {
+    tolerance: f64,
+    method: Dop853,
+    from: f64,
+    t: f64,
+    states: Vec<BodyState>,
+    flat: Vec<f64>,
+    /// Length of the next inner step, s, without its sign; nothing before the first.
+    proposed: Option<f64>,
+    /// Inner steps of the last step: start, length, state at the start.
+    inner: Vec<(f64, f64, Vec<f64>)>,
+    /// The inner step that was last interpolated in.
+    dense: Option<(usize, DenseStep)>,
+}
+
+impl AdaptiveDop853 {
+    /// With the tolerance of the error control.
+    pub fn new(tolerance: Tolerance) -> Self {
+        Self {
+            tolerance: tolerance.get(),
+            method: Dop853::new(0),
+            from: 0.0,
+            t: 0.0,
+            states: Vec::new(),
+            flat: Vec::new(),
+            proposed: None,
+            inner: Vec::new(),
+            dense: None,
+        }
+    }
+
+    /// Inner steps that the last step took.
+    pub const fn inner_steps(&self) -> usize {
+        self.inner.len()
+    }
+
+    /// Largest error of the last attempt over all bodies and quantities, in units of what is allowed.
+    fn error(&self, motion: &FreeMotion<'_>) -> f64 {
+        let ends = self.flat.as_chunks::<WIDTH>().0.iter().zip(self.method.end_state().as_chunks::<WIDTH>().0);
+        let rates = self.method.start_rates().as_chunks::<WIDTH>().0;
+        let mut worst = 0.0f64;
+        for (index, ((body, (start, end)), rate)) in motion.bodies().iter().zip(ends).zip(rates).enumerate() {
+            for (range, allowed) in allowances(body, start, end, rate, self.tolerance * STEP_SHARE) {
+                let offset = index * WIDTH;
+                let error = self.method.error_of(offset + range.start..offset + range.end);
+                // No error is none also where nothing is allowed; NaN must reach the end.
+                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+                if worst.is_nan() {
+                    return worst;
+                }
+            }
+        }
+        worst
+    }
+
+    /// Writes the flat state at `t` in the inner step of this index, whose polynomials are made when they are first asked
+    /// for: most steps are never looked into.
+    fn interpolate(&mut self, motion: &FreeMotion<'_>, index: usize, t: f64) {
+        if self.dense.as_ref().is_none_or(|(known, _)| *known != index) {
+            let Some((start, h, state)) = self.inner.get(index) else { return };
+            let mut system = BufferedMotion::new(*motion);
+            let Ok(()) = self.method.attempt_unscaled(&mut system, *start, state, *h);
+            let Ok(dense) = self.method.dense(&mut system);
+            self.dense = Some((index, dense));
+        }
+        if let Some((_, dense)) = &self.dense {
+            dense.evaluate(t, &mut self.flat);
+        }
+    }
+
+    /// Covers the step from `t` to `end` by inner steps.
+    fn advance(&mut self, motion: &FreeMotion<'_>, end: f64) -> Result<(), IntegrationError> {
+        let mut system = BufferedMotion::new(*motion);
+        let (start, direction) = (self.t, (end - self.t).signum());
+        let smallest_s = ROUNDING * start.abs().max(end.abs());
+        let mut t = start;
+        let mut h = self.proposed.unwrap_or(f64::INFINITY);
+        for _ in 0..MAX_ATTEMPTS {
+            let rest = (end - t).abs();
+            // The last two steps are of one length: none is left over that is a fraction of what is allowed.
+            let length = if h >= rest {
+                rest
+            } else if 2.0 * h > rest {
+                0.5 * rest
+            } else {
+                h
+            };
+            let Ok(()) = self.method.attempt_unscaled(&mut system, t, &self.flat, direction * length);
+            let error = self.error(motion);
+            let factor = Dop853::next_step_factor(error);
+            if error <= 1.0 {
+                self.inner.push((t, direction * length, self.flat.clone()));
+                self.flat.copy_from_slice(self.method.end_state());
+                system.normalize(&mut self.flat);
+                // A step that was cut short says nothing against a longer one, unless it was all but too long itself.
+                h = if factor >= 1.0 { h.max(length * factor) } else { length * factor };
+                if length >= rest {
+                    self.proposed = Some(h);
+                    return Ok(());
+                }
+                t += direction * length;
+            } else {
+                h = length * factor.min(REFUSED_FACTOR);
+            }
+            if h <= smallest_s {
+                let singular = IntegrationError::StepTooSmall { t, smallest_s };
+                return Err(if error.is_nan() { IntegrationError::NotFinite { t } } else { singular });
+            }
+        }
+        Err(IntegrationError::StepTooSmall { t, smallest_s: (end - start).abs() / f64::from(MAX_ATTEMPTS) })
+    }
+}
+
+/// The error allowed in each quantity of one body, and where the quantity's numbers are in the body's state.
+fn allowances(
+    body: &RigidBody,
+    start: &[f64; WIDTH],
+    end: &[f64; WIDTH],
+    rate: &[f64; WIDTH],
+    tolerance: f64,
+) -> [(Range<usize>, f64); 4] {
+    let ends = [BodyState::from_array(start), BodyState::from_array(end)];
+    let largest = |size: &dyn Fn(&BodyState) -> f64| size(&ends[0]).max(size(&ends[1]));
+    let vector = |first: usize| DVec3::new(rate[first], rate[first + 1], rate[first + 2]).length();
+    let moments = body.moments();
+    let radius = (moments.max_element() / body.mass()).sqrt();
+    let angular_speed = largest(&|state| body.angular_velocity(state).length());
+    let speed = largest(&|state| state.linear_velocity.length())
+        .max(angular_speed * radius)
+        .max((vector(LINEAR_VELOCITY) * radius).sqrt());
+    let turning = angular_speed.max((vector(ANGULAR_MOMENTUM) / moments.max_element()).sqrt());
+    let position = (tolerance * radius).max(ROUNDING * largest(&|state| state.pose.translation.length()));
+    // An error of the angular momentum about the axis of the smallest moment changes the angular velocity most.
+    let momentum =
+        (tolerance * moments.min_element() * turning).max(ROUNDING * largest(&|state| state.angular_momentum.length()));
+    [
+        (POSITION..QUATERNION, position),
+        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
+        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
+        (ANGULAR_MOMENTUM..WIDTH, momentum),
+    ]
+}
+
+impl Integrator for AdaptiveDop853 {
+    fn order(&self) -> u32 {
+        8
+    }
+
+    fn start(&mut self, _motion: &FreeMotion<'_>, t: f64, states: &[BodyState]) {
+        self.method = Dop853::new(states.len() * WIDTH);
+        self.states.clear();
+        self.states.extend_from_slice(states);
+        (self.from, self.t, self.proposed, self.dense) = (t, t, None, None);
+        self.inner.clear();
+    }
+
+    fn step(&mut self, motion: &FreeMotion<'_>, h: f64) -> Result<(), IntegrationError> {
+        let (t, end) = (self.t, self.t + h);
+        if self.states.len() != motion.bodies().len() {
+            return Err(IntegrationError::StateCount { states: self.states.len(), bodies: motion.bodies().len() });
+        }
+        if !end.is_finite() || !self.states.iter().all(BodyState::is_finite) {
+            return Err(IntegrationError::NotFinite { t });
+        }
+        self.flat.clear();
+        self.flat.extend(self.states.iter().flat_map(BodyState::to_array));
+        let kept = std::mem::take(&mut self.inner);
+        self.method.restart();
+        if end != t
+            && let Err(error) = self.advance(motion, end)
+        {
+            self.inner = kept;
+            return Err(error);
+        }
+        for (state, numbers) in self.states.iter_mut().zip(self.flat.as_chunks::<WIDTH>().0) {
+            *state = BodyState::from_array(numbers);
+        }
+        (self.from, self.t, self.dense) = (t, end, None);
+        Ok(())
+    }
+
+    fn time(&self) -> f64 {
+        self.t
+    }
+
+    fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
+    fn states_within(
+        &mut self,
+        motion: &FreeMotion<'_>,
+        t: f64,
+        states: &mut [BodyState],
+    ) -> Result<(), IntegrationError> {
+        within(self.from, self.t, t)?;
+        if states.len() != self.states.len() || states.len() != motion.bodies().len() {
+            return Err(IntegrationError::StateCount { states: states.len(), bodies: motion.bodies().len() });
+        }
+        if t == self.t {
+            states.copy_from_slice(&self.states);
+            return Ok(());
+        }
+        let direction = (self.t - self.from).signum();
+        let index = self.inner.partition_point(|(start, ..)| direction * (t - start) >= 0.0).saturating_sub(1);
+        self.interpolate(motion, index, t);
+        for (state, numbers) in states.iter_mut().zip(self.flat.as_chunks::<WIDTH>().0) {
+            *state = BodyState::from_array(numbers);
+        }
+        Ok(())
+    }
+}

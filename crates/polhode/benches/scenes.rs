@@ -1,0 +1,95 @@
+//! Whole runs of small scenes: what a change to a hot path of the facade costs. `cargo bench -p polhode --bench scenes`.
+//!
+//! | name | hot path |
+//! |---|---|
+//! | `4-diamond at rest, all effects, 1 s` | contact detection and contact forces of a resting group at every step |
+//! | `5-diamond falls, first 0.1 s` | constrained integration with many contacts, contact changes, impacts |
+//! | `bouncing ball until rest` | impact search, impacts, flights |
+//! | `box off a table` | sliding, tipping about an edge, leaving |
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use polhode::contact::Shape;
+use polhode::scene::Material;
+use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved, mesh};
+use std::hint::black_box;
+
+fn floor() -> Body {
+    Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)))
+}
+
+/// A box of uniform density and mass 1 kg.
+fn brick(name: &str, size: DVec3, center: DVec3) -> Option<Body> {
+    let density = Density::new(1.0 / (size.x * size.y * size.z)).ok()?;
+    let properties = mesh::primitives::solid_box(size, density).ok()?;
+    let shape = Geometry::Shape(Shape::cuboid(size).ok()?);
+    Some(Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(center)))
+}
+
+/// The m-diamond of the thesis (Videos 12-15): rows of 1, 2, .. m, .. 2, 1 bricks on a floor.
+fn diamond(m: usize) -> Option<SceneBuilder> {
+    let size = DVec3::new(1.0, 0.5, 0.25);
+    let mut builder = Scene::builder("diamond").body(floor());
+    for row in 1..2 * m {
+        let count = if row <= m { row } else { 2 * m - row };
+        for column in 0..count {
+            let x = column as f64 - 0.5 * (count as f64 - 1.0);
+            let center = DVec3::new(x, 0.0, 0.25 * (row as f64 - 0.5));
+            builder = builder.body(brick(&format!("r{row}c{column}"), size, center)?);
+        }
+    }
+    Some(builder)
+}
+
+/// A ball dropped from 1 m with restitution 0.8: infinitely many bounces in 4.06 s.
+fn bouncing_ball() -> Option<Scene> {
+    let rubber = Material::new("rubber", 0.0, 0.8).ok()?;
+    let inertia = Inertia::from_diagonal(DVec3::splat(0.1)).ok()?;
+    let ball = Body::movable("ball", MassProperties::new(Mass::new(1.0).ok()?, DVec3::ZERO, inertia))
+        .geometry(Geometry::Shape(Shape::sphere(0.5).ok()?))
+        .pose(Pose::from_translation(DVec3::new(0.0, 0.0, 1.5)))
+        .material(rubber);
+    Scene::builder("bouncing-ball").duration_s(5.0).body(floor()).body(ball).build().ok()
+}
+
+/// A box slides over the edge of a table (thesis 3.5, Video 10).
+fn box_off_table() -> Option<Scene> {
+    let table = Body::fixed("table")
+        .geometry(Geometry::Shape(Shape::cuboid(DVec3::new(4.0, 2.0, 1.0)).ok()?))
+        .pose(Pose::from_translation(DVec3::new(-2.0, 0.0, -0.5)));
+    let slider = brick("box", DVec3::new(1.0, 0.5, 0.5), DVec3::new(-0.5, 0.0, 0.25))?
+        .velocity(Velocity::new(DVec3::X, DVec3::ZERO));
+    Scene::builder("box-off-table").duration_s(1.2).body(table).body(slider).build().ok()
+}
+
+/// Prepares and runs a scene; whether it went to its end.
+fn run(scene: &Scene, effects: Effects) -> bool {
+    Simulation::new(scene, effects).and_then(|mut simulation| simulation.run(&mut Unobserved)).is_ok()
+}
+
+fn scenes(criterion: &mut Criterion) {
+    let standing = diamond(4).and_then(|scene| scene.duration_s(1.0).build().ok());
+    let falling = diamond(5).and_then(|scene| scene.duration_s(0.1).build().ok());
+    let all = [
+        ("4-diamond at rest, all effects, 1 s", standing, Effects::All),
+        ("5-diamond falls, first 0.1 s", falling, Effects::Planned),
+        ("bouncing ball until rest", bouncing_ball(), Effects::Planned),
+        ("box off a table", box_off_table(), Effects::Planned),
+    ];
+    let mut group = criterion.benchmark_group("scenes");
+    for (name, scene, effects) in all {
+        let Some(scene) = scene.filter(|scene| run(scene, effects)) else {
+            println!("{name}: the scene does not run");
+            continue;
+        };
+        group.bench_function(name, |bencher| bencher.iter(|| run(black_box(&scene), effects)));
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = scenes
+}
+criterion_main!(benches);

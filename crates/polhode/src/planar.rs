@@ -1,0 +1,196 @@
+//! Planar motion: when a scene moves in a plane, and the coordinates of that motion.
+//!
+//! Let every body be its own mirror image in one plane, shape and mass, and velocities, gravity and fixed bodies likewise.
+//! The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion; so it is its
+//! own image and stays in the plane. What is left of a body are two velocities in the plane and one angular velocity
+//! about its normal, and of every pair of contacts that are images of each other one: the thesis's "under what conditions
+//! we can model a simulation using the 2D equations". In space the same motion is found with twice the contacts and
+//! twice the unknowns, and rounding may leave the plane, which a fall can amplify.
+//!
+//! The proof needs laws that treat all contacts of an instant alike; one contact after the other (propagation) has no
+//! mirror symmetry, nor have the forces of a linear programme.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::settings::Settings;
+use crate::world::{World, WorldBody};
+use polhode_contact::mirror_defect;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, UnitVector};
+
+/// What may be missing from symmetry, relative to the size of what is measured: roundings of poses and mass properties.
+const SYMMETRY_RELATIVE: f64 = 32.0 * f64::EPSILON;
+
+/// The plane in which a scene moves: `normal . x = offset`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PlaneOfMotion {
+    normal: DVec3,
+    /// m.
+    offset: f64,
+    /// Two directions that span the plane.
+    axes: [DVec3; 2],
+}
+
+impl PlaneOfMotion {
+    fn new(normal: DVec3, offset: f64) -> Self {
+        let first = normal.any_orthonormal_vector();
+        Self { normal, offset, axes: [first, normal.cross(first)] }
+    }
+
+    /// The unit normal.
+    pub(crate) fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// Coordinates of a velocity or force with a moment: two in the plane, one about its normal.
+    pub(crate) fn coordinates(&self, linear: DVec3, angular: DVec3) -> [f64; 3] {
+        [self.axes[0].dot(linear), self.axes[1].dot(linear), self.normal.dot(angular)]
+    }
+
+    /// Linear and angular part of a velocity of the plane.
+    pub(crate) fn velocity(&self, coordinates: [f64; 3]) -> (DVec3, DVec3) {
+        let [x, y, turn] = coordinates;
+        (self.axes[0] * x + self.axes[1] * y, self.normal * turn)
+    }
+
+    /// Height of a point above the plane, m.
+    pub(crate) fn height(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) - self.offset
+    }
+
+    /// The point of the plane below a point.
+    pub(crate) fn project_point(&self, point: DVec3) -> DVec3 {
+        point - self.normal * self.height(point)
+    }
+
+    /// The part of a vector in the plane.
+    pub(crate) fn project_vector(&self, vector: DVec3) -> DVec3 {
+        vector - self.normal * self.normal.dot(vector)
+    }
+
+    /// Takes from a state what rounding has left outside the motion in the plane.
+    pub(crate) fn project_state(&self, state: &mut BodyState) {
+        state.pose.translation = self.project_point(state.pose.translation);
+        state.linear_velocity = self.project_vector(state.linear_velocity);
+        state.angular_momentum = self.normal * self.normal.dot(state.angular_momentum);
+    }
+}
+
+/// Whether a scene moves in a plane, with the measured fact that decides it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PlanarFinding {
+    pub(crate) plane: Option<PlaneOfMotion>,
+    pub(crate) fact: String,
+}
+
+impl PlanarFinding {
+    pub(crate) fn off(fact: impl Into<String>) -> Self {
+        Self { plane: None, fact: fact.into() }
+    }
+}
+
+/// Looks for a plane in which the scene moves.
+pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> PlanarFinding {
+    if !world.bodies.iter().any(WorldBody::moves) {
+        return PlanarFinding::off("nothing moves");
+    }
+    if world.free_motion().has_loads() {
+        return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
+    }
+    if !matches!(settings.integrator, Integrator::Exact | Integrator::Dop853) {
+        return PlanarFinding::off("the integrator asked for is shown as it is, in space");
+    }
+    if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {
+        return PlanarFinding::off("impacts or forces are found one contact after the other, which keeps no symmetry");
+    }
+    let mut nearest: Option<Defect> = None;
+    for normal in candidates(world, states) {
+        let defect = measure(world, states, normal);
+        if defect.relative <= SYMMETRY_RELATIVE {
+            let fact = format!(
+                "every body is its own mirror image in the plane with normal ({}, {}, {}): to {:.1e}, limit {:.1e}",
+                normal.x, normal.y, normal.z, defect.relative, SYMMETRY_RELATIVE
+            );
+            let offset = plane_offset(world, states, normal);
+            return PlanarFinding { plane: Some(PlaneOfMotion::new(normal, offset)), fact };
+        }
+        if nearest.as_ref().is_none_or(|n| defect.relative < n.relative) {
+            nearest = Some(defect);
+        }
+    }
+    let nearest = nearest.map_or_else(|| "no plane to try".to_owned(), |d| d.to_string());
+    PlanarFinding::off(format!("no mirror plane: {nearest}"))
+}
+
+/// What spoils a plane most.
+#[derive(Debug, Clone, PartialEq)]
+struct Defect {
+    relative: f64,
+    what: String,
+}
+
+impl std::fmt::Display for Defect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}, by {:.1e} of its size (limit {:.1e})", self.what, self.relative, SYMMETRY_RELATIVE)
+    }
+}
+
+/// Normals worth trying: the axis about which a body spins, or else the world's axes and those of the first movable body.
+fn candidates(world: &World, states: &[BodyState]) -> Vec<DVec3> {
+    let spinning = (0..states.len()).map(|i| world.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
+    if let Some(axis) = spinning {
+        let axis = axis.normalize_or_zero();
+        // A spin about an axis of the world is so to the last bit.
+        return if axis == DVec3::ZERO { Vec::new() } else { vec![axis] };
+    }
+    let mut normals = vec![DVec3::Y, DVec3::X, DVec3::Z];
+    if let Some(state) = states.iter().zip(&world.bodies).find(|(_, body)| body.moves()).map(|(state, _)| state) {
+        normals.extend([DVec3::Y, DVec3::X, DVec3::Z].map(|axis| state.pose.rotation.rotate(axis)));
+    }
+    normals
+}
+
+/// Height of the plane: that of the first movable body.
+fn plane_offset(world: &World, states: &[BodyState], normal: DVec3) -> f64 {
+    let first = states.iter().zip(&world.bodies).find(|(_, body)| body.moves());
+    first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
+}
+
+/// The worst defect of symmetry in the plane with this normal.
+fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
+    let offset = plane_offset(world, states, normal);
+    let mut worst = Defect { relative: 0.0, what: String::new() };
+    let mut note = |defect: f64, size: f64, what: &dyn Fn() -> String| {
+        let relative = if defect == 0.0 { 0.0 } else { defect / size };
+        let relative = if relative.is_nan() { f64::INFINITY } else { relative };
+        if relative > worst.relative {
+            worst = Defect { relative, what: what() };
+        }
+    };
+    let gravity = world.gravity();
+    note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity leaves the plane".to_owned());
+    for (body, state) in world.bodies.iter().zip(states) {
+        let height = normal.dot(state.pose.translation) - offset;
+        if let Some(rigid) = &body.rigid {
+            let extent = body.size + state.pose.translation.abs().max_element();
+            note(height.abs(), extent, &|| format!("{} stands beside the plane", body.name));
+            let velocity = rigid.velocity(state);
+            let speed = velocity.linear.length();
+            note(velocity.linear.dot(normal).abs(), speed, &|| format!("{} moves out of the plane", body.name));
+            let spin = velocity.angular;
+            note(spin.cross(normal).length(), spin.length(), &|| format!("{} turns out of the plane", body.name));
+            let axis = state.pose.rotation.inverse_rotate(normal);
+            let moment = rigid.inertia() * axis;
+            note(moment.cross(axis).length(), rigid.moments().max_element(), &|| {
+                format!("the normal is no principal axis of {}", body.name)
+            });
+        }
+        if let Some(shape) = &body.shape {
+            let axis = UnitVector::new(state.pose.rotation.inverse_rotate(normal));
+            let offset = if body.moves() { 0.0 } else { -height };
+            let defect = axis.map_or(f64::INFINITY, |axis| mirror_defect(shape, axis, offset));
+            let size = if body.size == 0.0 { 1.0 } else { body.size };
+            note(defect, size, &|| format!("the shape of {} is not its own mirror image", body.name));
+        }
+    }
+    worst
+}

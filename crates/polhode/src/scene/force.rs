@@ -1,0 +1,255 @@
+//! Forces on bodies besides uniform gravity and contact.
+//!
+//! A scene names bodies by their number and points in the bodies' own frames; the engine's fields
+//! ([`polhode_dynamics::field`]) are made from them once the bodies' moving frames are known. Springs and loads on an
+//! immovable body are anchored in the world, or do nothing.
+
+use super::{Body, Integrator, SceneError};
+use polhode_dynamics::field::{
+    Account, Anchor, AppliedForce, AppliedTorque, Damper, Dependence, Drag, DragLaw, Field, FieldError, Frame,
+    MutualGravity, PointGravity, Signal, Spring, Wrench,
+};
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_spatial::DVec3;
+use std::sync::Arc;
+
+/// Where an end of a spring is fastened.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attachment {
+    /// At a point of the world, m.
+    World(DVec3),
+    /// At a point of a body.
+    Body {
+        /// Its number in the scene.
+        body: usize,
+        /// `p_BQ`, m, in the body's own frame.
+        point: DVec3,
+    },
+}
+
+/// A force on one body, all bodies, or between two.
+#[derive(Debug, Clone)]
+pub enum Force {
+    /// Attraction of every body by a fixed point: `mu/d^2` (m/s^2).
+    PointGravity {
+        /// The point, m, world.
+        center: DVec3,
+        /// Gravitational parameter G M, m^3/s^2.
+        mu: f64,
+    },
+    /// Attraction between the centres of mass of all pairs of movable bodies.
+    MutualGravity {
+        /// The gravitational constant, m^3/(kg s^2).
+        constant: f64,
+    },
+    /// A force and a torque on one body, constant or following a signal.
+    Applied {
+        /// Its number in the scene.
+        body: usize,
+        /// N.
+        force: DVec3,
+        /// N m.
+        torque: DVec3,
+        /// The axes that both are along.
+        frame: Frame,
+        /// Where the force acts, `p_BQ`, m, in the body's own frame; the centre of mass when absent.
+        point: Option<DVec3>,
+        /// What both are multiplied by.
+        signal: Signal,
+    },
+    /// Drag on one body by a medium.
+    Drag {
+        /// Its number in the scene.
+        body: usize,
+        /// Linear or quadratic in the velocity.
+        law: DragLaw,
+        /// Coefficient of translation: N s/m, or N s^2/m^2.
+        translational: f64,
+        /// Coefficient of rotation: N m s, or N m s^2.
+        rotational: f64,
+        /// Velocity of the medium, m/s, world.
+        wind: DVec3,
+    },
+    /// A spring with a damper along it.
+    Spring {
+        /// One end.
+        a: Attachment,
+        /// The other end.
+        b: Attachment,
+        /// N/m.
+        stiffness: f64,
+        /// m.
+        rest_length: f64,
+        /// N s/m.
+        damping: f64,
+    },
+    /// A field of the user's own, over the movable bodies in the order of the scene.
+    Field(Arc<dyn Field>),
+}
+
+/// What a force needs to know of the bodies' moving frames.
+pub(crate) trait MovingFrames {
+    /// Place of a body among those that move; nothing for an immovable one.
+    fn movable(&self, body: usize) -> Option<usize>;
+    /// A point of a body's own frame, in its moving frame (origin at the centre of mass or the pivot).
+    fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3;
+    /// A point of an immovable body's own frame, in the world.
+    fn in_world(&self, body: usize, point: DVec3) -> DVec3;
+}
+
+impl Force {
+    /// The fields that make up the force.
+    ///
+    /// # Errors
+    /// When a number is out of range.
+    pub(crate) fn fields(&self, frames: &impl MovingFrames) -> Result<Vec<Box<dyn Field>>, FieldError> {
+        let mut fields: Vec<Box<dyn Field>> = Vec::new();
+        match self {
+            Self::PointGravity { center, mu } => fields.push(Box::new(PointGravity::new(*mu, *center)?)),
+            Self::MutualGravity { constant } => fields.push(Box::new(MutualGravity::new(*constant)?)),
+            Self::Applied { body, force, torque, frame, point, signal } => {
+                let Some(index) = frames.movable(*body) else { return Ok(fields) };
+                let mut push = AppliedForce::new(index, *force, *frame)?.following(signal.clone());
+                if let Some(point) = point {
+                    push = push.at_point(frames.in_moving_frame(*body, *point))?;
+                }
+                let turn = AppliedTorque::new(index, *torque, *frame)?.following(signal.clone());
+                if *force != DVec3::ZERO {
+                    fields.push(Box::new(push));
+                }
+                if *torque != DVec3::ZERO {
+                    fields.push(Box::new(turn));
+                }
+            }
+            Self::Drag { body, law, translational, rotational, wind } => {
+                let Some(index) = frames.movable(*body) else { return Ok(fields) };
+                let mut drag = Drag::new(index, *law, *translational, *rotational)?;
+                if *wind != DVec3::ZERO {
+                    drag = drag.in_wind(*wind)?;
+                }
+                fields.push(Box::new(drag));
+            }
+            Self::Spring { a, b, stiffness, rest_length, damping } => {
+                let (a, b) = (a.anchor(frames), b.anchor(frames));
+                fields.push(Box::new(Spring::new(a, b, *stiffness, *rest_length)?));
+                let damper = Damper::new(a, b, *damping)?;
+                if *damping > 0.0 {
+                    fields.push(Box::new(damper));
+                }
+            }
+            Self::Field(field) => fields.push(Box::new(Shared(Arc::clone(field)))),
+        }
+        Ok(fields)
+    }
+
+    /// Whether the force on a body at rest, among bodies at rest, may change with time.
+    pub(crate) fn changes_with_time(&self) -> bool {
+        match self {
+            Self::Applied { signal, .. } => !signal.is_constant(),
+            // One that depends on velocities may depend on time too.
+            Self::Field(field) => field.dependence() != Dependence::Poses,
+            Self::PointGravity { .. } | Self::MutualGravity { .. } | Self::Drag { .. } | Self::Spring { .. } => false,
+        }
+    }
+
+    /// The bodies that the force names.
+    fn bodies(&self) -> Vec<usize> {
+        match self {
+            Self::Applied { body, .. } | Self::Drag { body, .. } => vec![*body],
+            Self::Spring { a, b, .. } => [a, b].iter().filter_map(|end| end.body()).collect(),
+            Self::PointGravity { .. } | Self::MutualGravity { .. } | Self::Field(_) => Vec::new(),
+        }
+    }
+}
+
+impl Attachment {
+    fn body(&self) -> Option<usize> {
+        match self {
+            Self::World(_) => None,
+            Self::Body { body, .. } => Some(*body),
+        }
+    }
+
+    fn anchor(&self, frames: &impl MovingFrames) -> Anchor {
+        match *self {
+            Self::World(point) => Anchor::World(point),
+            Self::Body { body, point } => match frames.movable(body) {
+                Some(index) => Anchor::Body { body: index, point: frames.in_moving_frame(body, point) },
+                None => Anchor::World(frames.in_world(body, point)),
+            },
+        }
+    }
+}
+
+/// Checks force number `number` against the bodies of its scene.
+///
+/// # Errors
+/// When it names a body that is not there, or a number is out of range.
+pub(super) fn check(number: usize, force: &Force, bodies: &[Body]) -> Result<(), SceneError> {
+    if let Some(body) = force.bodies().into_iter().find(|&body| body >= bodies.len()) {
+        return Err(SceneError::ForceOnUnknownBody { force: number, body });
+    }
+    force.fields(&OwnFrames).map(|_| ()).map_err(|source| SceneError::Force { force: number, source })
+}
+
+/// Checks that the integrator asked for takes the forces.
+///
+/// # Errors
+/// When one depends on velocities and the integrator splits forces from motion.
+pub(super) fn check_integrator(integrator: Option<Integrator>, forces: &[Force]) -> Result<(), SceneError> {
+    let fields = forces.iter().filter_map(|force| force.fields(&OwnFrames).ok()).flatten();
+    let dependence = fields.map(|field| field.dependence()).max().unwrap_or(Dependence::Poses);
+    match integrator {
+        Some(integrator) if !integrator.takes(dependence) => {
+            Err(SceneError::IntegratorTakesNoVelocities { integrator: integrator.name() })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Every body moves and every frame is the body's own: enough to check the numbers.
+struct OwnFrames;
+
+impl MovingFrames for OwnFrames {
+    fn movable(&self, body: usize) -> Option<usize> {
+        Some(body)
+    }
+
+    fn in_moving_frame(&self, _body: usize, point: DVec3) -> DVec3 {
+        point
+    }
+
+    fn in_world(&self, _body: usize, point: DVec3) -> DVec3 {
+        point
+    }
+}
+
+/// A field that several scenes share.
+#[derive(Debug)]
+struct Shared(Arc<dyn Field>);
+
+impl Field for Shared {
+    fn dependence(&self) -> Dependence {
+        self.0.dependence()
+    }
+
+    fn account(&self) -> Account {
+        self.0.account()
+    }
+
+    fn acts_on(&self, body: usize) -> bool {
+        self.0.acts_on(body)
+    }
+
+    fn couples(&self) -> bool {
+        self.0.couples()
+    }
+
+    fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
+        self.0.add_wrenches(t, bodies, states, wrenches);
+    }
+
+    fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {
+        self.0.potential_energy(bodies, states)
+    }
+}

@@ -1,0 +1,100 @@
+//! What the tests of forces, pivots and integrators share: bodies, runs that must end, and ledgers that must close.
+
+use crate::support::brick;
+use polhode::dynamics::integrator::Method as Integrator;
+use polhode::observer::Flow;
+use polhode::scene::Method;
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
+use polhode::{Body, BodySample, Effects, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
+
+/// Closure of a ledger: compensated sums of terms of the size of the scale leave some roundings.
+pub(crate) const CLOSURE: f64 = 1e-12;
+
+/// A body without a shape, with three different moments about its centre of mass.
+pub(crate) fn particle(name: &str, mass: f64, position: DVec3, velocity: DVec3) -> Body {
+    let inertia = Inertia::from_diagonal(DVec3::new(0.2, 0.3, 0.4) * mass).unwrap();
+    Body::movable(name, MassProperties::new(Mass::new(mass).unwrap(), DVec3::ZERO, inertia))
+        .pose(Pose::from_translation(position))
+        .velocity(Velocity::new(velocity, DVec3::ZERO))
+}
+
+/// A box of uniform density and of this mass.
+pub(crate) fn heavy_brick(name: &str, mass: f64, size: DVec3, center: DVec3) -> Body {
+    let shape = brick(name, size, center).shape().unwrap().clone();
+    let properties = polhode::mesh::primitives::solid_box(size, Mass::new(mass).unwrap()).unwrap();
+    Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(center))
+}
+
+/// By this integrator, with this step.
+pub(crate) fn by(integrator: Integrator, step_s: f64) -> Method {
+    Method { integrator: Some(integrator), step_s: Some(step_s), ..Method::default() }
+}
+
+/// Energy that the integrator lost, relative to the largest energy of the run.
+pub(crate) fn numerical_relative(report: &RunReport) -> f64 {
+    report.ledger.numerical.value().abs() / report.ledger.scale_j
+}
+
+/// Both ledgers close.
+pub(crate) fn assert_closes(report: &RunReport) {
+    let (energy, momentum) = (report.ledger.closure_relative(), report.ledger.momentum.closure_relative());
+    assert!(energy < CLOSURE && momentum < CLOSURE, "energy {energy:e}, momentum {momentum:e}");
+}
+
+/// Largest distance of a recorded body's place from what `expected` gives for its time, m.
+pub(crate) fn worst_place(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
+    let rows = recorder.times.iter().zip(&recorder.samples);
+    rows.map(|(&t, row)| (row[body].pose.translation - expected(t)).length()).fold(0.0, f64::max)
+}
+
+/// The same for the velocity of its centre of mass, m/s.
+pub(crate) fn worst_velocity(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
+    let rows = recorder.times.iter().zip(&recorder.samples);
+    rows.map(|(&t, row)| (row[body].velocity.linear - expected(t)).length()).fold(0.0, f64::max)
+}
+
+/// The complete elliptic integral of the first kind of modulus `k`, by the arithmetic-geometric mean.
+pub(crate) fn complete_elliptic(k: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
+    while (a - b).abs() > 1e-15 * a {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    std::f64::consts::PI / (a + b)
+}
+
+/// Where a function that is positive at `low` and not at `high` changes its sign.
+pub(crate) fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if f(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
+/// Keeps everything, and stops a run that takes more steps than it should.
+pub(crate) struct Budget {
+    pub(crate) recorder: Recorder,
+    steps_left: u32,
+}
+
+impl Observer for Budget {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        self.recorder.sample(t, bodies);
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.recorder.event(event);
+    }
+
+    fn progress(&mut self, _t: f64) -> Flow {
+        self.steps_left = self.steps_left.saturating_sub(1);
+        if self.steps_left == 0 { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+/// Runs a scene for at most so many steps; what it refuses or where it fails is returned.
+pub(crate) fn try_run(scene: &Scene, steps: u32) -> Result<(RunReport, Recorder), SimulationError> {
+    let mut budget = Budget { recorder: Recorder::default(), steps_left: steps };
+    let report = Simulation::new(scene, Effects::Planned)?.run(&mut budget)?;
+    Ok((report, budget.recorder))
+}

@@ -1,0 +1,233 @@
+//! The integrators that a scene can ask for, through the facade.
+
+use crate::checks::{assert_closes, by, heavy_brick, particle, try_run};
+use crate::support::{elastic, floor, run};
+use polhode::dynamics::integrator::Method as Integrator;
+use polhode::scene::{DragLaw, Force, Method, Orientation, RotationRate, Tier};
+use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
+use polhode::{Body, BodySample, Effects, EventKind, Scene, SceneBuilder, SceneError};
+
+/// What an integrator of order p may miss of its order: halving the step gains at least `2^(p - 0.4)`.
+const MISSED_ORDER: f64 = 0.4;
+
+/// Errors below this are rounding and say nothing about order.
+const ROUNDED: f64 = 1e-11;
+
+fn tumbling() -> SceneBuilder {
+    Scene::builder("tumbling").duration_s(0.8).output_interval_s(0.8).body(Body::fixed("post")).body(
+        heavy_brick("brick", 1.3, DVec3::new(0.5, 0.3, 0.2), DVec3::Z)
+            .pose(Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.9, 0.2)), DVec3::Z))
+            .velocity(Velocity::new(DVec3::new(1.0, 0.0, 2.0), DVec3::new(1.0, 4.0, -2.0))),
+    )
+}
+
+fn heavy_top() -> SceneBuilder {
+    let turn = Rotation::from_rotation_vector(DVec3::new(0.3, 0.9, 0.2));
+    let at = DVec3::new(0.02, 0.05, 0.3);
+    let body = heavy_brick("top", 1.3, DVec3::new(0.5, 0.3, 0.2), DVec3::ZERO)
+        .pose(Pose::new(turn, DVec3::Z - turn.rotate(at)))
+        .pivot(DVec3::Z)
+        .velocity(Velocity::new(DVec3::ZERO, DVec3::new(1.0, 2.0, 5.0)));
+    Scene::builder("top").duration_s(0.8).output_interval_s(0.8).body(Body::fixed("post")).body(body)
+}
+
+fn end(scene: SceneBuilder, method: Method) -> BodySample {
+    let (report, _) = run(&scene.method(method).build().unwrap(), Effects::Planned);
+    assert_closes(&report);
+    report.bodies[1].1
+}
+
+fn apart(a: &BodySample, b: &BodySample) -> f64 {
+    let place = (a.pose.translation - b.pose.translation).length();
+    let speed = (a.velocity.linear - b.velocity.linear).length();
+    let spin = (a.velocity.angular - b.velocity.angular).length();
+    place.max(speed).max(spin).max(a.pose.rotation.angle_to(b.pose.rotation))
+}
+
+/// Every integrator converges with its order, on free motion to the closed form and on a heavy top to DOP853.
+#[test]
+fn every_integrator_converges_with_its_order() {
+    let exact_top = Method { tolerance: Some(1e-14), ..by(Integrator::Dop853, 0.002) };
+    for (scene, exact) in [
+        (tumbling as fn() -> SceneBuilder, end(tumbling(), Method::default())),
+        (heavy_top, end(heavy_top(), exact_top)),
+    ] {
+        for integrator in Integrator::ALL {
+            let errors = [0.004, 0.002].map(|step| apart(&end(scene(), by(integrator, step)), &exact));
+            let gain = f64::log2(errors[0] / errors[1]);
+            let order = f64::from(integrator.order());
+            assert!(errors[1] < ROUNDED || gain > order - MISSED_ORDER, "{integrator}: {errors:?} {gain}");
+        }
+    }
+}
+
+/// Coordinates and variables of rotation of `rk4` change its error, not its motion.
+#[test]
+fn representations_of_rk4_agree() {
+    let exact = end(tumbling(), Method::default());
+    let top = end(heavy_top(), Method::default());
+    let mut errors = Vec::new();
+    for orientation in [
+        Orientation::Quaternion,
+        Orientation::QuaternionUnnormalized,
+        Orientation::QuaternionThreeNumbers,
+        Orientation::Matrix,
+        Orientation::MatrixUnorthogonalized,
+        Orientation::EulerAngles,
+    ] {
+        for rotation_rate in [RotationRate::AngularMomentum, RotationRate::AngularVelocity] {
+            let method = Method {
+                orientation: Some(orientation),
+                rotation_rate: Some(rotation_rate),
+                ..by(Integrator::Rk4, 0.002)
+            };
+            let error = apart(&end(tumbling(), method.clone()), &exact);
+            assert!(error < 1e-8, "{orientation:?} {rotation_rate:?}: {error:e}");
+            let error_top = apart(&end(heavy_top(), method), &top);
+            assert!(error_top < 5e-8, "{orientation:?} {rotation_rate:?}: {error_top:e}");
+            errors.push(error);
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    errors.dedup();
+    assert_eq!(errors.len(), 12, "each is a method of its own: {errors:?}");
+}
+
+/// A brick falls tumbling onto a floor by every integrator: it strikes when the exact one does, to the error of its order,
+/// and never overlaps the floor; the same with a spring, whose fast turns are many a step.
+#[test]
+fn stepped_bodies_strike_the_floor() {
+    let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), DVec3::Z * 0.8);
+    for spin in [2.0, 40.0] {
+        let scene = |method: Method| {
+            Scene::builder("landing")
+                .method(method)
+                .duration_s(0.6)
+                .output_interval_s(0.1)
+                .body(floor().material(elastic(0.6)))
+                .body(
+                    heavy_brick("brick", 1.3, DVec3::new(0.5, 0.3, 0.2), DVec3::ZERO)
+                        .pose(tilt)
+                        .velocity(Velocity::new(DVec3::X, DVec3::new(0.2, 1.0, -0.4) * spin))
+                        .material(elastic(0.6)),
+                )
+                .build()
+                .unwrap()
+        };
+        let first = |method: Method| {
+            let (integrator, step) = (method.integrator, method.step_s);
+            let (report, recorder) = try_run(&scene(method), 100_000).unwrap();
+            assert_closes(&report);
+            // The path of a method of order p departs from its own velocities, which decide what is struck, by its error.
+            let order = integrator.map_or(8.0, |integrator| f64::from(integrator.order()));
+            let allowed = 0.5 * f64::powf(spin * step.unwrap_or(0.0), order + 1.0) + 1e-12;
+            let depth = report.certificate.max_penetration_m;
+            assert!(depth <= allowed, "{integrator:?}: {depth:e} {allowed:e}");
+            recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t
+        };
+        let exact = first(Method::default());
+        for integrator in Integrator::ALL {
+            let errors = [0.002, 0.001].map(|step| (first(by(integrator, step)) - exact).abs());
+            // One halving: at least a gain of 2^(p - 1), for the error at an impact need not be even in the step.
+            let gain = f64::exp2(f64::from(integrator.order()) - 1.0);
+            assert!(errors[1] < ROUNDED || errors[1] < errors[0] / gain, "{integrator}: {errors:?}");
+        }
+    }
+}
+
+/// A body that turns more than once a step, moved by an integrator whose drift is exact, strikes a wall when the closed
+/// form does: its motion within the step is the method's, not a polynomial that cannot follow.
+#[test]
+fn body_that_turns_often_a_step_strikes_in_time() {
+    let scene = |method: Method| {
+        let spin = Velocity::new(DVec3::ZERO, DVec3::new(0.0, 900.0, 0.0));
+        Scene::builder("spinner")
+            .method(method)
+            .duration_s(0.5)
+            .body(floor().material(elastic(1.0)))
+            .body(
+                heavy_brick("stick", 0.4, DVec3::new(0.6, 0.02, 0.02), DVec3::Z * 0.8)
+                    .velocity(spin)
+                    .material(elastic(1.0)),
+            )
+            .build()
+            .unwrap()
+    };
+    let first = |method: Method| {
+        let (report, recorder) = try_run(&scene(method), 200_000).unwrap();
+        assert!(report.certificate.max_penetration_m <= 1e-12, "{:e}", report.certificate.max_penetration_m);
+        recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t
+    };
+    let exact = first(Method::default());
+    for integrator in [Integrator::Exact, Integrator::Splitting4, Integrator::MoserVeselov4, Integrator::Rk4] {
+        let found = first(by(integrator, 2e-4));
+        assert!((found - exact).abs() < 1e-4, "{integrator}: {found} {exact}");
+    }
+    let coarse = first(Method { step_s: Some(0.01), integrator: Some(Integrator::ExactStrang), ..Method::default() });
+    assert!((coarse - exact).abs() < 1e-10);
+}
+
+/// What asks for velocities is refused where the forces are split off.
+#[test]
+fn drag_is_refused_by_splittings() {
+    for integrator in Integrator::ALL {
+        let drag =
+            Force::Drag { body: 0, law: DragLaw::Linear, translational: 0.3, rotational: 0.01, wind: DVec3::ZERO };
+        let built = Scene::builder("drag")
+            .duration_s(0.05)
+            .method(by(integrator, 0.01))
+            .body(particle("body", 1.0, DVec3::ZERO, DVec3::X))
+            .force(drag)
+            .build();
+        match built {
+            Ok(scene) => assert!(try_run(&scene, 1000).is_ok(), "{integrator}"),
+            Err(error) => {
+                assert!(matches!(error, SceneError::IntegratorTakesNoVelocities { .. }), "{integrator}: {error}");
+                assert!(!matches!(integrator, Integrator::Rk4 | Integrator::Dop853 | Integrator::Cf4));
+            }
+        }
+    }
+}
+
+/// Samples between the steps err as those at the steps, and asking for them changes no bit of the motion.
+#[test]
+fn samples_between_steps_are_of_the_methods_order() {
+    for integrator in Integrator::ALL {
+        let scene = |interval| heavy_top().method(by(integrator, 0.004)).output_interval_s(interval).build().unwrap();
+        let (coarse, _) = run(&scene(0.8), Effects::Planned);
+        let (fine, between) = run(&scene(0.004 / 3.7), Effects::Planned);
+        let (_, at_steps) = run(&scene(0.004), Effects::Planned);
+        assert_eq!(coarse.bodies, fine.bodies, "{integrator}");
+        let exact = heavy_top().method(Method { tolerance: Some(1e-14), ..by(Integrator::Dop853, 0.002) });
+        let (_, exact_between) = run(&exact.clone().output_interval_s(0.004 / 3.7).build().unwrap(), Effects::Planned);
+        let (_, exact_at) = run(&exact.output_interval_s(0.004).build().unwrap(), Effects::Planned);
+        let worst = |a: &polhode::Recorder, b: &polhode::Recorder| {
+            a.samples.iter().zip(&b.samples).map(|(x, y)| apart(&x[1], &y[1])).fold(0.0, f64::max)
+        };
+        let (at, within) = (worst(&at_steps, &exact_at), worst(&between, &exact_between));
+        assert!(within < 1.5 * at + ROUNDED, "{integrator}: {at:e} {within:e}");
+    }
+}
+
+/// The tier thesis with any integrator: free flight to the closed form by the exact one, and a brick that lands.
+#[test]
+fn thesis_takes_any_integrator() {
+    let exact = end(tumbling(), Method::default());
+    for integrator in Integrator::ALL {
+        let method = Method { tier: Some(Tier::Thesis), ..by(integrator, 0.002) };
+        let found = apart(&end(tumbling(), method.clone()), &exact);
+        let literal = apart(&end(tumbling(), by(integrator, 0.002)), &exact);
+        assert!(found <= literal * 1.001 + 1e-10, "{integrator}: {found:e} {literal:e}");
+        let landing = Scene::builder("landing")
+            .method(method)
+            .duration_s(0.6)
+            .output_interval_s(0.0131)
+            .body(floor().material(elastic(0.3)))
+            .body(heavy_brick("brick", 1.3, DVec3::new(0.5, 0.3, 0.2), DVec3::Z * 0.4).material(elastic(0.3)))
+            .build()
+            .unwrap();
+        let (report, recorder) = run(&landing, Effects::Planned);
+        assert!(!recorder.events.is_empty());
+        assert_closes(&report);
+    }
+}

@@ -1,0 +1,121 @@
+//! Planar motion: when the plan finds it, and that it is the motion in space.
+
+use crate::checks::{assert_closes, heavy_brick};
+use crate::support::{accurate, elastic, run};
+use polhode::contact::Shape;
+use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, Decision, Effect, Effects, RunReport, Scene, SceneBuilder};
+
+/// A world turned so that no axis of it is special: its vertical, and the normal of its plane of motion.
+fn turned() -> Rotation {
+    Rotation::from_rotation_vector(DVec3::new(0.4, -0.3, 0.8))
+}
+
+/// A box over a floor in a world turned by `world`, tipped about its own y axis by `tip`, after a turn about its z axis by
+/// `twist`.
+fn landing(world: Rotation, twist: f64, tip: f64, velocity: Velocity) -> SceneBuilder {
+    let up = UnitVector::new(world.rotate(DVec3::Z)).unwrap();
+    let own = Rotation::from_rotation_vector(DVec3::Z * twist) * Rotation::from_rotation_vector(DVec3::Y * tip);
+    let pose = Pose::new(world * own, world.rotate(DVec3::Z * 0.4));
+    let velocity = Velocity::new(world.rotate(velocity.linear), world.rotate(velocity.angular));
+    Scene::builder("landing")
+        .method(accurate())
+        .gravity(world.rotate(DVec3::NEG_Z * 9.81))
+        .duration_s(1.0)
+        .body(Body::fixed("floor").geometry(Shape::half_space(up).into()).material(elastic(0.5)))
+        .body(
+            heavy_brick("box", 1.7, DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO)
+                .pose(pose)
+                .velocity(velocity)
+                .material(elastic(0.5)),
+        )
+}
+
+fn is_planar(report: &RunReport) -> bool {
+    let planar = report.plan.effects.iter().find(|effect| effect.effect == Effect::PlanarMotion);
+    planar.is_some_and(|effect| effect.decision == Decision::On)
+}
+
+/// A box turned about the vertical by 30 degrees and tipped about its own axis moves in a plane that is no plane of the
+/// world's, also where the world itself is turned; the motion is that in space, and so are its events.
+#[test]
+fn box_in_a_tilted_plane_moves_as_in_space() {
+    for (world, velocity) in [
+        (Rotation::IDENTITY, DVec3::ZERO),
+        (turned(), DVec3::ZERO),
+        // Along the plane: the box's x axis after its twist.
+        (turned(), DVec3::new((30.0_f64).to_radians().cos(), (30.0_f64).to_radians().sin(), 0.0) * 0.7),
+    ] {
+        let velocity = Velocity::new(velocity, DVec3::ZERO);
+        let scene = landing(world, 30.0_f64.to_radians(), 0.35, velocity).build().unwrap();
+        let (planned, found) = run(&scene, Effects::Planned);
+        let (all, reference) = run(&scene, Effects::All);
+        assert!(is_planar(&planned) && !is_planar(&all), "{:?}", planned.plan.effects);
+        let (a, b) = (planned.bodies[1].1, all.bodies[1].1);
+        assert!((a.pose.translation - b.pose.translation).length() < 1e-12, "{a:?} {b:?}");
+        assert!(a.pose.rotation.angle_to(b.pose.rotation) < 1e-12, "{a:?} {b:?}");
+        assert_eq!(found.events.len(), reference.events.len());
+        for (x, y) in found.events.iter().zip(&reference.events) {
+            // An impact of the rattle takes over the error of those before, over its smaller speed.
+            assert!(x.kind == y.kind && (x.t - y.t).abs() < 1e-11, "{x:?} {y:?}");
+        }
+        assert_closes(&planned);
+    }
+}
+
+/// Out of the plane by a nanometre a second, or turned out of it by a nanoradian: motion in space.
+#[test]
+fn motion_out_of_the_plane_by_a_trace_is_in_space() {
+    let along = Velocity::new(DVec3::X, DVec3::ZERO);
+    assert!(is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, along).build().unwrap(), Effects::Planned).0));
+    let aside = Velocity::new(DVec3::new(1.0, 1e-9, 0.0), DVec3::ZERO);
+    assert!(!is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, aside).build().unwrap(), Effects::Planned).0));
+    assert!(!is_planar(&run(&landing(Rotation::IDENTITY, 1e-9, 0.35, along).build().unwrap(), Effects::Planned).0));
+    let spinning = Velocity::new(DVec3::ZERO, DVec3::new(0.0, 1.0, 1e-9));
+    assert!(!is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, spinning).build().unwrap(), Effects::Planned).0));
+}
+
+/// What is fixed counts too: a step of the floor that is not symmetric in the plane of the box takes the box out of it, and
+/// the plan sees that.
+#[test]
+fn fixed_body_beside_the_plane_spoils_it() {
+    for (y, planar) in [(0.0, true), (1e-7, false)] {
+        let block = Body::fixed("block")
+            .geometry(Shape::cuboid(DVec3::new(0.2, 0.2, 0.1)).unwrap().into())
+            .pose(Pose::from_translation(DVec3::new(0.1, y, 0.05)))
+            .material(elastic(0.5));
+        let scene = landing(Rotation::IDENTITY, 0.0, 0.3, Velocity::ZERO).body(block).build().unwrap();
+        let (planned, _) = run(&scene, Effects::Planned);
+        assert_eq!(is_planar(&planned), planar, "{y}");
+        let (all, _) = run(&scene, Effects::All);
+        let (a, b) = (planned.bodies[1].1, all.bodies[1].1);
+        assert!((a.pose.translation - b.pose.translation).length() < 1e-11, "{y}: {a:?} {b:?}");
+    }
+}
+
+/// A stack of boxes and a ball in one plane, beside each other along it: bodies of several kinds.
+#[test]
+fn several_bodies_in_one_plane_move_as_in_space() {
+    let size = DVec3::new(0.4, 0.3, 0.2);
+    let tipped = Rotation::from_rotation_vector(DVec3::Y * 0.25);
+    let scene = landing(Rotation::IDENTITY, 0.0, 0.35, Velocity::ZERO)
+        .duration_s(1.0)
+        .body(
+            heavy_brick("second", 0.8, size, DVec3::ZERO)
+                .pose(Pose::new(tipped, DVec3::new(0.15, 0.0, 0.9)))
+                .material(elastic(0.3)),
+        )
+        .body(crate::support::ball("ball", 0.5, 0.1, DVec3::new(-0.6, 0.0, 0.5), DVec3::X).material(elastic(0.3)))
+        .build()
+        .unwrap();
+    let (planned, found) = run(&scene, Effects::Planned);
+    let (all, reference) = run(&scene, Effects::All);
+    assert!(is_planar(&planned));
+    // Every impact multiplies what rounding has left; the first half second holds three.
+    let half = found.times.iter().position(|&t| t >= 0.5).unwrap();
+    for (a, b) in found.samples[half].iter().zip(&reference.samples[half]) {
+        assert!((a.pose.translation - b.pose.translation).length() < 1e-11, "{a:?} {b:?}");
+    }
+    assert_closes(&planned);
+    assert_closes(&all);
+}

@@ -1,0 +1,262 @@
+//! `cargo xtask cost`: figures and tables of `docs/accuracy-and-cost.md`, from scenes that ship.
+//!
+//! The program `polhode cost` does the work, so that a reader gets what is printed here from the same command. Times are
+//! ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors are
+//! the same everywhere.
+
+use crate::commands;
+use clap::Args;
+use serde_json::Value;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, ExitCode, Stdio};
+
+/// The document, from the root of the workspace.
+const DOCUMENT: &str = "docs/accuracy-and-cost.md";
+
+/// Folder of the figures, from the root of the workspace.
+const FIGURES: &str = "docs/figures";
+
+/// Error that the last columns of the tables ask for.
+const TARGET: f64 = 1e-6;
+
+/// Scenes, and what they are.
+const SCENES: [(&str, &str); 6] = [
+    ("dzhanibekov", "Free rotation near the separatrix, where a small error grows with every flip. No force acts."),
+    ("thrown-l-shape", "A thrown body that tumbles: a parabola and a free rotation."),
+    ("heavy-top", "A top under gravity, held at a point: a torque that depends on the attitude."),
+    ("kepler-orbit", "A body on an orbit that turns while gravity falls off with distance."),
+    ("spring-pair", "Two bodies tied by a spring: translation and rotation drive each other."),
+    ("box-drop", "A box that lands on a corner, bounces and comes to rest: what counts is where impacts are."),
+];
+
+/// What stands before the scenes.
+const INTRODUCTION: &str = "# What accuracy costs
+
+Every scene can be run by several methods. `polhode cost SCENE` runs it by all of them over steps and tolerances, and
+shows error against time; this page is made from shipped scenes by `cargo xtask cost`, and `polhode cost
+fixtures/scenes/NAME.toml` prints the whole table of each.
+
+## How to read it
+
+- **Error** is the largest distance from the reference over the run, of positions relative to the scene's length and of
+  attitudes in rad, whichever is larger. An error of 1 is no answer.
+- **Reference** is the exact solution where the motion is flight in closed form, and the finest one elsewhere. What is
+  not known about the reference itself is stated; where an error is given as `<=`, the method is as good as that and no
+  better is claimed. *Confirmed* is how close a method comes that integrates in another way.
+- **Time** is a ratio: of the time of RK4 at its middle step, or of the first method where RK4 does not run alone. All
+  methods take turns on the same machine, round after round, and the median of the ratios is given, so that it says
+  something on other machines too. It is not a promise to three digits: caches and compilers move it.
+  Reading the scene and preparing it is not counted. `polhode cost --instructions` counts instructions instead, which
+  repeat exactly.
+- The **Pareto front** holds the methods that none beats in both error and time. In a figure it is the broad line: the
+  best error that a time buys.
+- A step is not an accuracy: the same step gives errors ten decades apart. `polhode cost SCENE --target 1e-8` names the
+  cheapest method that reaches an error, and `polhode run SCENE --accuracy 1e-8` runs by it.
+- `polhode cost SCENE --vary method.integrator=rk4,cf4 --vary method.step=0.1,0.01` compares what is asked for; any key
+  of a scene can be varied.
+";
+
+/// What to regenerate.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Seconds that the methods of a scene may take together, about.
+    #[arg(long, default_value_t = 40.0)]
+    budget: f64,
+    /// Count instructions too, and take them for the cost (needs valgrind; takes many minutes).
+    #[arg(long)]
+    instructions: bool,
+}
+
+/// Runs the studies and writes document and figures. A scene that does not ship is left out and named on stderr.
+///
+/// # Errors
+/// When the program cannot be built, a study fails or a file cannot be written.
+pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Error>> {
+    fs::create_dir_all(root.join(FIGURES))?;
+    let mut document = INTRODUCTION.to_owned();
+    for (name, what) in SCENES {
+        let scene = format!("fixtures/scenes/{name}.toml");
+        if !root.join(&scene).exists() {
+            eprintln!("left out: there is no {scene}");
+            continue;
+        }
+        eprintln!("cost: {name}");
+        let figure = format!("{FIGURES}/cost-{name}.svg");
+        let study = study(options, root, &scene, &figure)?;
+        document.push_str(&section(name, what, &study));
+    }
+    fs::write(root.join(DOCUMENT), document)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Runs the program on a scene.
+fn study(options: &Options, root: &Path, scene: &str, figure: &str) -> Result<Value, Box<dyn Error>> {
+    let mut command: Command = commands::cargo(root);
+    command.args(["run", "--release", "--quiet", "--package", "polhode-cli", "--", "cost", scene, "--json"]);
+    command.args(["--svg", figure]).arg("--budget").arg(options.budget.to_string());
+    if options.instructions {
+        command.arg("--instructions");
+    }
+    let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output()?;
+    if !output.status.success() {
+        return Err(format!("polhode cost {scene}: {}", output.status).into());
+    }
+    Ok(serde_json::from_slice(&output.stdout)?)
+}
+
+/// Heading, reference, figure and tables of a scene.
+fn section(name: &str, what: &str, study: &Value) -> String {
+    let mut text = format!("\n## {name}\n\n{what}\n\n");
+    for reference in study["references"].as_array().into_iter().flatten() {
+        let _ =
+            write!(text, "Reference: {}, known to about {}", word(reference, "kind"), exponent(&reference["error"]));
+        if reference["confirmed"].is_object() {
+            let confirmed = &reference["confirmed"];
+            let _ = write!(text, ", confirmed by {} to {}", word(confirmed, "by"), exponent(&confirmed["error"]));
+        }
+        text.push_str(".\n");
+    }
+    let unit = if word(study, "cost") == "instructions" { "instructions" } else { "time" };
+    let base = word(study, "base");
+    let _ = write!(text, "Times are relative to {base}.\n\n![error against cost](figures/cost-{name}.svg)\n");
+    let candidates: Vec<&Value> = study["candidates"].as_array().into_iter().flatten().collect();
+
+    let mut front: Vec<&&Value> = candidates.iter().filter(|candidate| candidate["pareto"] == true).collect();
+    front.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let _ = write!(text, "\nThe Pareto front:\n\n| method | setting | error | {unit} |\n|---|---|---|---|\n");
+    for candidate in front {
+        let _ = writeln!(text, "| {} |", cells(candidate, study).join(" | "));
+    }
+
+    let step = base_step(&candidates, base);
+    let which = match step {
+        Some(step) => format!("at step {step} s (or nearest to the time of {base})"),
+        None => format!("nearest to the time of {base}"),
+    };
+    let _ = write!(
+        text,
+        "\nEvery method {which}, and its cheapest setting for an error of {TARGET:e}:\n\n\
+         | method | setting | error | {unit} | reaches {TARGET:e} with | in |\n|---|---|---|---|---|---|\n"
+    );
+    for method in methods(&candidates) {
+        let own: Vec<&Value> =
+            candidates.iter().filter(|candidate| word(candidate, "method") == method).copied().collect();
+        text.push_str(&row(method, &own, step, study));
+    }
+    text
+}
+
+/// One method: at the step, and its cheapest setting that reaches the target.
+fn row(method: &str, own: &[&Value], step: Option<&str>, study: &Value) -> String {
+    let ran: Vec<&Value> = own.iter().filter(|candidate| candidate["error"].is_number()).copied().collect();
+    let at_step = ran.iter().find(|candidate| step.is_some() && candidate["changes"]["method.step"].as_str() == step);
+    let distance = |candidate: &Value| candidate["time_ratio"].as_f64().unwrap_or(f64::INFINITY).ln().abs();
+    let nearest = ran.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let Some(shown) = at_step.or(nearest) else {
+        let reason = own.first().map_or("", |candidate| word(candidate, "failure"));
+        return format!("| {method} | | {} | | | |\n", reason.replace('|', "/"));
+    };
+    let reaching =
+        ran.iter().filter(|candidate| candidate["known_error"].as_f64().is_some_and(|error| error <= TARGET));
+    let cheapest = reaching.min_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let [setting, time] = cheapest.map_or([String::new(), String::new()], |candidate| {
+        [word(candidate, "setting").to_owned(), amount(cost(candidate))]
+    });
+    format!("| {} | {setting} | {time} |\n", cells(shown, study).join(" | "))
+}
+
+/// Method, setting, error and cost of a candidate that ran.
+fn cells(candidate: &Value, study: &Value) -> [String; 4] {
+    let reference = candidate["reference"].as_u64().unwrap_or(0) as usize;
+    let floor = study["references"][reference]["error"].as_f64().unwrap_or(0.0);
+    let sign = if candidate["error"].as_f64().is_some_and(|error| error <= floor) { "<= " } else { "" };
+    [
+        word(candidate, "method").to_owned(),
+        word(candidate, "setting").to_owned(),
+        format!("{sign}{}", exponent(&candidate["known_error"])),
+        amount(cost(candidate)),
+    ]
+}
+
+/// The methods in the order in which they occur.
+fn methods<'a>(candidates: &[&'a Value]) -> Vec<&'a str> {
+    let mut methods: Vec<&str> = candidates.iter().map(|candidate| word(candidate, "method")).collect();
+    methods.dedup();
+    methods
+}
+
+/// The step of the candidate whose time is the unit.
+fn base_step<'a>(candidates: &[&'a Value], base: &str) -> Option<&'a str> {
+    let named = |candidate: &&&Value| {
+        format!("{} {}", word(candidate, "method"), word(candidate, "setting")).trim_end() == base
+    };
+    candidates.iter().find(named)?["changes"]["method.step"].as_str()
+}
+
+fn cost(candidate: &Value) -> f64 {
+    let instructions = candidate["instructions"].as_f64();
+    instructions.or(candidate["time_ratio"].as_f64()).unwrap_or(f64::NAN)
+}
+
+fn word<'a>(value: &'a Value, key: &str) -> &'a str {
+    value[key].as_str().unwrap_or_default()
+}
+
+fn exponent(number: &Value) -> String {
+    number.as_f64().map_or_else(String::new, |number| format!("{number:.1e}"))
+}
+
+/// Ratios from here to there are written without an exponent.
+const PLAIN: std::ops::Range<f64> = 1e-2..1e5;
+
+fn amount(number: f64) -> String {
+    if !PLAIN.contains(&number) {
+        format!("{number:.1e}")
+    } else if number < 10.0 {
+        format!("{number:.2}")
+    } else {
+        format!("{number:.0}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! The document says what the study says.
+    use super::*;
+    use serde_json::json;
+
+    fn candidate(method: &str, step: &str, error: f64, time: f64) -> Value {
+        json!({
+            "method": method, "setting": format!("step {step}"), "changes": { "method.step": step }, "reference": 0,
+            "error": error, "known_error": error.max(1e-9), "time_ratio": time, "instructions": null,
+            "pareto": method == "cf4",
+        })
+    }
+
+    #[test]
+    fn a_section_has_the_front_and_every_method() {
+        let study = json!({
+            "cost": "time_ratio", "base": "rk4 step 0.1",
+            "references": [{ "kind": "finest", "error": 1e-9, "confirmed": { "by": "cf4 step 0.01", "error": 2e-9 } }],
+            "candidates": [
+                candidate("rk4", "0.1", 1e-3, 1.0),
+                candidate("rk4", "0.01", 1e-7, 10.0),
+                candidate("cf4", "0.1", 1e-12, 0.5),
+                { "method": "exact", "setting": "", "changes": {}, "reference": 0, "failure": "refused" },
+            ],
+        });
+        let text = section("test", "What it is.", &study);
+        for part in [
+            "Reference: finest, known to about 1.0e-9, confirmed by cf4 step 0.01 to 2.0e-9.",
+            "| cf4 | step 0.1 | <= 1.0e-9 | 0.50 |\n",
+            "| rk4 | step 0.1 | 1.0e-3 | 1.00 | step 0.01 | 10 |\n",
+            "| exact | | refused | | | |\n",
+            "![error against cost](figures/cost-test.svg)",
+        ] {
+            assert!(text.contains(part), "{part}\n{text}");
+        }
+    }
+}
