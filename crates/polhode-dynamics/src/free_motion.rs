@@ -8,7 +8,7 @@
 //! [`crate::Flight`].
 
 use crate::energy::potential_energy;
-use crate::field::{Account, Dependence, Field, Wrench};
+use crate::field::{self, Account, Dependence, Field, Wrench};
 use crate::state::{self, ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
 use crate::{BodyState, RigidBody, System};
 use glam::{DQuat, DVec3};
@@ -51,6 +51,12 @@ impl<'a> FreeMotion<'a> {
     /// What the fields' forces depend on: the worst of them, [`Dependence::Poses`] when there are none.
     pub fn dependence(&self) -> Dependence {
         self.fields.iter().map(|field| field.dependence()).max().unwrap_or(Dependence::Poses)
+    }
+
+    /// The first time strictly between `from` and `to` (s) on the way from one to the other at which a field is not
+    /// smooth in time.
+    pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        field::corner_between(self.fields, from, to)
     }
 
     /// Whether a wrench of [`FreeMotion::wrenches`] can act on the body of this index: a field, or the torque of

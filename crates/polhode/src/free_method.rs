@@ -3,104 +3,83 @@
 //! | forces besides uniform gravity | integrator |
 //! |---|---|
 //! | none | closed-form flight (`exact`) |
-//! | the torque of gravity on fast tops | splitting: exact drift with kicks of order 4 (`exact`) |
-//! | any others | DOP853 under error control |
+//! | conservative, no body may collide, at most sixteen splittings a step at the start | `exact-adaptive` |
+//! | any others | `dop853` |
 //!
-//! What a scene asks for is used literally. Splitting costs nothing for the spin, however fast, and keeps the energy of a
-//! conservative motion from drifting, but its step is fixed: it is chosen only where the error of a step at the start
-//! bounds that of all others. That is so where the torque is bounded by `m g r` everywhere and the spin is fast against
-//! what it does, `|L| >= 20 sqrt(I m g r)`. Where forces vary along the motion it is not: a comet that begins far from
-//! its sun, where all is slow, would be lost near it.
+//! What a scene asks for is used literally. Splitting costs nothing for the spin, however fast, does not let the energy
+//! of a bound motion drift, and leaves an attitude that no torque turns exact; its order is 4, so that forces that are
+//! strong within a step are left to DOP853. Both are under error control: a comet that begins far from its sun, where
+//! all is slow, is followed by shorter steps near it.
 
 use crate::scene::{Integrator, Tier};
 use crate::settings::Settings;
 use crate::world::World;
-use polhode_dynamics::integrator::{Exact, Integrator as _};
-use polhode_dynamics::{BodyState, FreeMotion};
+use polhode_dynamics::BodyState;
+use polhode_dynamics::field::{Account, Dependence};
+use polhode_dynamics::integrator::{AdaptiveExact, Integrator as _, Tolerance};
 
-/// A top is fast when its angular momentum is this many times what its weight could give it in one swing.
-const FAST_SPIN: f64 = 20.0;
+/// Splittings of one step at the most: about what DOP853 spends on a step that it cannot make at once.
+const MOST_SPLITTINGS: u32 = 16;
 
-/// Share of the tolerance that one step of splitting may use: its step is fixed, and the errors of hundreds of steps
-/// add up.
-const STEP_SHARE: f64 = 1e-2;
-
-/// Halvings of the step that splitting may take: sixteen steps are what DOP853 spends on one at most.
-const MOST_HALVINGS: u32 = 4;
-
-/// Steps from the start over which the error is measured.
+/// Steps from the start over which the splittings are counted.
 const TRIAL_STEPS: u32 = 8;
 
-/// What the difference from two steps of half the length falls short of the error, at order 4.
-const RICHARDSON: f64 = 16.0 / 15.0;
-
-/// The integrator of free motion, its step and the reason.
+/// The integrator of free motion and the reason.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) integrator: Integrator,
-    pub(crate) step_s: f64,
     pub(crate) reason: String,
 }
 
 /// Chooses for a scene at its start.
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
-    let choice = |integrator, reason: &str| Choice { integrator, step_s: settings.step_s, reason: reason.to_owned() };
+    let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
     match settings.asked_integrator {
+        Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
+            choice(integrator, "asked for; bodies that forces couple and that may collide go by dop853")
+        }
         Some(integrator) => choice(integrator, "asked for"),
         None if settings.tier == Tier::Thesis => choice(settings.integrator, "the thesis's"),
         None if !world.free_motion().has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
         }
-        None if world.has_fields() || world.may_collide_at_all() => {
-            choice(Integrator::Dop853, "forces vary along the motion: error control")
+        None if !is_conservative(world) => {
+            choice(Integrator::Dop853, "forces take or give energy: error control at order 8")
         }
-        None if !all_fast(world, states) => {
-            choice(Integrator::Dop853, "gravity turns pivoted bodies as fast as they spin: error control")
+        None if world.may_collide_at_all() => {
+            choice(Integrator::Dop853, "forces act on bodies that may collide: error control, with the contact forces")
         }
-        None => splitting(world, states, settings).unwrap_or_else(|| {
-            choice(Integrator::Dop853, "splitting would need more than sixteen steps for one: error control")
-        }),
+        None => match splittings(world, states, settings) {
+            Some(count) => {
+                let reason = format!(
+                    "conservative forces: exact drift with kicks under error control, {count} splittings a step at the start"
+                );
+                choice(Integrator::ExactAdaptive, &reason)
+            }
+            None => choice(
+                Integrator::Dop853,
+                "conservative, but splitting would need more than sixteen steps for one: error control at order 8",
+            ),
+        },
     }
 }
 
-/// Whether every body under the torque of gravity spins fast against what the torque does.
-fn all_fast(world: &World, states: &[BodyState]) -> bool {
-    let gravity = world.gravity().length();
-    world.movable.iter().filter(|&&body| world.is_loaded(body)).all(|&body| {
-        world.bodies[body].rigid.as_ref().is_some_and(|rigid| {
-            let torque = rigid.mass() * gravity * rigid.arm().length();
-            let swing = (rigid.moments().max_element() * torque).sqrt();
-            states[body].angular_momentum.length() >= FAST_SPIN * swing
-        })
-    })
+/// Whether all forces derive from potentials that do not depend on time.
+fn is_conservative(world: &World) -> bool {
+    let fields = world.free_motion().fields();
+    fields.iter().all(|field| field.account() == Account::Potential && field.dependence() == Dependence::Poses)
 }
 
-/// Splitting with the longest step that reaches the tolerance; nothing when none does.
-fn splitting(world: &World, states: &[BodyState], settings: &Settings) -> Option<Choice> {
-    let (motion, movable) = (world.free_motion(), world.movable_states(states));
-    (0..=MOST_HALVINGS).find_map(|halvings| {
-        let step_s = settings.step_s / f64::from(1_u32 << halvings);
-        let error = splitting_error(&motion, &movable, step_s);
-        let reason = format!("fast tops: exact drift with kicks, which err by {error:.1e} rad in a step of {step_s} s");
-        let reached = error <= STEP_SHARE * settings.tolerance;
-        reached.then_some(Choice { integrator: Integrator::Exact, step_s, reason })
-    })
-}
-
-/// Error of a step of splitting, rad: infinite where it cannot be made.
-fn splitting_error(motion: &FreeMotion<'_>, states: &[BodyState], step_s: f64) -> f64 {
-    let end = |step_s: f64, count: u32| {
-        let mut integrator = Exact::blanes_moan();
-        integrator.start(motion, 0.0, states);
-        for _ in 0..count {
-            integrator.step(motion, step_s).ok()?;
-        }
-        Some(integrator.states().to_vec())
-    };
-    let (Some(coarse), Some(fine)) = (end(step_s, TRIAL_STEPS), end(0.5 * step_s, 2 * TRIAL_STEPS)) else {
-        return f64::INFINITY;
-    };
-    let angles = coarse.iter().zip(&fine).map(|(a, b)| a.pose.rotation.angle_to(b.pose.rotation));
-    let worst = angles.fold(0.0f64, |worst, angle| if angle.is_nan() { f64::INFINITY } else { worst.max(angle) });
-    RICHARDSON * worst / f64::from(TRIAL_STEPS)
+/// The most splittings that one of the first steps needs at the tolerance; nothing when they are too many.
+fn splittings(world: &World, states: &[BodyState], settings: &Settings) -> Option<u32> {
+    let motion = world.free_motion();
+    let tolerance = Tolerance::new(settings.tolerance).unwrap_or_default();
+    let mut integrator = AdaptiveExact::new(tolerance).limited_to(MOST_SPLITTINGS);
+    integrator.start(&motion, 0.0, &world.movable_states(states));
+    let mut most = 0;
+    for _ in 0..TRIAL_STEPS {
+        integrator.step(&motion, settings.step_s).ok()?;
+        most = most.max(integrator.inner_steps());
+    }
+    Some(most)
 }

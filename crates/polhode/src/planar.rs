@@ -96,7 +96,7 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if world.free_motion().has_loads() {
         return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
     }
-    if !matches!(settings.integrator, Integrator::Exact | Integrator::Dop853) {
+    if !matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853) {
         return PlanarFinding::off("the integrator asked for is shown as it is, in space");
     }
     if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {

@@ -32,10 +32,9 @@ impl Settings {
     pub(crate) fn flies(&self) -> bool {
         self.tier == Tier::Accurate
             && match self.integrator {
-                Integrator::Exact | Integrator::ExactStrang => true,
                 // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
                 Integrator::Dop853 => self.asked_integrator.is_none(),
-                _ => false,
+                integrator => integrator.is_exact_without_loads(),
             }
     }
 

@@ -48,7 +48,7 @@ impl Simulation {
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene)?;
         let choice = free_method::choose(&world, &states, &settings);
-        (settings.integrator, settings.step_s) = (choice.integrator, choice.step_s);
+        settings.integrator = choice.integrator;
         let planar = match effects {
             Effects::Planned => planar::find(&world, &states, &settings),
             Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),

@@ -170,6 +170,11 @@ impl World {
         self.couplings.iter().any(|together| together.contains(&body))
     }
 
+    /// Whether forces couple bodies of a scene in which some may collide.
+    pub(crate) fn any_coupled_may_collide(&self) -> bool {
+        self.collides && !self.couplings.is_empty()
+    }
+
     /// Whether forces on a body change with time, also while everything rests.
     pub(crate) fn is_driven(&self, body: usize) -> bool {
         self.driven.contains(&body)

@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// Whether the error of free rotation does not depend on the step: it is exact, or under error control.
 fn ignores_the_step(integrator: Integrator) -> bool {
-    matches!(integrator, Integrator::Exact | Integrator::ExactStrang | Integrator::Dop853)
+    integrator.is_exact_without_loads() || integrator.controls_error()
 }
 
 /// Steps per second at which a method of this order is in its asymptotic range, and twice as many.

@@ -100,19 +100,19 @@ fn rung(key: &str, value: &str) -> String {
     format!("{} {short}", key.strip_prefix("method.").unwrap_or(key))
 }
 
-/// Every integrator: those of fixed step over steps, the error-controlled one over tolerances; one that is a closed
+/// Every integrator: those of fixed step over steps, the error-controlled ones over tolerances; one that is a closed
 /// form here needs a single step.
 fn without_contact(facts: &SceneFacts) -> Vec<Series> {
     let series = |integrator: Integrator| {
         let name = names::integrator(integrator);
         let selects = ["method.integrator", name];
-        if name == names::integrator(Integrator::Dop853) {
+        if integrator.controls_error() && !(integrator.is_exact_without_loads() && facts.closed_form) {
             let values = TOLERANCES.map(|tolerance| format!("{tolerance:e}")).to_vec();
             // The step is an upper bound that must not bind.
             let besides = vec![("method.step", number(facts.duration_s))];
             Series { name, selects, besides, stepped: "method.tolerance", values, growth: TOLERANCE_GROWTH }
         } else {
-            let is_closed = matches!(integrator, Integrator::Exact | Integrator::ExactStrang) && facts.closed_form;
+            let is_closed = integrator.is_exact_without_loads() && facts.closed_form;
             let values = if is_closed { vec![number(facts.duration_s)] } else { steps(facts) };
             Series { name, selects, besides: Vec::new(), stepped: "method.step", values, growth: STEP_RATIO as f64 }
         }

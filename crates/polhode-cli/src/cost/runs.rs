@@ -32,7 +32,7 @@ impl Solver {
     /// From the plan that was followed.
     pub(super) fn of(plan: &Plan) -> Self {
         let flies = |found: &EffectDecision| (found.effect, found.decision) == (Effect::BallisticFlight, Decision::On);
-        let is_closed = matches!(plan.integrator, Integrator::Exact | Integrator::ExactStrang);
+        let is_closed = plan.integrator.is_exact_without_loads();
         Self { integrator: plan.integrator, closed_form: is_closed || plan.effects.iter().any(flies) }
     }
 

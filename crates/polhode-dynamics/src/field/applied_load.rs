@@ -80,6 +80,10 @@ impl Field for AppliedForce {
         body == self.body
     }
 
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        self.signal.corner_between(from, to)
+    }
+
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         let (Some(body), Some(state)) = (bodies.get(self.body), states.get(self.body)) else { return };
         let Some(wrench) = wrenches.get_mut(self.body) else { return };
@@ -131,6 +135,10 @@ impl Field for AppliedTorque {
 
     fn acts_on(&self, body: usize) -> bool {
         body == self.body
+    }
+
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        self.signal.corner_between(from, to)
     }
 
     fn add_wrenches(&self, t: f64, _bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {

@@ -108,6 +108,12 @@ pub enum Account {
     External,
 }
 
+/// The first corner of any of the fields, as [`Field::corner_between`].
+pub fn corner_between(fields: &[Box<dyn Field>], from: f64, to: f64) -> Option<f64> {
+    let corners = fields.iter().filter_map(|field| field.corner_between(from, to));
+    corners.min_by(|a, b| (a - from).abs().total_cmp(&(b - from).abs()))
+}
+
 /// A force field over the bodies of a system.
 pub trait Field: Debug + Send + Sync {
     /// What the force depends on.
@@ -124,6 +130,13 @@ pub trait Field: Debug + Send + Sync {
     /// Whether the force on one body depends on the others, so that bodies it acts on must be integrated together.
     fn couples(&self) -> bool {
         true
+    }
+
+    /// The first time strictly between `from` and `to` (s, in either order) on the way from one to the other at which the
+    /// force is not smooth in time. Integrators under error control end a step there: a pulse between two of their
+    /// stages would pass unseen.
+    fn corner_between(&self, _from: f64, _to: f64) -> Option<f64> {
+        None
     }
 
     /// Adds the field's wrench on each body, torques about the centres of mass; the three slices are of one length and

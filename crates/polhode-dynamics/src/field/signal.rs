@@ -48,7 +48,7 @@ impl Signal {
     }
 
     /// Straight lines between points (time in s, value), and the first and last value outside them. Methods of high
-    /// order lose it at the corners, unless steps end there.
+    /// order lose it at the corners, unless steps end there ([`Signal::corner_between`]).
     ///
     /// # Errors
     /// When there is no point, a number is not finite, or a time is not above the one before.
@@ -88,6 +88,18 @@ impl Signal {
     /// Whether the value is the same at all times by construction.
     pub const fn is_constant(&self) -> bool {
         matches!(self.0, Kind::Constant(_))
+    }
+
+    /// The first point of a table strictly between `from` and `to` (s, in either order), on the way from one to the
+    /// other; the other signals are smooth, as far as is known.
+    pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        let Kind::Table(points) = &self.0 else { return None };
+        let corner = if from < to {
+            points.get(points.partition_point(|(time, _)| *time <= from))
+        } else {
+            points.partition_point(|(time, _)| *time < from).checked_sub(1).and_then(|last| points.get(last))
+        };
+        corner.map(|(time, _)| *time).filter(|time| from.min(to) < *time && *time < from.max(to))
     }
 
     /// Value at `t` (s).

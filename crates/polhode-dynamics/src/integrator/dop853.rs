@@ -14,8 +14,8 @@
 //!
 //! each times `tolerance` and [`STEP_SHARE`], and not below the rounding of the numbers themselves.
 //! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.4, II.10.
-//! How it fails: a force that acts for a small part of a step (an impulse between two stages) can be missed; at a
-//! singularity the steps shrink until [`IntegrationError::StepTooSmall`].
+//! Steps end at the corners of signals. How it fails: another force that acts for a small part of a step (a pulse of a
+//! function of one's own, between two stages) can be missed; at a singularity the steps shrink until [`IntegrationError::StepTooSmall`].
 
 use super::drift_kick::within;
 use super::{IntegrationError, Integrator};
@@ -156,10 +156,22 @@ impl AdaptiveDop853 {
         }
     }
 
-    /// Covers the step from `t` to `end` by inner steps.
+    /// Covers the step to `end` by inner steps that end where a field is not smooth in time.
     fn advance(&mut self, motion: &FreeMotion<'_>, end: f64) -> Result<(), IntegrationError> {
+        let mut t = self.t;
+        while let Some(corner) = motion.corner_between(t, end) {
+            self.advance_smoothly(motion, t, corner)?;
+            // The stages of the step before saw another force.
+            self.method.restart();
+            t = corner;
+        }
+        self.advance_smoothly(motion, t, end)
+    }
+
+    /// Covers the time from `start` to `end`, between which all fields are smooth.
+    fn advance_smoothly(&mut self, motion: &FreeMotion<'_>, start: f64, end: f64) -> Result<(), IntegrationError> {
         let mut system = BufferedMotion::new(*motion);
-        let (start, direction) = (self.t, (end - self.t).signum());
+        let direction = (end - start).signum();
         let smallest_s = ROUNDING * start.abs().max(end.abs());
         let mut t = start;
         let mut h = self.proposed.unwrap_or(f64::INFINITY);
@@ -199,8 +211,9 @@ impl AdaptiveDop853 {
     }
 }
 
-/// The error allowed in each quantity of one body, and where the quantity's numbers are in the body's state.
-fn allowances(
+/// The error allowed in each quantity of one body, and where the quantity's numbers are in the body's state; `rate` is
+/// the change of the state per second over the step, or at its start.
+pub(super) fn allowances(
     body: &RigidBody,
     start: &[f64; WIDTH],
     end: &[f64; WIDTH],

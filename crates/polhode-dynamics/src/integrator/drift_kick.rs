@@ -89,7 +89,7 @@ impl Stepper {
 }
 
 /// Whether drifts and kicks can integrate the motion.
-fn check(motion: &FreeMotion<'_>, states: usize, method: &'static str) -> Result<(), IntegrationError> {
+pub(super) fn check(motion: &FreeMotion<'_>, states: usize, method: &'static str) -> Result<(), IntegrationError> {
     if states != motion.bodies().len() {
         return Err(IntegrationError::StateCount { states, bodies: motion.bodies().len() });
     }
@@ -105,7 +105,7 @@ pub(super) fn within(from: f64, to: f64, t: f64) -> Result<(), IntegrationError>
 }
 
 /// Drifts and kicks in turn; the kick sees the time that the drifts before it have reached.
-fn compose(
+pub(super) fn compose(
     motion: &FreeMotion<'_>,
     t: f64,
     h: f64,

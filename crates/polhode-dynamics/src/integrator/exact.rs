@@ -11,7 +11,7 @@
 //!
 //! Both are symmetric and, for conservative fields, symplectic: the energy of a bound motion oscillates and does not
 //! drift. Fields may depend on time, not on velocities. How it fails: a step as long as the time scale of the *forces*
-//! (the spin does not matter) is inaccurate and, beyond it, unstable; use [`super::AdaptiveDop853`] near singular forces.
+//! (the spin does not matter) is inaccurate and, beyond it, unstable: [`super::AdaptiveExact`] controls the error.
 //! The motion must stay the same from step to step: call [`Integrator::start`] after a change of fields.
 //! Source: docs/REFERENCES.md, Hairer, Lubich and Wanner, II.5 and VII.5.
 
@@ -58,8 +58,16 @@ impl Exact {
     }
 }
 
+/// Records of the bodies that nothing loads.
+pub(super) fn records(motion: &FreeMotion<'_>, t: f64, states: &[BodyState]) -> Vec<Option<Flight>> {
+    let record = |(index, (body, state))| {
+        (!motion.is_loaded(index)).then(|| Flight::new(body, t, state, motion.free_acceleration(body)))
+    };
+    motion.bodies().iter().zip(states).enumerate().map(record).collect()
+}
+
 /// Overwrites the states of the bodies that fly by their records.
-fn follow(flights: &[Option<Flight>], t: f64, states: &mut [BodyState]) {
+pub(super) fn follow(flights: &[Option<Flight>], t: f64, states: &mut [BodyState]) {
     for (state, flight) in states.iter_mut().zip(flights) {
         if let Some(flight) = flight {
             *state = flight.state(t);
@@ -75,10 +83,7 @@ impl Integrator for Exact {
     fn start(&mut self, motion: &FreeMotion<'_>, t: f64, states: &[BodyState]) {
         self.stepper.start(t, states);
         self.loaded = motion.has_loads();
-        let record = |(index, (body, state))| {
-            (!motion.is_loaded(index)).then(|| Flight::new(body, t, state, motion.free_acceleration(body)))
-        };
-        self.flights = motion.bodies().iter().zip(states).enumerate().map(record).collect();
+        self.flights = records(motion, t, states);
     }
 
     fn step(&mut self, motion: &FreeMotion<'_>, h: f64) -> Result<(), IntegrationError> {

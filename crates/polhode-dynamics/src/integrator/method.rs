@@ -2,7 +2,7 @@
 
 use super::dop853::Tolerance;
 use super::{
-    AdaptiveDop853, Cf4, Exact, ExplicitEuler, ImplicitGyroscopic, ImplicitMidpoint, Integrator, MoserVeselov,
+    AdaptiveDop853, AdaptiveExact, Cf4, Exact, ExplicitEuler, ImplicitGyroscopic, ImplicitMidpoint, Integrator, MoserVeselov,
     MoserVeselov4, Orientation, Rk4, Rkmk4, RotationRate, SemiImplicitEuler, Splitting, Splitting4,
 };
 use crate::field::Dependence;
@@ -41,12 +41,14 @@ pub enum Method {
     Exact,
     /// [`Exact::strang`]: exact in free motion, order 2 under forces.
     ExactStrang,
+    /// [`AdaptiveExact`]: exact in free motion, order 4 under forces, error-controlled.
+    ExactAdaptive,
 }
 
 /// What some methods need to know beside their name; the others do not read it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MethodSettings {
-    /// Of [`Method::Dop853`].
+    /// Of [`Method::Dop853`] and [`Method::ExactAdaptive`].
     pub tolerance: Tolerance,
     /// Coordinates of [`Method::Rk4`].
     pub orientation: Orientation,
@@ -63,7 +65,7 @@ pub struct UnknownMethod(pub String);
 
 impl Method {
     /// All methods, from the crudest to the most accurate of each kind.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::ExplicitEuler,
         Self::SemiImplicitEuler,
         Self::ImplicitGyroscopic,
@@ -79,6 +81,7 @@ impl Method {
         Self::Dop853,
         Self::Exact,
         Self::ExactStrang,
+        Self::ExactAdaptive,
     ];
 
     /// Its name in scene files.
@@ -99,6 +102,7 @@ impl Method {
             Self::Dop853 => "dop853",
             Self::Exact => "exact",
             Self::ExactStrang => "exact-strang",
+            Self::ExactAdaptive => "exact-adaptive",
         }
     }
 
@@ -114,6 +118,16 @@ impl Method {
     /// Order of convergence, as [`Integrator::order`].
     pub fn order(self) -> u32 {
         self.build(&MethodSettings::default()).order()
+    }
+
+    /// Whether a motion without loads is exact, whatever the step.
+    pub const fn is_exact_without_loads(self) -> bool {
+        matches!(self, Self::Exact | Self::ExactStrang | Self::ExactAdaptive)
+    }
+
+    /// Whether a tolerance, not the step, decides the error.
+    pub const fn controls_error(self) -> bool {
+        matches!(self, Self::Dop853 | Self::ExactAdaptive)
     }
 
     /// Whether the method can integrate forces that depend on this; it refuses the others with
@@ -152,6 +166,7 @@ impl Method {
             Self::Dop853 => Box::new(AdaptiveDop853::new(settings.tolerance)),
             Self::Exact => Box::new(Exact::blanes_moan()),
             Self::ExactStrang => Box::new(Exact::strang()),
+            Self::ExactAdaptive => Box::new(AdaptiveExact::new(settings.tolerance)),
         }
     }
 }

@@ -9,6 +9,7 @@
 //! | `implicit-midpoint` | [`ImplicitMidpoint`] | 2 | poses, time |
 //! | `dop853` | [`AdaptiveDop853`] | 8, error-controlled | anything |
 //! | `exact`, `exact-strang` | [`Exact`] | exact without forces, else 4, 2 | poses, time |
+//! | `exact-adaptive` | [`AdaptiveExact`] | exact without forces, else 4, error-controlled | poses, time |
 //!
 //! [`Method`] knows them by name; [`event::locate`] finds when a function of the states changes its sign within the last
 //! step of any of them.
@@ -28,6 +29,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod adaptive_exact;
 mod blanes_moan;
 mod body_axes;
 mod cayley_equation;
@@ -54,6 +56,7 @@ mod single_evaluation;
 mod split_step;
 pub mod splitting;
 
+pub use adaptive_exact::AdaptiveExact;
 pub use cf4::Cf4;
 pub use dop853::{AdaptiveDop853, Tolerance};
 pub use exact::Exact;

@@ -6,6 +6,7 @@
     reason = "reference values with the digits of their source"
 )]
 
+mod adaptive_exact;
 mod conservation;
 mod elliptic_against_taylor;
 mod energy_and_momentum;

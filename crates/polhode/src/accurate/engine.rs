@@ -225,14 +225,27 @@ impl Engine {
 
     /// Longest step that may be tried now, s.
     pub(super) fn step_limit(&self) -> f64 {
-        let remaining = self.world.scene.duration_s() - self.t;
+        let remaining = self.horizon() - self.t;
         let nothing_moves = self.modes.iter().all(|mode| matches!(mode, Mode::Fixed | Mode::Rest));
-        if nothing_moves && self.effects == Effects::Planned { remaining } else { remaining.min(self.settings.step_s) }
+        // A sum of equal steps may leave over what is no step: it is added to the last.
+        let is_last = self.is_instant(remaining - self.settings.step_s);
+        if is_last || (nothing_moves && self.effects == Effects::Planned) { remaining } else { self.settings.step_s }
+    }
+
+    /// Where a step must end at the latest, s: at the end of the run, or where a force is not smooth in time.
+    pub(super) fn horizon(&self) -> f64 {
+        let duration = self.world.scene.duration_s();
+        self.world.free_motion().corner_between(self.t, duration).unwrap_or(duration)
+    }
+
+    /// Whether a time is too short to be a step, s.
+    pub(super) fn is_instant(&self, dt: f64) -> bool {
+        dt <= STALL_RELATIVE * self.settings.step_s
     }
 
     /// Whether an event at `t` comes without time having advanced.
     pub(super) fn is_stall(&self, t: f64) -> bool {
-        t - self.t <= STALL_RELATIVE * self.settings.step_s
+        self.is_instant(t - self.t)
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong with it is put up with

@@ -12,7 +12,7 @@ use crate::SimulationError;
 use crate::scene::Integrator;
 use crate::settings::Settings;
 use crate::world::World;
-use polhode_dynamics::field::{Account, Dependence, Field, Wrench};
+use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
 use polhode_dynamics::integrator::{self, IntegrationError, MethodSettings, Tolerance};
 use polhode_dynamics::{BodyState, DenseStep, Flight, FreeMotion, RigidBody};
@@ -105,6 +105,10 @@ impl Field for Masked {
 
     fn acts_on(&self, body: usize) -> bool {
         self.is_stepped(body) && self.fields.iter().any(|field| field.acts_on(body))
+    }
+
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        field::corner_between(&self.fields, from, to)
     }
 
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {

@@ -105,13 +105,18 @@ impl Engine {
             let stepped = self.step_freely(end)?;
             return Ok(Trial { t: self.t, end, groups: Vec::new(), stepped });
         }
-        let mut h = self.proposed_step_s.min(limit);
+        let mut h = self.proposed_step_s;
+        if self.is_instant(limit - h) {
+            h = limit;
+        }
         loop {
             self.check_step(h)?;
             match self.attempt_all(&groups, h) {
                 Ok((mut trial, factor)) => {
                     trial.stepped = self.step_freely(trial.end)?;
-                    self.proposed_step_s = (h * factor).min(self.settings.step_s);
+                    // A step that was cut short says nothing against a longer one.
+                    let kept = if factor >= 1.0 && h == limit { self.proposed_step_s } else { 0.0 };
+                    self.proposed_step_s = (h * factor).max(kept).min(self.settings.step_s);
                     return Ok(trial);
                 }
                 Err(factor) => h *= factor,
@@ -276,11 +281,10 @@ impl Engine {
         }
     }
 
-    /// `t + h`, or exactly the end of the run when the step reaches it.
+    /// `t + h`, or exactly the horizon when the step reaches it: `t + (end - t)` may round to either side of the end.
     fn end_of(&self, h: f64) -> f64 {
-        let duration = self.world.scene.duration_s();
-        // `t + (duration - t)` may round to either side of the duration.
-        if h >= duration - self.t { duration } else { self.t + h }
+        let end = self.horizon();
+        if h >= end - self.t { end } else { self.t + h }
     }
 
     fn check_step(&self, h: f64) -> Result<(), SimulationError> {

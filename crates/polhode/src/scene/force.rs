@@ -245,6 +245,10 @@ impl Field for Shared {
         self.0.couples()
     }
 
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        self.0.corner_between(from, to)
+    }
+
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         self.0.add_wrenches(t, bodies, states, wrenches);
     }

@@ -1,6 +1,6 @@
 //! Bodies under the scene's forces and contact forces that stay the same over a step (thesis, equations 15 and 16).
 
-use polhode_dynamics::field::{Account, Dependence, Field, Wrench};
+use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::DVec3;
 use std::sync::Arc;
@@ -48,6 +48,10 @@ impl Field for FieldsAndLoads {
     fn acts_on(&self, body: usize) -> bool {
         let load = self.loads.get(body).is_some_and(|load| *load != Wrench::default());
         load || self.fields.iter().any(|field| field.acts_on(body))
+    }
+
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        field::corner_between(&self.fields, from, to)
     }
 
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {

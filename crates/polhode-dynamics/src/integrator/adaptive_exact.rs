@@ -1,0 +1,257 @@
+//! Exact flight with forces as kicks, under error control: conservative fields of any strength along the motion.
+//!
+//! A step of the caller is made twice by [`super::Exact`]'s composition of order 4, as n and as 2 n equal steps. The
+//! finer result is kept when its error, by Richardson a fifteenth of the difference, is within what is allowed; else n
+//! doubles. n is kept from step to step and halves when half would do, so that where the forces stay alike the steps
+//! stay equal: the energy of a bound motion then oscillates and does not drift. What a step may err is
+//! [`super::dop853`]'s table, of which it uses [`STEP_SHARE`].
+//!
+//! The spin costs nothing, however fast, and an attitude that no torque turns is exact to rounding. Fields may depend
+//! on time, not on velocities. Source: docs/REFERENCES.md, Hairer, Lubich and Wanner, II.5; Hairer, Norsett and Wanner,
+//! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`].
+
+use super::dop853::{Tolerance, allowances};
+use super::drift_kick::{check, compose, within};
+use super::exact::{follow, records};
+use super::{IntegrationError, Integrator, blanes_moan};
+use crate::field::Wrench;
+use crate::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
+use crate::{BodyState, Flight, FreeMotion, RigidBody};
+
+/// Share of the tolerance that one step may use: steps of one length err alike, and hundreds of them add up.
+pub const STEP_SHARE: f64 = 1e-2;
+
+/// What the difference from twice as many steps exceeds their error by, at order 4.
+const RICHARDSON: f64 = 15.0;
+
+/// An error below this share of what is allowed is within it with half as many steps too: `1/2^4`, and half for safety.
+const HALVING_SHARE: f64 = 1.0 / 32.0;
+
+/// Steps within one of the caller, unless it sets another limit; some seconds of work. Guards against waiting for ever
+/// near a singularity.
+const MOST_STEPS: u32 = 1 << 21;
+
+/// What refusals name the method by.
+const NAME: &str = "exact-adaptive";
+
+/// Exact drifts with kicks of order 4 and the tolerance of their error control.
+#[derive(Debug, Clone)]
+pub struct AdaptiveExact {
+    tolerance: f64,
+    most_steps: u32,
+    from: f64,
+    t: f64,
+    before: Vec<BodyState>,
+    states: Vec<BodyState>,
+    /// The results of n and of 2 n steps.
+    coarse: Vec<BodyState>,
+    fine: Vec<BodyState>,
+    wrenches: Vec<Wrench>,
+    /// Whether any body is loaded, so that drifts and kicks are needed.
+    loaded: bool,
+    /// Records of the bodies that nothing loads.
+    flights: Vec<Option<Flight>>,
+    /// n of the next step.
+    proposed: u32,
+    /// Steps that the last step was made of.
+    inner: u32,
+    /// How many of them lead to `cursor`, the states that were last looked at on the way: looking at one time after the
+    /// other makes each of them once.
+    passed: u32,
+    cursor: Vec<BodyState>,
+}
+
+impl AdaptiveExact {
+    /// With the tolerance of the error control.
+    pub fn new(tolerance: Tolerance) -> Self {
+        Self {
+            tolerance: tolerance.get(),
+            most_steps: MOST_STEPS,
+            from: 0.0,
+            t: 0.0,
+            before: Vec::new(),
+            states: Vec::new(),
+            coarse: Vec::new(),
+            fine: Vec::new(),
+            wrenches: Vec::new(),
+            loaded: false,
+            flights: Vec::new(),
+            proposed: 1,
+            inner: 1,
+            passed: 0,
+            cursor: Vec::new(),
+        }
+    }
+
+    /// The same, which fails with [`IntegrationError::StepTooSmall`] when a step would need more than this many, at
+    /// least two, within it.
+    pub fn limited_to(mut self, steps: u32) -> Self {
+        self.most_steps = steps.clamp(2, MOST_STEPS);
+        self
+    }
+
+    /// Inner steps that the last step took, of those whose result was kept.
+    pub const fn inner_steps(&self) -> u32 {
+        self.inner
+    }
+
+    /// Makes the fine result of a step of `h` (s), which must not be zero.
+    fn advance(&mut self, motion: &FreeMotion<'_>, h: f64) -> Result<(), IntegrationError> {
+        let t = self.t;
+        while 2 * self.proposed <= self.most_steps {
+            let n = self.proposed;
+            for (count, end) in [(n, &mut self.coarse), (2 * n, &mut self.fine)] {
+                end.clone_from(&self.states);
+                divided(motion, t, h, count, end, &mut self.wrenches);
+            }
+            let error = error(motion, [&self.states, &self.coarse, &self.fine], h, self.tolerance * STEP_SHARE);
+            if error.is_nan() {
+                return Err(IntegrationError::NotFinite { t });
+            }
+            if error <= 1.0 {
+                self.inner = 2 * n;
+                self.proposed = if error < HALVING_SHARE { (n / 2).max(1) } else { n };
+                return Ok(());
+            }
+            self.proposed = 2 * n;
+        }
+        self.proposed = 1;
+        Err(IntegrationError::StepTooSmall { t, smallest_s: h.abs() / f64::from(self.most_steps) })
+    }
+}
+
+/// `count` equal steps over `h` (s).
+fn divided(
+    motion: &FreeMotion<'_>,
+    t: f64,
+    h: f64,
+    count: u32,
+    states: &mut [BodyState],
+    wrenches: &mut Vec<Wrench>,
+) {
+    let inner = h / f64::from(count);
+    for k in 0..count {
+        compose(motion, t + f64::from(k) * inner, inner, blanes_moan::STAGES, states, wrenches);
+    }
+}
+
+/// Largest error of the fine result over all bodies and quantities, in units of what is allowed; NaN when one is.
+/// `states` are those at the start, and the coarse and the fine ones at the end.
+fn error(motion: &FreeMotion<'_>, states: [&[BodyState]; 3], h: f64, tolerance: f64) -> f64 {
+    let [starts, coarse, fine] = states;
+    let mut worst = 0.0f64;
+    for (((body, start), coarse), fine) in motion.bodies().iter().zip(starts).zip(coarse).zip(fine) {
+        let ratio = body_error(body, [start, coarse, fine].map(BodyState::to_array), h, tolerance);
+        worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+        if worst.is_nan() {
+            return worst;
+        }
+    }
+    worst
+}
+
+fn body_error(body: &RigidBody, [start, mut coarse, fine]: [[f64; WIDTH]; 3], h: f64, tolerance: f64) -> f64 {
+    let attitude = QUATERNION..LINEAR_VELOCITY;
+    let same_side: f64 = coarse[attitude.clone()].iter().zip(&fine[attitude.clone()]).map(|(a, b)| a * b).sum();
+    if same_side < 0.0 {
+        // q and -q are one attitude.
+        coarse[attitude].iter_mut().for_each(|number| *number = -*number);
+    }
+    let rate: [f64; WIDTH] = std::array::from_fn(|k| (fine[k] - start[k]) / h);
+    let mut worst = 0.0f64;
+    for (range, allowed) in allowances(body, &start, &fine, &rate, tolerance) {
+        let squares = coarse[range.clone()].iter().zip(&fine[range]).map(|(a, b)| (a - b) * (a - b));
+        let error = squares.sum::<f64>().sqrt() / RICHARDSON;
+        // No error is none also where nothing is allowed; NaN must reach the end.
+        let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+        worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+        if worst.is_nan() {
+            return worst;
+        }
+    }
+    worst
+}
+
+impl Integrator for AdaptiveExact {
+    fn order(&self) -> u32 {
+        4
+    }
+
+    fn start(&mut self, motion: &FreeMotion<'_>, t: f64, states: &[BodyState]) {
+        (self.from, self.t, self.proposed, self.inner) = (t, t, 1, 1);
+        self.passed = 0;
+        for own in [&mut self.before, &mut self.states, &mut self.cursor] {
+            own.clear();
+            own.extend_from_slice(states);
+        }
+        self.loaded = motion.has_loads();
+        self.flights = records(motion, t, states);
+    }
+
+    fn step(&mut self, motion: &FreeMotion<'_>, h: f64) -> Result<(), IntegrationError> {
+        check(motion, self.states.len(), NAME)?;
+        let (t, end) = (self.t, self.t + h);
+        if !end.is_finite() || !self.states.iter().all(BodyState::is_finite) {
+            return Err(IntegrationError::NotFinite { t });
+        }
+        if self.loaded && h != 0.0 {
+            self.advance(motion, h)?;
+        } else {
+            self.fine.clone_from(&self.states);
+        }
+        follow(&self.flights, end, &mut self.fine);
+        if !self.fine.iter().all(BodyState::is_finite) {
+            return Err(IntegrationError::NotFinite { t });
+        }
+        std::mem::swap(&mut self.before, &mut self.states);
+        std::mem::swap(&mut self.states, &mut self.fine);
+        (self.from, self.t, self.passed) = (t, end, 0);
+        self.cursor.clone_from(&self.before);
+        Ok(())
+    }
+
+    fn time(&self) -> f64 {
+        self.t
+    }
+
+    fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
+    fn states_within(
+        &mut self,
+        motion: &FreeMotion<'_>,
+        t: f64,
+        states: &mut [BodyState],
+    ) -> Result<(), IntegrationError> {
+        within(self.from, self.t, t)?;
+        if states.len() != self.before.len() || states.len() != motion.bodies().len() {
+            return Err(IntegrationError::StateCount { states: states.len(), bodies: motion.bodies().len() });
+        }
+        if t == self.t {
+            states.copy_from_slice(&self.states);
+            return Ok(());
+        }
+        if self.loaded && t != self.from {
+            let inner = (self.t - self.from) / f64::from(self.inner);
+            let whole = ((t - self.from) / inner) as u32;
+            if whole < self.passed {
+                self.passed = 0;
+                self.cursor.clone_from(&self.before);
+            }
+            let reached = |passed: u32| self.from + f64::from(passed) * inner;
+            while self.passed < whole {
+                let start = reached(self.passed);
+                compose(motion, start, inner, blanes_moan::STAGES, &mut self.cursor, &mut self.wrenches);
+                self.passed += 1;
+            }
+            states.copy_from_slice(&self.cursor);
+            let start = reached(whole);
+            compose(motion, start, t - start, blanes_moan::STAGES, states, &mut self.wrenches);
+        } else {
+            states.copy_from_slice(&self.before);
+        }
+        follow(&self.flights, t, states);
+        Ok(())
+    }
+}
