@@ -28,12 +28,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \
                  0.70 s it is 1.3e-11 m/s of some 2 m/s; every other scene agrees to 3e-14",
     },
-    KnownFailure {
-        case: "CD-06",
-        quantity: "Kepler, default: return error",
-        reason: "the attitude: DOP853 makes 200 rad near the middle axis with local errors of the default tolerance, \
-                 1e-11, which the flips amplify; the position returns to 3e-14, and the attitude with tolerance 1e-13",
-    },
 ];
 
 /// Marks those of `rows` that are known to fail.

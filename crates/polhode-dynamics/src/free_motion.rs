@@ -67,6 +67,12 @@ impl<'a> FreeMotion<'a> {
         self.bodies.get(index).is_some_and(swings) || self.fields.iter().any(|field| field.acts_on(index))
     }
 
+    /// Whether anything can turn the body of this index: a field, or what acts on a pivoted body.
+    pub fn is_turned(&self, index: usize) -> bool {
+        self.bodies.get(index).is_some_and(RigidBody::is_pivoted)
+            || self.fields.iter().any(|field| field.acts_on(index) && field.turns(index))
+    }
+
     /// Whether a wrench can act on any body.
     pub fn has_loads(&self) -> bool {
         (0..self.bodies.len()).any(|index| self.is_loaded(index))

@@ -133,6 +133,12 @@ impl World {
         self.movable.binary_search(&body).is_ok_and(|slot| self.free_motion().is_loaded(slot))
     }
 
+    /// Whether a force acts on a body but none that could turn it.
+    pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
+        let motion = self.free_motion();
+        self.movable.binary_search(&body).is_ok_and(|slot| motion.is_loaded(slot) && !motion.is_turned(slot))
+    }
+
     /// How many movable bodies a field or a pivot can act on.
     pub(crate) fn loaded_count(&self) -> usize {
         self.movable.iter().filter(|&&body| self.is_loaded(body)).count()

@@ -80,6 +80,10 @@ impl Field for AppliedForce {
         body == self.body
     }
 
+    fn turns(&self, _body: usize) -> bool {
+        self.point.is_some()
+    }
+
     fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         self.signal.corner_between(from, to)
     }

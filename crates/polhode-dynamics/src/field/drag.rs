@@ -77,6 +77,10 @@ impl Field for Drag {
         body == self.body
     }
 
+    fn turns(&self, _body: usize) -> bool {
+        self.rotational != 0.0
+    }
+
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         let (Some(body), Some(state)) = (bodies.get(self.body), states.get(self.body)) else { return };
         let Some(wrench) = wrenches.get_mut(self.body) else { return };

@@ -127,6 +127,12 @@ pub trait Field: Debug + Send + Sync {
         true
     }
 
+    /// Whether the field can exert a torque about the centre of mass of a body that it acts on. The attitude of a body that
+    /// no field turns is that of free rotation.
+    fn turns(&self, _body: usize) -> bool {
+        true
+    }
+
     /// Whether the force on one body depends on the others, so that bodies it acts on must be integrated together.
     fn couples(&self) -> bool {
         true

@@ -39,6 +39,10 @@ impl Field for MutualGravity {
         Account::Potential
     }
 
+    fn turns(&self, _body: usize) -> bool {
+        false
+    }
+
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         for (i, (body, state)) in bodies.iter().zip(states).enumerate() {
             let position = body.center_of_mass_position(state);

@@ -52,6 +52,10 @@ impl Field for PointGravity {
         false
     }
 
+    fn turns(&self, _body: usize) -> bool {
+        false
+    }
+
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         for ((body, state), wrench) in bodies.iter().zip(states).zip(wrenches) {
             let arm = self.position - body.center_of_mass_position(state);

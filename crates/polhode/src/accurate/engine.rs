@@ -74,6 +74,8 @@ pub(crate) struct Engine {
     pub(super) stalls: u32,
     /// Bodies that the present instant has woken from rest.
     pub(super) woken: BTreeSet<usize>,
+    /// Free rotations of bodies in integrated groups that nothing turns.
+    pub(super) spins: BTreeMap<usize, Flight>,
     /// When bounces that were summed up at the present instant end, by body, s.
     pub(super) rest_times: BTreeMap<usize, f64>,
 }
@@ -115,6 +117,7 @@ impl Engine {
             departing: BTreeSet::new(),
             stalls: 0,
             woken: BTreeSet::new(),
+            spins: BTreeMap::new(),
             rest_times: BTreeMap::new(),
         };
         engine.find_initial_contacts()?;

@@ -1,7 +1,8 @@
 //! A trial step: every moving group integrated once, under error control, before any event is looked for.
 //!
 //! All groups take the same step, the longest that all of their error estimates accept, so that each body has one
-//! motion over the step. A trial that an event cuts short is repeated from its start with the shorter step, not
+//! motion over the step. The attitude of a body that only forces through its centre of mass act on is that of free
+//! rotation, unless DOP853 is asked for by name. A trial that an event cuts short is repeated from its start with the shorter step, not
 //! interpolated, so that states at events are as accurate as states at step ends.
 
 use super::engine::{Engine, Mode};
@@ -13,7 +14,7 @@ use crate::interaction::contact_set::{ContactId, Hold};
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::dop853::STEP_SHARE;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
-use polhode_dynamics::{BodyState, DenseStep, Dop853, RigidBody};
+use polhode_dynamics::{BodyState, DenseStep, Dop853, Flight, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Motion, Still};
 use std::ops::Range;
@@ -43,6 +44,8 @@ pub(super) struct GroupTrial {
     pub(super) held: Vec<ContactId>,
     pub(super) dense: DenseStep,
     end_state: Vec<f64>,
+    /// Free rotations of those bodies that nothing turns.
+    spins: Vec<Option<Flight>>,
 }
 
 impl Trial {
@@ -61,9 +64,27 @@ impl GroupTrial {
     pub(super) fn states_at(&self, t: f64, states: &mut [BodyState]) {
         let mut flat = vec![0.0; self.end_state.len()];
         self.dense.evaluate(t, &mut flat);
-        for (&body, state) in self.bodies.iter().zip(unpack(&flat)) {
-            states[body] = state;
+        for (index, &body) in self.bodies.iter().enumerate() {
+            if let Some(state) = self.state(&flat, index, t) {
+                states[body] = state;
+            }
         }
+    }
+
+    /// State of the body of this index, from the group's flat state at `t`.
+    fn state(&self, flat: &[f64], index: usize, t: f64) -> Option<BodyState> {
+        let mut state = BodyState::from_array(flat.as_chunks::<WIDTH>().0.get(index)?);
+        if let Some(Some(spin)) = self.spins.get(index) {
+            state.pose.rotation = spin.pose(t).rotation;
+            state.angular_momentum = spin.start().angular_momentum;
+        }
+        Some(state)
+    }
+
+    /// The group at the end of its step, from its flat state there.
+    fn at_end(&self, flat: &[f64], t: f64) -> GroupEnd {
+        let states = (0..self.bodies.len()).filter_map(|index| self.state(flat, index, t)).collect();
+        GroupEnd { states, received: received(flat) }
     }
 }
 
@@ -78,12 +99,6 @@ pub(super) struct GroupEnd {
     pub(super) states: Vec<BodyState>,
     /// What gravity and fixed bodies gave to it over the step.
     pub(super) received: Received,
-}
-
-impl GroupEnd {
-    fn new(flat: &[f64]) -> Self {
-        Self { states: unpack(flat).collect(), received: received(flat) }
-    }
 }
 
 /// One attempt at a step of a group.
@@ -146,9 +161,30 @@ impl Engine {
             smallest = smallest.min(factor);
             let dense = attempt.integrator.dense(&mut system).map_err(|_| FAILED_STAGE_FACTOR)?;
             let end_state = attempt.integrator.end_state().to_vec();
-            trials.push(GroupTrial { bodies: group.bodies.clone(), held, dense, end_state });
+            let spins = group.bodies.iter().map(|&body| self.free_spin(body, &held)).collect();
+            trials.push(GroupTrial { bodies: group.bodies.clone(), held, dense, end_state, spins });
         }
         Ok((Trial { t: self.t, end: self.end_of(h), groups: trials, stepped: None }, smallest))
+    }
+
+    /// Free rotation of a body over a step from now, if no held contact and no force can turn it: the record of the step
+    /// before, not chained, as long as the body is where that leads.
+    fn free_spin(&mut self, body: usize, held: &[ContactId]) -> Option<Flight> {
+        let is_held = held.iter().any(|id| id.a == body || id.b == body);
+        if is_held || self.settings.asked_integrator.is_some() || !self.world.is_pushed_only(body) {
+            return None;
+        }
+        let (t, state) = (self.t, self.states[body]);
+        let leads_here = |spin: &Flight| {
+            spin.pose(t).rotation == state.pose.rotation && spin.start().angular_momentum == state.angular_momentum
+        };
+        if let Some(spin) = self.spins.get(&body).filter(|spin| leads_here(spin)) {
+            return Some(spin.clone());
+        }
+        let rigid = self.world.bodies[body].rigid.as_ref()?;
+        let spin = Flight::new(rigid, t, &state, DVec3::ZERO);
+        self.spins.insert(body, spin.clone());
+        Some(spin)
     }
 
     fn attempt(&self, system: &mut ContactSystem<'_>, h: f64) -> Result<Attempt, ResponseError> {
@@ -223,7 +259,7 @@ impl Engine {
         let mut ends = Vec::with_capacity(trial.groups.len());
         for group in &trial.groups {
             if t_next >= trial.end {
-                ends.push(GroupEnd::new(&group.end_state));
+                ends.push(group.at_end(&group.end_state, t_next));
                 continue;
             }
             let h = t_next - trial.t;
@@ -235,7 +271,7 @@ impl Engine {
                 self.books.ledger.momentum.about,
             );
             let attempt = self.attempt(&mut system, h).map_err(|source| self.response_error(source))?;
-            ends.push(GroupEnd::new(attempt.integrator.end_state()));
+            ends.push(group.at_end(attempt.integrator.end_state(), t_next));
         }
         Ok(ends)
     }
@@ -251,7 +287,7 @@ impl Engine {
                 if let Some((group, index)) = trial.find(body) {
                     let mut flat = vec![0.0; group.end_state.len()];
                     group.dense.evaluate(t, &mut flat);
-                    state = unpack(&flat).nth(index).unwrap_or(state);
+                    state = group.state(&flat, index, t).unwrap_or(state);
                 }
                 state
             }

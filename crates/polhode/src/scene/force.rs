@@ -241,6 +241,10 @@ impl Field for Shared {
         self.0.acts_on(body)
     }
 
+    fn turns(&self, body: usize) -> bool {
+        self.0.turns(body)
+    }
+
     fn couples(&self) -> bool {
         self.0.couples()
     }
