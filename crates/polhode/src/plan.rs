@@ -302,13 +302,9 @@ struct CollidablePairs {
 
 fn collidable_pairs(scene: &Scene) -> CollidablePairs {
     let mut pairs = CollidablePairs { count: 0, largest_restitution: 0.0 };
-    for a in 0..scene.bodies().len() {
-        for b in a + 1..scene.bodies().len() {
-            if scene.may_collide(a, b) {
-                pairs.count += 1;
-                pairs.largest_restitution = pairs.largest_restitution.max(scene.pair_material(a, b).restitution());
-            }
-        }
+    for (a, b) in scene.colliding_pairs() {
+        pairs.count += 1;
+        pairs.largest_restitution = pairs.largest_restitution.max(scene.pair_material(a, b).restitution());
     }
     pairs
 }

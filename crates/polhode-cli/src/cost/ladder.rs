@@ -2,7 +2,6 @@
 //! and tolerances where bodies meet.
 
 use super::candidate::{Candidate, change};
-use polhode::Scene;
 use polhode::scene::Integrator;
 use polhode_scene::{Override, names};
 
@@ -44,12 +43,6 @@ pub(crate) struct SceneFacts {
     pub(crate) closed_form: bool,
     /// Largest angular speed of a body, rad/s.
     pub(crate) angular_speed: f64,
-}
-
-/// Whether two bodies of the scene may collide.
-pub(crate) fn may_collide(scene: &Scene) -> bool {
-    let count = scene.bodies().len();
-    (0..count).any(|a| (a + 1..count).any(|b| scene.may_collide(a, b)))
 }
 
 /// One method and the setting that is stepped through.

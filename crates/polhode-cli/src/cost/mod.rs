@@ -17,14 +17,12 @@
 //! | `runs` | all runs of a study |
 //! | `study` | all of it together |
 //! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
-//! | `file` | files that appear when they are complete |
 //! | `progress` | a bar on a terminal |
 
 mod candidate;
 mod csv;
 mod error;
 mod figure;
-mod file;
 mod front;
 mod html;
 mod instructions;
@@ -44,10 +42,10 @@ use crate::args::{CostArgs, SceneArgs};
 use crate::failure::{self, Failure};
 use crate::stdout;
 use candidate::Axis;
-use file::NewFile;
-use polhode_scene::Override;
+use polhode_scene::{AtomicFile, Override};
 use source::Source;
-use std::path::PathBuf;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
 use study::{Counting, Options, Study};
 use timing::Effort;
 
@@ -80,8 +78,9 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     let study = Study::run(&source, &axes, &options)?;
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study)? } else { String::new() };
     for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
-        if let Some(file) = file {
-            file.write(&text)?;
+        if let Some(mut file) = file {
+            let written = file.write_all(text.as_bytes()).and_then(|()| file.commit());
+            written.map_err(|error| cannot_write(file.target(), &error))?;
         }
     }
     if args.json {
@@ -110,8 +109,12 @@ pub(crate) fn settings_for(scene: &SceneArgs, accuracy: f64) -> Result<Vec<Overr
     Ok(entry.candidate.changes.clone())
 }
 
-fn open(path: Option<&PathBuf>) -> Result<Option<NewFile>, Failure> {
-    path.map(|path| NewFile::create(path)).transpose()
+fn open(path: Option<&PathBuf>) -> Result<Option<AtomicFile>, Failure> {
+    path.map(|path| AtomicFile::create(path).map_err(|error| cannot_write(path, &error))).transpose()
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Failure {
+    Failure::InputOutput(format!("error: cannot write {}: {error}", path.display()))
 }
 
 fn positive(option: &str, value: Option<f64>) -> Result<(), Failure> {

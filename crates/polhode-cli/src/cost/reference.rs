@@ -8,7 +8,7 @@
 
 use super::candidate::change;
 use super::error::Scales;
-use super::ladder::{SceneFacts, may_collide};
+use super::ladder::SceneFacts;
 use super::source::{Completed, Source};
 use polhode::scene::{ImpactLaw, Integrator};
 use polhode::{Decision, Effect, Plan, Scene, Simulation};
@@ -122,7 +122,7 @@ fn attempts(scene: &Scene, finest_step_s: Option<f64>) -> Vec<[Means; 2]> {
         })
     };
     let mut attempts = Vec::new();
-    let (contact, forces) = (may_collide(scene), !scene.forces().is_empty());
+    let (contact, forces) = (scene.any_may_collide(), !scene.forces().is_empty());
     if forces || !contact {
         attempts.extend(controlled(Some(Integrator::Dop853)));
     }
@@ -235,7 +235,7 @@ impl Search<'_> {
         let Recorded { method, scene, scales, run } = recorded;
         let facts = SceneFacts {
             duration_s: scene.duration_s(),
-            contact: may_collide(&scene),
+            contact: scene.any_may_collide(),
             closed_form: kind == Kind::Exact,
             angular_speed: scales.angular_speed,
         };

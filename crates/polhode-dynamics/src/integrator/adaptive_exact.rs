@@ -121,14 +121,7 @@ impl AdaptiveExact {
 }
 
 /// `count` equal steps over `h` (s).
-fn divided(
-    motion: &FreeMotion<'_>,
-    t: f64,
-    h: f64,
-    count: u32,
-    states: &mut [BodyState],
-    wrenches: &mut Vec<Wrench>,
-) {
+fn divided(motion: &FreeMotion<'_>, t: f64, h: f64, count: u32, states: &mut [BodyState], wrenches: &mut Vec<Wrench>) {
     let inner = h / f64::from(count);
     for k in 0..count {
         compose(motion, t + f64::from(k) * inner, inner, blanes_moan::STAGES, states, wrenches);

@@ -2,8 +2,8 @@
 
 use super::dop853::Tolerance;
 use super::{
-    AdaptiveDop853, AdaptiveExact, Cf4, Exact, ExplicitEuler, ImplicitGyroscopic, ImplicitMidpoint, Integrator, MoserVeselov,
-    MoserVeselov4, Orientation, Rk4, Rkmk4, RotationRate, SemiImplicitEuler, Splitting, Splitting4,
+    AdaptiveDop853, AdaptiveExact, Cf4, Exact, ExplicitEuler, ImplicitGyroscopic, ImplicitMidpoint, Integrator,
+    MoserVeselov, MoserVeselov4, Orientation, Rk4, Rkmk4, RotationRate, SemiImplicitEuler, Splitting, Splitting4,
 };
 use crate::field::Dependence;
 use thiserror::Error;

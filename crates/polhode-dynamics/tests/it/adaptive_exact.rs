@@ -190,5 +190,7 @@ fn pulse_is_not_stepped_over() {
     let speed = method.states()[0].linear_velocity.y;
     assert!((speed * 2.0 / (0.5 * 5.0 * 2e-4) - 1.0).abs() < 1e-9, "{speed}");
     method.step(&motion, -1.0).unwrap();
-    assert!(method.states()[0].linear_velocity.length() < 1e-12 && method.states()[0].pose.translation.length() < 1e-12);
+    assert!(
+        method.states()[0].linear_velocity.length() < 1e-12 && method.states()[0].pose.translation.length() < 1e-12
+    );
 }

@@ -10,7 +10,7 @@ const ATTEMPTS: u32 = 100;
 /// A file being written under a temporary name in the folder of its target. Dropped without
 /// [`commit`](AtomicFile::commit) it leaves nothing behind.
 #[derive(Debug)]
-pub(super) struct AtomicFile {
+pub struct AtomicFile {
     target: PathBuf,
     temporary: PathBuf,
     writer: Option<BufWriter<File>>,
@@ -18,7 +18,10 @@ pub(super) struct AtomicFile {
 
 impl AtomicFile {
     /// Opens a temporary file beside `target`.
-    pub(super) fn create(target: &Path) -> io::Result<Self> {
+    ///
+    /// # Errors
+    /// When the target is a folder or names no file, or its folder cannot be written to.
+    pub fn create(target: &Path) -> io::Result<Self> {
         // A link stays a link: what it points to is replaced.
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
         if target.is_dir() {
@@ -40,18 +43,24 @@ impl AtomicFile {
     }
 
     /// The name under which the file will appear.
-    pub(super) fn target(&self) -> &Path {
+    pub fn target(&self) -> &Path {
         &self.target
     }
 
     /// Moves the complete file to its name, replacing what stood there.
-    pub(super) fn commit(&mut self) -> io::Result<()> {
+    ///
+    /// # Errors
+    /// Those of writing and renaming; the name then holds what it held.
+    pub fn commit(&mut self) -> io::Result<()> {
         let target = self.target.clone();
         self.move_to(&target)
     }
 
     /// Moves what has been written to the name with `.partial` at its end, which is returned.
-    pub(super) fn keep_partial(&mut self) -> io::Result<PathBuf> {
+    ///
+    /// # Errors
+    /// Those of writing and renaming.
+    pub fn keep_partial(&mut self) -> io::Result<PathBuf> {
         let mut partial = self.target.clone().into_os_string();
         partial.push(".partial");
         let partial = PathBuf::from(partial);

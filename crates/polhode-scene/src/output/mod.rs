@@ -12,13 +12,14 @@
 //! | `events` | events as CSV |
 //! | `outputs` | [`Outputs`]: the observer |
 
-mod atomic_file;
+pub mod atomic_file;
 mod csv;
 mod events;
 mod json;
 mod npy;
 mod outputs;
 
+pub use atomic_file::AtomicFile;
 pub use csv::COLUMNS;
 pub use events::EVENT_COLUMNS;
 pub use npy::{NPY_WIDTH, npy_row};

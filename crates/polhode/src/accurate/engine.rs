@@ -21,6 +21,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
 const STALL_RELATIVE: f64 = 1e-9;
 
+/// Samples between two steps of bodies that all fly in closed form and meet nothing.
+const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
+
 /// Events of the same instant after which what is still found wrong is put up with for one step.
 const PATIENCE: u32 = 16;
 
@@ -229,10 +232,25 @@ impl Engine {
     /// Longest step that may be tried now, s.
     pub(super) fn step_limit(&self) -> f64 {
         let remaining = self.horizon() - self.t;
-        let nothing_moves = self.modes.iter().all(|mode| matches!(mode, Mode::Fixed | Mode::Rest));
+        let needed = match self.effects {
+            Effects::Planned => self.longest_step(),
+            Effects::All => self.settings.step_s,
+        };
         // A sum of equal steps may leave over what is no step: it is added to the last.
-        let is_last = self.is_instant(remaining - self.settings.step_s);
-        if is_last || (nothing_moves && self.effects == Effects::Planned) { remaining } else { self.settings.step_s }
+        if self.is_instant(remaining - needed) { remaining } else { needed }
+    }
+
+    /// Longest step that the planned effects need, s: motion in closed form in which no event can come needs none, but
+    /// is stopped now and then for those who watch it.
+    fn longest_step(&self) -> f64 {
+        let is = |free: fn(&Mode) -> bool| self.modes.iter().all(free);
+        if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
+            f64::INFINITY
+        } else if !self.world.may_collide_at_all() && is(|mode| matches!(mode, Mode::Fixed | Mode::Flight(_))) {
+            self.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * self.world.scene.output_interval_s())
+        } else {
+            self.settings.step_s
+        }
     }
 
     /// Where a step must end at the latest, s: at the end of the run, or where a force is not smooth in time.

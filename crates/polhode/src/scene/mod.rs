@@ -117,7 +117,15 @@ impl Scene {
 
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
-        (0..self.bodies.len()).any(|b| (0..b).any(|a| self.may_collide(a, b)))
+        self.colliding_pairs().next().is_some()
+    }
+
+    /// The pairs of bodies that may collide, ascending.
+    pub fn colliding_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let shaped: Vec<usize> = (0..self.bodies.len()).filter(|&body| self.bodies[body].geometry.is_some()).collect();
+        let count = shaped.len();
+        let pairs = (0..count).flat_map(move |i| (i + 1..count).map(move |j| (i, j)));
+        pairs.map(move |(i, j)| (shaped[i], shaped[j])).filter(|&(a, b)| self.may_collide(a, b))
     }
 
     /// Whether two bodies may collide: not both immovable, both with a shape, and not in one `no_contact` group.
