@@ -5,8 +5,10 @@
 //! outside). Orientation is judged component by component: a component of negative volume inside another is a void.
 
 use crate::nesting::inverted_components;
-use crate::topology::{EdgeKind, EdgeUse, Topology, names_vertex_twice};
+use crate::repair::Repair;
+use crate::topology::{EdgeKind, EdgeUse, Topology, names_vertex_twice, smallest_first};
 use crate::triangle_mesh::{COORDINATE_ROUNDING, TriangleMesh};
+use crate::weld::equal_positions;
 use glam::DVec3;
 use std::fmt;
 
@@ -24,6 +26,8 @@ pub enum DefectKind {
     Inverted,
     /// A triangle without area: it names a vertex twice, or its corners lie on a line to rounding. Harmless.
     DegenerateTriangle,
+    /// A triangle with the corners of an earlier one in the same direction: it makes edges of more than two triangles.
+    DuplicateTriangle,
     /// A vertex that no triangle uses. Harmless.
     UnusedVertex,
     /// A vertex at exactly the position of an earlier one. Harmless in itself, and often the reason for open edges.
@@ -56,6 +60,13 @@ pub enum Location {
     },
     /// A vertex.
     Vertex(u32),
+    /// A triangle and the earlier one that it repeats.
+    TrianglePair {
+        /// The triangle.
+        triangle: u32,
+        /// The earlier one.
+        earlier: u32,
+    },
     /// A vertex and the earlier one that it repeats.
     VertexPair {
         /// The vertex.
@@ -118,8 +129,16 @@ pub fn diagnose(mesh: &TriangleMesh) -> Diagnosis {
             tally.add(DefectKind::DegenerateTriangle, triangle, Location::Triangle(triangle));
         }
     }
+    duplicate_triangles(mesh, &mut tally);
     vertex_defects(mesh, &mut tally);
     tally.into_diagnosis()
+}
+
+impl Defect {
+    /// The repair that is offered for it.
+    pub const fn repair(&self) -> Option<Repair> {
+        self.kind.repair()
+    }
 }
 
 impl Diagnosis {
@@ -140,6 +159,20 @@ impl DefectKind {
         matches!(self, Self::OpenEdge | Self::NonManifoldEdge | Self::InconsistentWinding | Self::Inverted)
     }
 
+    /// The repair that is offered: what may mend it, though [`repair`](crate::repair::repair) may find that it cannot.
+    /// Open edges of a mesh with duplicate vertices are first of all a matter of welding.
+    pub const fn repair(self) -> Option<Repair> {
+        match self {
+            Self::OpenEdge => Some(Repair::FillHoles),
+            Self::NonManifoldEdge => None,
+            Self::InconsistentWinding | Self::Inverted => Some(Repair::Flip),
+            Self::DegenerateTriangle => Some(Repair::DropDegenerate),
+            Self::DuplicateTriangle => Some(Repair::DropDuplicates),
+            Self::UnusedVertex => Some(Repair::DropUnused),
+            Self::DuplicateVertex => Some(Repair::Weld),
+        }
+    }
+
     /// A name for files and programs.
     pub const fn name(self) -> &'static str {
         match self {
@@ -148,6 +181,7 @@ impl DefectKind {
             Self::InconsistentWinding => "inconsistent_winding",
             Self::Inverted => "inverted",
             Self::DegenerateTriangle => "degenerate_triangle",
+            Self::DuplicateTriangle => "duplicate_triangle",
             Self::UnusedVertex => "unused_vertex",
             Self::DuplicateVertex => "duplicate_vertex",
         }
@@ -161,6 +195,7 @@ impl DefectKind {
             Self::InconsistentWinding => ("edge with inconsistent winding", "edges with inconsistent winding"),
             Self::Inverted => ("inverted component", "inverted components"),
             Self::DegenerateTriangle => ("degenerate triangle", "degenerate triangles"),
+            Self::DuplicateTriangle => ("duplicate triangle", "duplicate triangles"),
             Self::UnusedVertex => ("unused vertex", "unused vertices"),
             Self::DuplicateVertex => ("duplicate vertex", "duplicate vertices"),
         }
@@ -180,6 +215,9 @@ impl fmt::Display for Location {
             Self::Triangle(triangle) => write!(f, "triangle {triangle}"),
             Self::Component { first_triangle, triangles, volume } => {
                 write!(f, "the component of triangle {first_triangle} ({triangles} triangles, volume {volume} m^3)")
+            }
+            Self::TrianglePair { triangle, earlier } => {
+                write!(f, "triangle {triangle}, which repeats triangle {earlier}")
             }
             Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
             Self::VertexPair { vertex, earlier } => write!(f, "vertex {vertex}, which repeats vertex {earlier}"),
@@ -225,7 +263,7 @@ fn edge_location(edge: EdgeUse) -> Location {
 }
 
 /// Whether the height of a triangle over its longest edge is no more than rounding of its coordinates can make.
-fn has_no_area(corners: [DVec3; 3]) -> bool {
+pub(crate) fn has_no_area(corners: [DVec3; 3]) -> bool {
     let [a, b, c] = corners;
     let largest_coordinate = a.abs().max(b.abs()).max(c.abs()).max_element();
     if largest_coordinate == 0.0 {
@@ -235,6 +273,19 @@ fn has_no_area(corners: [DVec3; 3]) -> bool {
     let [a, b, c] = corners.map(|p| p / largest_coordinate);
     let longest = (b - a).length().max((c - b).length()).max((a - c).length());
     (b - a).cross(c - a).length() <= COORDINATE_ROUNDING * longest
+}
+
+/// Triangles that repeat an earlier one.
+fn duplicate_triangles(mesh: &TriangleMesh, tally: &mut Tally) {
+    let mut order: Vec<([u32; 3], u32)> =
+        mesh.triangles().iter().zip(0u32..).map(|(&corners, triangle)| (smallest_first(corners), triangle)).collect();
+    order.sort_unstable();
+    for group in order.chunk_by(|a, b| a.0 == b.0).filter(|group| !names_vertex_twice(group[0].0)) {
+        let earlier = group[0].1;
+        for &(_, triangle) in &group[1..] {
+            tally.add(DefectKind::DuplicateTriangle, triangle, Location::TrianglePair { triangle, earlier });
+        }
+    }
 }
 
 /// Unused and duplicate vertices.
@@ -247,16 +298,7 @@ fn vertex_defects(mesh: &TriangleMesh, tally: &mut Tally) {
     for (vertex, _) in (0u32..).zip(&is_used).filter(|&(_, &used)| !used) {
         tally.add(DefectKind::UnusedVertex, vertex, Location::Vertex(vertex));
     }
-    // Adding zero turns -0.0 into 0.0, which is the same position.
-    let position = |vertex: u32| (vertices[vertex as usize] + 0.0).to_array();
-    let mut order: Vec<u32> = (0u32..).zip(vertices).map(|(vertex, _)| vertex).collect();
-    order.sort_unstable_by(|&i, &j| {
-        let (p, q) = (position(i), position(j));
-        p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(p[2].total_cmp(&q[2])).then(i.cmp(&j))
-    });
-    for group in order.chunk_by(|&i, &j| position(i) == position(j)) {
-        for &vertex in &group[1..] {
-            tally.add(DefectKind::DuplicateVertex, vertex, Location::VertexPair { vertex, earlier: group[0] });
-        }
+    for (vertex, &earlier) in (0u32..).zip(&equal_positions(vertices)).filter(|&(vertex, &first)| vertex != first) {
+        tally.add(DefectKind::DuplicateVertex, vertex, Location::VertexPair { vertex, earlier });
     }
 }

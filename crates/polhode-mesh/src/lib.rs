@@ -1,4 +1,4 @@
-//! Triangle meshes: a reader, a diagnosis that says what is wrong and where, and exact mass properties.
+//! Triangle meshes: readers and writers, a diagnosis that says what is wrong and where, and exact mass properties.
 //!
 //! The mass properties of a mesh are exact: a solid of uniform density bounded by triangles has polynomial integrals,
 //! which are summed here with errors of a few units in the last place, also for a mesh that is not convex, has voids,
@@ -8,8 +8,11 @@
 //! | module | holds |
 //! |---|---|
 //! | [`triangle_mesh`] | [`TriangleMesh`]: vertices and triangles that are known to be readable; [`MeshError`] |
-//! | [`obj`] | [`obj::read`]: Wavefront OBJ in f64, errors with line and token |
-//! | [`diagnosis`] | [`diagnose`]: open edges, wrong winding, inside out, ... each with count and place |
+//! | [`mod@format`] | [`MeshFormat`]: which format a file is in; reading and writing any of them |
+//! | [`obj`], [`stl`], [`off`], [`ply`] | the formats, in f64, errors with line or byte and the value: [`ReadError`] |
+//! | [`diagnosis`] | [`diagnose`]: open edges, wrong winding, inside out, ... each with count, place and repair |
+//! | [`mod@repair`] | [`repair()`]: weld, flip, fill holes, drop what is degenerate, with a report |
+//! | [`mod@weld`] | [`weld()`]: merges vertices within a tolerance |
 //! | [`solid_mesh`] | [`SolidMesh`]: a mesh that is known to bound a solid |
 //! | [`volume_integrals`] | volume, centroid and second moment of a solid |
 //! | [`surface_integrals`] | area, centroid and second moment of a surface |
@@ -30,23 +33,37 @@
 
 pub mod convexity;
 pub mod diagnosis;
+pub mod format;
 pub mod mass_properties;
 pub mod obj;
+pub mod off;
+pub mod ply;
 pub mod primitives;
+pub mod read_error;
+pub mod repair;
 pub mod solid_mesh;
+pub mod stl;
 pub mod surface_integrals;
 pub mod triangle_mesh;
 pub mod volume_integrals;
+pub mod weld;
 
+mod decimal;
+mod mesh_builder;
 mod nesting;
+mod polygon;
 mod topology;
+mod words;
 
 pub use convexity::{Convexity, convexity};
 pub use diagnosis::{Defect, DefectKind, Diagnosis, Location, diagnose};
+pub use format::{Encoding, MeshFormat, WriteError};
 pub use mass_properties::{Amount, hollow_mass_properties, solid_mass_properties};
-pub use obj::{ObjError, ObjErrorKind};
 pub use primitives::{PrimitiveError, box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere};
+pub use read_error::{Place, ReadError, ReadErrorKind};
+pub use repair::{Repair, RepairOptions, RepairReport, RepairStep, repair};
 pub use solid_mesh::SolidMesh;
 pub use surface_integrals::SurfaceIntegrals;
 pub use triangle_mesh::{Bounds, MeshError, TriangleMesh};
 pub use volume_integrals::VolumeIntegrals;
+pub use weld::{Welded, weld};

@@ -67,6 +67,22 @@ pub(crate) fn inverted_components(mesh: &TriangleMesh, topology: &Topology) -> V
         .collect()
 }
 
+/// The closed components to be turned round so that none is inverted: judged by how many others lie around each, in
+/// whatever direction those run now.
+pub(crate) fn misdirected_components<'a>(mesh: &TriangleMesh, topology: &'a Topology) -> Vec<&'a Component> {
+    let closed = topology.components.iter().filter(|component| component.is_closed);
+    let shells: Vec<Shell<'_>> = closed.filter_map(|component| Shell::of(mesh, component)).collect();
+    let mut misdirected = Vec::new();
+    for (index, holders) in holders(&shells) {
+        let shell = &shells[index];
+        let around = holders.iter().filter(|&&holder| winding_around(mesh, shell, &[holder]) != 0).count();
+        if (shell.volume > 0.0) != around.is_multiple_of(2) {
+            misdirected.push(shell.component);
+        }
+    }
+    misdirected
+}
+
 impl<'a> Shell<'a> {
     /// None for a component that is flat to rounding (or overflows): it has no inside and cannot face the wrong way.
     fn of(mesh: &TriangleMesh, component: &'a Component) -> Option<Self> {
@@ -85,25 +101,32 @@ fn corners<'a>(mesh: &'a TriangleMesh, component: &'a Component) -> impl Iterato
     component.triangles.iter().map(|&triangle| mesh.corners(mesh.triangles()[triangle as usize]))
 }
 
-/// Which shells are inverted. One sweep along x finds for each the others whose bounding boxes hold its own: only they
-/// can wind around it.
+/// Which shells are inverted.
 fn inverted(mesh: &TriangleMesh, shells: &[Shell<'_>]) -> Vec<bool> {
+    let mut result = vec![false; shells.len()];
+    for (index, holders) in holders(shells) {
+        let shell = &shells[index];
+        let winding = winding_around(mesh, shell, &holders);
+        result[index] = if shell.volume > 0.0 { winding != 0 } else { winding != 1 };
+    }
+    result
+}
+
+/// For each shell the others whose bounding boxes hold its own, found in one sweep along x: only they can wind around it.
+fn holders<'s, 'a>(shells: &'s [Shell<'a>]) -> Vec<(usize, Vec<&'s Shell<'a>>)> {
     let mut order: Vec<usize> = (0..shells.len()).collect();
     // Where two begin together, the one that ends later comes first, so that it is open when the other is met.
     order.sort_by(|&i, &j| {
         let (a, b) = (&shells[i].bounds, &shells[j].bounds);
         a.min.x.total_cmp(&b.min.x).then(b.max.x.total_cmp(&a.max.x)).then(i.cmp(&j))
     });
-    let mut result = vec![false; shells.len()];
+    let mut result = Vec::with_capacity(shells.len());
     let mut open: Vec<usize> = Vec::new();
     for &index in &order {
         let shell = &shells[index];
         open.retain(|&other| shells[other].bounds.max.x >= shell.bounds.min.x);
         let holds = |other: &Bounds| other.contains(shell.bounds.min) && other.contains(shell.bounds.max);
-        let holders: Vec<&Shell<'_>> =
-            open.iter().map(|&other| &shells[other]).filter(|other| holds(&other.bounds)).collect();
-        let winding = winding_around(mesh, shell, &holders);
-        result[index] = if shell.volume > 0.0 { winding != 0 } else { winding != 1 };
+        result.push((index, open.iter().map(|&other| &shells[other]).filter(|other| holds(&other.bounds)).collect()));
         open.push(index);
     }
     result

@@ -89,6 +89,17 @@ pub(crate) fn names_vertex_twice([a, b, c]: [u32; 3]) -> bool {
     a == b || b == c || c == a
 }
 
+/// The same triangle, in the same direction, beginning with its smallest index.
+pub(crate) fn smallest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
+    if a <= b && a <= c {
+        [a, b, c]
+    } else if b <= c {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
+
 fn edges(uses: &[EdgeUse]) -> impl Iterator<Item = &[EdgeUse]> {
     uses.chunk_by(|first, second| (first.low, first.high) == (second.low, second.high))
 }

@@ -76,6 +76,12 @@ pub enum MeshError {
     /// A factor that is not positive and finite.
     #[error("a mesh can be scaled by a positive, finite factor only, found {0}")]
     Factor(f64),
+    /// A distance within which vertices are merged that is negative, NaN or infinite.
+    #[error("vertices are merged within a distance that is finite and at least 0 m, found {0} m")]
+    Tolerance(f64),
+    /// A largest hole that is no fraction.
+    #[error("the largest hole to fill is a fraction of the mesh's diagonal from 0 to 1, found {0}")]
+    HoleSize(f64),
     /// The surface does not part space into inside and outside, or is inside out.
     #[error("the mesh bounds no solid: {} (indices count from 0)", list(.0))]
     NotSolid(Vec<Defect>),

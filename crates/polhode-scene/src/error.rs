@@ -4,7 +4,7 @@ use crate::document::{KeyPath, Step};
 use polhode::SceneError;
 use polhode::contact::ShapeError;
 use polhode::dynamics::field::FieldError;
-use polhode::mesh::{MeshError, ObjError, PrimitiveError};
+use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -252,19 +252,19 @@ pub enum MeshFileError {
         /// The largest size accepted, bytes.
         limit: u64,
     },
-    /// The ending of the name says another format.
-    #[error("{}: the ending of a mesh file must be .obj", path.display())]
-    Ending {
+    /// Neither the ending of the name nor the content is that of a format.
+    #[error("{}: this is no mesh file: accepted are {}, by the ending of the name or by content", path.display(), MeshFormat::LIST)]
+    Format {
         /// The file.
         path: PathBuf,
     },
-    /// The content is not an OBJ file.
+    /// The content is not that of the format.
     #[error("{}: {source}", path.display())]
     Content {
         /// The file.
         path: PathBuf,
-        /// What is wrong, with its line.
-        source: ObjError,
+        /// What is wrong, with its line or byte.
+        source: ReadError,
     },
 }
 

@@ -11,7 +11,7 @@
 //! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events as CSV |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
 //! | [`report`] | reports and plans as JSON |
-//! | [`mesh_file`], [`mesh_report`] | meshes from OBJ files; diagnosis and mass properties |
+//! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
 //!
 //! ```

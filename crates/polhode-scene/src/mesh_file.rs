@@ -1,7 +1,7 @@
 //! Mesh files.
 
 use crate::error::MeshFileError;
-use polhode::mesh::{TriangleMesh, obj};
+use polhode::mesh::{MeshFormat, TriangleMesh, format};
 use std::path::{Path, PathBuf};
 
 /// Largest mesh file read, bytes: some ten million triangles, beyond which a text file is the wrong way.
@@ -23,18 +23,18 @@ impl MeshFolder {
     }
 }
 
-/// Reads a triangle mesh from a Wavefront OBJ file; lengths in m.
+/// Reads a triangle mesh from an OBJ, STL, OFF or PLY file; lengths in m. The ending of its name says the format, and
+/// where it says none the content does.
 ///
 /// # Errors
-/// When the file cannot be read, is too large, is not named `.obj`, or its content is refused.
+/// When the file cannot be read, is too large, is in no known format, or its content is refused.
 pub fn read_mesh(path: &Path) -> Result<TriangleMesh, MeshFileError> {
-    let is_obj = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("obj"));
-    if !is_obj {
-        return Err(MeshFileError::Ending { path: path.to_owned() });
-    }
     let bytes = crate::read::bounded(path, LARGEST_MESH_FILE).map_err(|fault| match fault {
         crate::read::Fault::Io(source) => MeshFileError::Read { path: path.to_owned(), source },
         crate::read::Fault::TooLarge => MeshFileError::TooLarge { path: path.to_owned(), limit: LARGEST_MESH_FILE },
     })?;
-    obj::read(&bytes).map_err(|source| MeshFileError::Content { path: path.to_owned(), source })
+    let format = MeshFormat::of_path(path)
+        .or_else(|| MeshFormat::of_content(&bytes))
+        .ok_or_else(|| MeshFileError::Format { path: path.to_owned() })?;
+    format::read(&bytes, format).map_err(|source| MeshFileError::Content { path: path.to_owned(), source })
 }

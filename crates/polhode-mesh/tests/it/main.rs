@@ -1,4 +1,4 @@
-//! What polhode-mesh promises: exact mass properties, a diagnosis that is right, a reader that never fails silently.
+//! What polhode-mesh promises: exact mass properties, a diagnosis that is right, readers that never fail silently.
 
 #![allow(
     clippy::unwrap_used,
@@ -6,12 +6,16 @@
     reason = "a test that cannot go on fails; reference values are copied digit by digit"
 )]
 
+mod bad_files;
 mod convexity;
 mod diagnosis;
 mod exact_values;
+mod formats;
 mod invariance;
 mod obj;
 mod obj_errors;
+mod polygons;
 mod primitives;
 mod real_meshes;
+mod repair;
 mod shapes;

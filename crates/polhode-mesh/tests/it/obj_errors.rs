@@ -1,11 +1,11 @@
 //! The OBJ reader refuses what it cannot read, with the line and the word.
 
-use polhode_mesh::{ObjError, ObjErrorKind, obj};
+use polhode_mesh::{Place, ReadError, ReadErrorKind, obj};
 use proptest::prelude::*;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-fn error(text: impl AsRef<[u8]>) -> ObjError {
+fn error(text: impl AsRef<[u8]>) -> ReadError {
     obj::read(text.as_ref()).unwrap_err()
 }
 
@@ -52,12 +52,12 @@ fn corners_of_no_form() {
         "\u{e9}",
     ] {
         let found = error(format!("{SQUARE}f 1 2 {corner}\n"));
-        assert_eq!(found, ObjError { line: 5, kind: ObjErrorKind::BadCorner(corner.into()) });
+        assert_eq!(found, ReadError { place: Place::Line(5), kind: ReadErrorKind::BadCorner(corner.into()) });
     }
     for corner in ["5000000000", "9223372036854775807", "-9223372036854775808"] {
         let found = error(format!("{SQUARE}f 1 2 {corner}\n"));
         assert!(
-            matches!(found.kind, ObjErrorKind::NoSuchVertex { .. } | ObjErrorKind::NoEarlierVertex { .. }),
+            matches!(found.kind, ReadErrorKind::NoSuchVertex { .. } | ReadErrorKind::NoEarlierVertex { .. }),
             "{found}"
         );
     }
@@ -67,13 +67,16 @@ fn corners_of_no_form() {
 #[test]
 fn the_first_dangling_corner_is_reported() {
     let found = error("f 2 3 4\nf 1 2 5\nf 1 2 9\nf 1 7 3\nv 0 0 0\nv 0 0 1\nv 0 1 0\nv 1 0 0\n");
-    assert_eq!(found, ObjError { line: 2, kind: ObjErrorKind::NoSuchVertex { token: "5".into(), vertices: 4 } });
+    assert_eq!(
+        found,
+        ReadError { place: Place::Line(2), kind: ReadErrorKind::NoSuchVertex { token: "5".into(), vertices: 4 } }
+    );
 }
 
 #[test]
 fn a_file_without_faces_is_empty() {
-    assert_eq!(error(""), ObjError { line: 1, kind: ObjErrorKind::Empty { vertices: 0 } });
-    assert_eq!(error("# nothing\n\n"), ObjError { line: 3, kind: ObjErrorKind::Empty { vertices: 0 } });
+    assert_eq!(error(""), ReadError { place: Place::Line(1), kind: ReadErrorKind::Empty { vertices: 0 } });
+    assert_eq!(error("# nothing\n\n"), ReadError { place: Place::Line(3), kind: ReadErrorKind::Empty { vertices: 0 } });
     assert_eq!(error(SQUARE).to_string(), "line 5: the file has no faces (4 vertices)");
 }
 
@@ -93,7 +96,7 @@ proptest! {
     #[test]
     fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         if let Err(error) = obj::read(&bytes) {
-            prop_assert!(error.line >= 1 && error.line <= bytes.len() + 1);
+            prop_assert!(matches!(error.place, Place::Line(line) if line >= 1 && line <= bytes.len() + 1));
             prop_assert!(error.to_string().len() < 400);
         }
     }
@@ -112,6 +115,6 @@ proptest! {
     #[test]
     fn the_first_bad_line_decides(tail in "[ -~\n]{0,200}") {
         let text = format!("{SQUARE}v 0 0 bad\n{tail}");
-        prop_assert_eq!(error(text), ObjError { line: 5, kind: ObjErrorKind::BadNumber("bad".into()) });
+        prop_assert_eq!(error(text), ReadError { place: Place::Line(5), kind: ReadErrorKind::BadNumber("bad".into()) });
     }
 }

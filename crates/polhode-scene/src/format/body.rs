@@ -55,9 +55,9 @@ pub enum ShapeEntry {
     /// Points that touch by themselves: corners without faces. Mass and inertia must be given; the centre of mass is
     /// the origin.
     Points(PointsEntry),
-    /// A convex solid from an OBJ file.
+    /// A convex solid from a mesh file.
     Convex(FileEntry),
-    /// Any closed solid from an OBJ file. It collides when it is convex.
+    /// Any closed solid from a mesh file. It collides when it is convex.
     Mesh(FileEntry),
 }
 
@@ -99,7 +99,7 @@ pub struct PointsEntry {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FileEntry {
-    /// OBJ file, relative to the scene file; lengths in m.
+    /// OBJ, STL, OFF or PLY file, relative to the scene file; lengths in m.
     pub file: String,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::scene;
 use polhode::Geometry;
+use polhode::mesh::{Encoding, MeshFormat, format};
 use polhode::spatial::{DMat3, DVec3, MassProperties};
 use polhode_scene::load;
 
@@ -78,6 +79,19 @@ fn meshes() {
         let body = load(&format!("shape.{shape}.file = \"meshes/t.obj\""));
         assert!((body.mass_properties().unwrap().mass() - 1.0 / 6.0).abs() < 1e-15);
         assert!(matches!(body.shape(), Some(Geometry::Shape(_))), "{shape}");
+    }
+    // The same in every format, by the ending of its name or by its content.
+    let mesh = format::read_any(tetrahedron.as_bytes()).unwrap();
+    for (name, format, encoding) in [
+        ("t.STL", MeshFormat::Stl, Encoding::Binary),
+        ("t.off", MeshFormat::Off, Encoding::Text),
+        ("t.ply", MeshFormat::Ply, Encoding::Binary),
+        ("t", MeshFormat::Stl, Encoding::Text),
+        ("t.mesh", MeshFormat::Ply, Encoding::Text),
+    ] {
+        std::fs::write(meshes.join(name), format::write(&mesh, format, encoding).unwrap()).unwrap();
+        let body = load(&format!("shape.mesh.file = \"meshes/{name}\""));
+        assert_eq!(body.mass_properties(), load("shape.mesh.file = \"meshes/t.obj\"").mass_properties(), "{name}");
     }
     // Hollow: the area of the tetrahedron, 3/2 + sqrt(3)/2.
     let hollow = load("hollow = true\nshape.convex.file = \"meshes/t.obj\"");

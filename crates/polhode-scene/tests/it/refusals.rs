@@ -288,6 +288,9 @@ fn meshes() {
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     write("garbage.obj", "v 0 0 zero\n");
+    write("flat.step", "ISO-10303-21;\n");
+    write("cut.stl", &format!("{:80}\u{7}\0\0\0broken", "solid"));
+    write("cut.off", "OFF\n8 12 0\n0 0 0");
     write("l.obj", include_str!("../../../../fixtures/meshes/l-shape.obj"));
     let load_shape = |shape: &str| {
         write("scene.toml", &brick("shape", shape));
@@ -299,7 +302,9 @@ fn meshes() {
     for (shape, message) in [
         ("shape.mesh.file = \"flat.obj\"", "open edges"),
         ("shape.mesh.file = \"garbage.obj\"", "line 1: 'zero' is not a number"),
-        ("shape.mesh.file = \"mesh.stl\"", "must be .obj"),
+        ("shape.mesh.file = \"flat.step\"", "this is no mesh file: accepted are OBJ, STL, OFF, PLY"),
+        ("shape.mesh.file = \"cut.stl\"", "byte 90: the file ends after 0 of 7 triangles"),
+        ("shape.mesh.file = \"cut.off\"", "line 3: the file ends after 1 of 8 vertices"),
         ("shape.convex.file = \"l.obj\"", "not convex"),
     ] {
         let error = load_shape(shape);

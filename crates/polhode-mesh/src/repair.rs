@@ -1,0 +1,252 @@
+//! Repair: the safe mends of what [`diagnose`] finds, each reported with its count.
+//!
+//! In this order, each only where the mesh has the defect that it mends:
+//!
+//! | repair | what it does | what it leaves |
+//! |---|---|---|
+//! | [`Weld`](Repair::Weld) | merges vertices within a tolerance | a mesh that welding would not bring nearer to closed |
+//! | [`DropDuplicates`](Repair::DropDuplicates) | drops repeated triangles | opposite ones: walls without thickness |
+//! | [`DropDegenerate`](Repair::DropDegenerate) | drops triangles that name a vertex twice, swaps those on a line with a neighbour | those on a line without a neighbour to swap with: harmless |
+//! | [`Flip`](Repair::Flip) | makes neighbours run the same way round, then parts face outward and voids inward | surfaces with one side only |
+//! | [`FillHoles`](Repair::FillHoles) | closes holes up to a size by the triangulation of least area | larger ones, those of a tangled rim, and sheets |
+//! | [`DropUnused`](Repair::DropUnused) | drops vertices that no triangle uses | |
+//!
+//! A mesh that bounds a solid keeps its triangles, for only the harmless defects are mended then and welding is for
+//! open edges alone. No vertex moves. Not looked for are surfaces that cross themselves, so a filled hole may be where a
+//! modeller meant an opening: the volume before and after says what it did.
+
+mod degenerate;
+mod holes;
+mod orientation;
+
+use crate::diagnosis::{DefectKind, Diagnosis, diagnose};
+use crate::solid_mesh::SolidMesh;
+use crate::triangle_mesh::{MeshError, TriangleMesh};
+use crate::weld::weld;
+use std::fmt;
+
+/// A mend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Repair {
+    /// Merge vertices at the same place.
+    Weld,
+    /// Drop triangles that repeat an earlier one.
+    DropDuplicates,
+    /// Drop triangles without area, or swap their longest edge.
+    DropDegenerate,
+    /// Turn triangles round.
+    Flip,
+    /// Close holes.
+    FillHoles,
+    /// Drop vertices that no triangle uses.
+    DropUnused,
+}
+
+/// How far repair goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RepairOptions {
+    /// Vertices within this distance are merged, m; from 0 (equal positions alone, the default) to a small part of the
+    /// smallest feature.
+    pub weld_tolerance: f64,
+    /// Largest hole that is filled: the diagonal of the box around its rim, as a fraction of the mesh's. From 0 (none)
+    /// to 1 (any); the default of 0.25 fills the openings of scans and not the end of an open tube.
+    pub largest_hole: f64,
+}
+
+impl Default for RepairOptions {
+    fn default() -> Self {
+        Self { weld_tolerance: 0.0, largest_hole: 0.25 }
+    }
+}
+
+/// What one repair did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RepairStep {
+    /// Which.
+    pub repair: Repair,
+    /// Vertices merged or dropped, triangles dropped, swapped or turned, holes filled.
+    pub count: usize,
+    /// Triangles added less triangles dropped.
+    pub triangles: isize,
+}
+
+/// What repair did and what is left.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepairReport {
+    /// The repairs that changed something, in order.
+    pub steps: Vec<RepairStep>,
+    /// The defects before.
+    pub before: Diagnosis,
+    /// The defects left; those that [prevent](DefectKind::prevents_solid) a solid could not be mended.
+    pub after: Diagnosis,
+    /// Volume before, m^3, when the mesh bounded a solid.
+    pub volume_before: Option<f64>,
+    /// Volume after, m^3, when it does now.
+    pub volume_after: Option<f64>,
+}
+
+impl Repair {
+    /// A name for files and programs.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Weld => "weld",
+            Self::DropDuplicates => "drop_duplicates",
+            Self::DropDegenerate => "drop_degenerate",
+            Self::Flip => "flip",
+            Self::FillHoles => "fill_holes",
+            Self::DropUnused => "drop_unused",
+        }
+    }
+
+    /// What was done how often, in a sentence.
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Weld => "vertices merged with earlier ones",
+            Self::DropDuplicates => "repeated triangles dropped",
+            Self::DropDegenerate => "degenerate triangles dropped or swapped",
+            Self::Flip => "triangles turned round",
+            Self::FillHoles => "holes filled",
+            Self::DropUnused => "unused vertices dropped",
+        }
+    }
+}
+
+impl fmt::Display for Repair {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for RepairStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {} {}", self.repair, self.count, self.repair.words())?;
+        match self.triangles {
+            0 => Ok(()),
+            added @ 1.. => write!(f, " ({added} triangles added)"),
+            dropped => write!(f, " ({} triangles fewer)", dropped.unsigned_abs()),
+        }
+    }
+}
+
+/// Mends what can be mended safely.
+///
+/// ```
+/// use polhode_mesh::{Repair, RepairOptions, SolidMesh, box_mesh, repair};
+/// use polhode_spatial::DVec3;
+/// let cube = box_mesh(DVec3::ONE)?.into_mesh();
+/// let (mended, report) = repair(&cube.flipped(), &RepairOptions::default())?;
+/// assert_eq!((report.steps[0].repair, report.steps[0].count), (Repair::Flip, 12));
+/// assert!(report.after.is_solid());
+/// assert!((SolidMesh::new(mended)?.volume_integrals().volume - 1.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`MeshError::Tolerance`] and [`MeshError::HoleSize`] for options out of their range; [`MeshError::Empty`] when nothing
+/// but degenerate triangles was there.
+pub fn repair(mesh: &TriangleMesh, options: &RepairOptions) -> Result<(TriangleMesh, RepairReport), MeshError> {
+    if !(0.0..=1.0).contains(&options.largest_hole) {
+        return Err(MeshError::HoleSize(options.largest_hole));
+    }
+    let before = diagnose(mesh);
+    let mut bench = Bench { mesh: mesh.clone(), diagnosis: before.clone(), steps: Vec::new() };
+    let welded = weld(mesh, options.weld_tolerance)?;
+    if welded.merged > 0 {
+        bench.weld(welded.mesh, welded.merged);
+    }
+    if bench.has(DefectKind::DuplicateTriangle) {
+        let (mesh, count) = degenerate::without_duplicates(&bench.mesh)?;
+        bench.step(Repair::DropDuplicates, mesh, count);
+    }
+    if bench.has(DefectKind::DegenerateTriangle) {
+        let (mesh, count) = degenerate::without_degenerate(&bench.mesh)?;
+        bench.step(Repair::DropDegenerate, mesh, count);
+    }
+    bench.flip_and_fill(options)?;
+    if bench.has(DefectKind::UnusedVertex) {
+        let (mesh, count) = without_unused(&bench.mesh)?;
+        bench.step(Repair::DropUnused, mesh, count);
+    }
+    let volume = |mesh: &TriangleMesh| SolidMesh::new(mesh.clone()).ok().map(|solid| solid.volume_integrals().volume);
+    let (volume_before, volume_after) = (volume(mesh), volume(&bench.mesh));
+    let report = RepairReport { steps: bench.steps, before, after: bench.diagnosis, volume_before, volume_after };
+    Ok((bench.mesh, report))
+}
+
+/// The mesh being mended, and what was done to it.
+struct Bench {
+    mesh: TriangleMesh,
+    diagnosis: Diagnosis,
+    steps: Vec<RepairStep>,
+}
+
+impl Bench {
+    fn has(&self, kind: DefectKind) -> bool {
+        self.diagnosis.get(kind).is_some()
+    }
+
+    /// Takes over the result of a repair that changed `count` things.
+    fn step(&mut self, repair: Repair, mesh: TriangleMesh, count: usize) {
+        if count == 0 {
+            return;
+        }
+        let triangles = mesh.triangles().len() as isize - self.mesh.triangles().len() as isize;
+        self.diagnosis = diagnose(&mesh);
+        self.mesh = mesh;
+        match self.steps.iter_mut().find(|step| step.repair == repair) {
+            Some(step) => {
+                step.count += count;
+                step.triangles += triangles;
+            }
+            None => self.steps.push(RepairStep { repair, count, triangles }),
+        }
+    }
+
+    /// Takes over a welded mesh when it is nearer to a solid: fewer edges that are not those of two triangles in opposite
+    /// directions.
+    fn weld(&mut self, welded: TriangleMesh, merged: usize) {
+        let faults = |diagnosis: &Diagnosis| -> usize {
+            let kinds = [DefectKind::OpenEdge, DefectKind::NonManifoldEdge, DefectKind::InconsistentWinding];
+            kinds.iter().filter_map(|&kind| diagnosis.get(kind)).map(|defect| defect.count).sum()
+        };
+        if faults(&diagnose(&welded)) < faults(&self.diagnosis) {
+            self.step(Repair::Weld, welded, merged);
+        }
+    }
+
+    fn flip_and_fill(&mut self, options: &RepairOptions) -> Result<(), MeshError> {
+        if self.has(DefectKind::InconsistentWinding) {
+            let (mesh, count) = orientation::consistent(&self.mesh)?;
+            self.step(Repair::Flip, mesh, count);
+        }
+        if self.has(DefectKind::OpenEdge) {
+            let (mesh, count) = holes::filled(&self.mesh, options.largest_hole)?;
+            self.step(Repair::FillHoles, mesh, count);
+        }
+        if self.has(DefectKind::Inverted) {
+            let (mesh, count) = orientation::outward(&self.mesh)?;
+            self.step(Repair::Flip, mesh, count);
+        }
+        Ok(())
+    }
+}
+
+/// The mesh without vertices that no triangle uses, and how many there were.
+fn without_unused(mesh: &TriangleMesh) -> Result<(TriangleMesh, usize), MeshError> {
+    let mut new_index = vec![None; mesh.vertices().len()];
+    for &index in mesh.triangles().iter().flatten() {
+        new_index[index as usize] = Some(0);
+    }
+    let mut vertices = Vec::new();
+    for (slot, &position) in new_index.iter_mut().zip(mesh.vertices()) {
+        if let Some(index) = slot {
+            *index = vertices.len() as u32;
+            vertices.push(position);
+        }
+    }
+    let count = mesh.vertices().len() - vertices.len();
+    let triangles =
+        mesh.triangles().iter().map(|t| t.map(|index| new_index[index as usize].unwrap_or_default())).collect();
+    Ok((TriangleMesh::new(vertices, triangles)?, count))
+}
