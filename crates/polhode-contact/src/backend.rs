@@ -1,11 +1,14 @@
-//! The one module that names parry3d: convex hulls and the bounding-volume hierarchy.
+//! The one module that names parry3d: convex hulls, the bounding-volume hierarchy and approximate decomposition.
 
 use crate::Aabb;
 use glam::DVec3;
 use parry3d::bounding_volume::Aabb as ParryAabb;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use parry3d::transformation::try_convex_hull;
+use parry3d::transformation::vhacd::{VHACD, VHACDParameters};
+use parry3d::transformation::voxelization::FillMode;
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Outward triangles of the convex hull, as indices of the given points; or the library's reason for failing.
 pub(crate) fn convex_hull(points: &[DVec3]) -> Result<Vec<[u32; 3]>, String> {
@@ -21,6 +24,33 @@ pub(crate) fn convex_hull(points: &[DVec3]) -> Result<Vec<[u32; 3]>, String> {
         *vertex = *index_of.get(&key(*point)).ok_or("a vertex is none of the points")?;
     }
     Ok(triangles)
+}
+
+/// What V-HACD is asked for.
+pub(crate) struct ClusterSettings {
+    pub(crate) concavity: f64,
+    pub(crate) resolution: u32,
+    pub(crate) max_parts: u32,
+}
+
+/// Clusters of points of a closed surface of size one about the origin: the hull of each is a part of an approximate
+/// convex decomposition. None when the library fails, which it is known to do by panicking.
+pub(crate) fn convex_clusters(
+    points: &[DVec3],
+    triangles: &[[u32; 3]],
+    settings: &ClusterSettings,
+) -> Option<Vec<Vec<DVec3>>> {
+    let parameters = VHACDParameters {
+        concavity: settings.concavity,
+        resolution: settings.resolution,
+        max_convex_hulls: settings.max_parts,
+        // The detection of cavities hollows out solids that have none (measured: half the volume of an L-shape).
+        fill_mode: FillMode::FloodFill { detect_cavities: false },
+        ..VHACDParameters::default()
+    };
+    let decompose =
+        || VHACD::decompose(&parameters, points, triangles, true).compute_primitive_intersections(points, triangles);
+    catch_unwind(AssertUnwindSafe(decompose)).ok()
 }
 
 /// A tree of bounding boxes whose leaves are numbered from zero.

@@ -20,6 +20,7 @@
 //! | [`time_of_impact()`](time_of_impact::time_of_impact) | first time at which two moving shapes close |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`broad_phase`] | [`BroadPhase`], [`Bvh`]: which pairs may touch |
+//! | [`mod@approximate_decomposition`] | [`approximate_decomposition()`]: few convex parts that nearly fill a solid |
 //! | [`aabb`] | [`Aabb`], [`swept_aabb`]: bounds of a moving shape |
 //!
 //! ```
@@ -34,6 +35,7 @@
 //! ```
 
 pub mod aabb;
+pub mod approximate_decomposition;
 mod backend;
 pub mod broad_phase;
 pub mod clearance;
@@ -57,6 +59,9 @@ pub mod time_of_impact;
 mod topology;
 
 pub use aabb::{Aabb, AabbError, swept_aabb};
+pub use approximate_decomposition::{
+    ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,
+};
 pub use broad_phase::{BroadPhase, BroadPhaseError, Bvh};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
 pub use evaluate::{evaluate, kinematics};

@@ -19,6 +19,11 @@
 //! | [`mass_properties`] | [`solid_mass_properties`], [`hollow_mass_properties`] from an [`Amount`] |
 //! | [`primitives`] | box and sphere, solid and hollow, in closed form; a box as a mesh |
 //! | [`mod@convexity`] | [`convexity()`]: how far a solid is from convex |
+//! | [`convex_solid`] | [`ConvexSolid`]: a solid known to be convex, and the half-space test |
+//! | [`convex_hull`] | [`ConvexHull`] of points, exact for their coordinates |
+//! | [`decomposition`] | [`convex_decomposition`]: convex parts that fill a solid exactly |
+//! | [`point_location`] | [`PointLocator`]: inside, on the surface or outside, exactly |
+//! | [`mod@winding_number`] | [`winding_number()`]: the generalised one, also of open surfaces |
 //!
 //! ```
 //! use polhode_mesh::{SolidMesh, obj, solid_mass_properties};
@@ -31,13 +36,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod convex_hull;
+pub mod convex_solid;
 pub mod convexity;
+pub mod decomposition;
 pub mod diagnosis;
 pub mod format;
 pub mod mass_properties;
 pub mod obj;
 pub mod off;
 pub mod ply;
+pub mod point_location;
 pub mod primitives;
 pub mod read_error;
 pub mod repair;
@@ -47,18 +56,25 @@ pub mod surface_integrals;
 pub mod triangle_mesh;
 pub mod volume_integrals;
 pub mod weld;
+pub mod winding_number;
 
 mod decimal;
 mod mesh_builder;
 mod nesting;
 mod polygon;
+mod predicates;
 mod topology;
+mod triangle_tree;
 mod words;
 
+pub use convex_hull::{ConvexHull, HullError};
+pub use convex_solid::{ConvexSolid, NotConvexError};
 pub use convexity::{Convexity, convexity};
+pub use decomposition::{Decomposition, DecompositionError, DecompositionSettings, convex_decomposition};
 pub use diagnosis::{Defect, DefectKind, Diagnosis, Location, diagnose};
 pub use format::{Encoding, MeshFormat, WriteError};
 pub use mass_properties::{Amount, hollow_mass_properties, solid_mass_properties};
+pub use point_location::{PointLocation, PointLocator};
 pub use primitives::{PrimitiveError, box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere};
 pub use read_error::{Place, ReadError, ReadErrorKind};
 pub use repair::{Repair, RepairOptions, RepairReport, RepairStep, repair};
@@ -67,3 +83,4 @@ pub use surface_integrals::SurfaceIntegrals;
 pub use triangle_mesh::{Bounds, MeshError, TriangleMesh};
 pub use volume_integrals::VolumeIntegrals;
 pub use weld::{Welded, weld};
+pub use winding_number::winding_number;

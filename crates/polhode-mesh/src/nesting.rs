@@ -159,7 +159,7 @@ fn winding_around(mesh: &TriangleMesh, shell: &Shell<'_>, others: &[&Shell<'_>])
 
 /// Signed solid angle of a triangle seen from `point`, sr; positive when it is seen from behind, that is from inside;
 /// 0 from within `touch` (m) of its plane.
-fn solid_angle(corners: [DVec3; 3], point: DVec3, touch: f64) -> f64 {
+pub(crate) fn solid_angle(corners: [DVec3; 3], point: DVec3, touch: f64) -> f64 {
     let [a, b, c] = corners.map(|p| p - point);
     let cross = (b - a).cross(c - a);
     let six_volume = a.dot(cross);

@@ -73,7 +73,7 @@ fn solid_rows(context: &Context, case: &str, solid: &SolidMesh, offset: DVec3) -
 }
 
 /// The prism over the outline of an L, one metre high, as one mesh.
-fn l_prism(offset: DVec3) -> Result<SolidMesh, Box<dyn Error>> {
+pub(super) fn l_prism(offset: DVec3) -> Result<SolidMesh, Box<dyn Error>> {
     const OUTLINE: [[f64; 2]; 6] = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
     /// The outline's triangles, anticlockwise from above.
     const CAP: [[u32; 3]; 4] = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];

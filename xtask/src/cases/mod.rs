@@ -6,6 +6,7 @@
 
 mod bodies;
 mod convergence;
+mod decomposition;
 mod diamonds;
 mod effects;
 mod exact_drift;
@@ -121,6 +122,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "MP-02", rows: mass_properties::mp_02 },
     Case { name: "MP-04", rows: mass_properties::mp_04 },
     Case { name: "MP-05", rows: mass_properties::mp_05 },
+    Case { name: "mesh decomposition", rows: decomposition::convex_parts },
     Case { name: "FR-01", rows: free_rotation::fr_01 },
     Case { name: "FR-02", rows: free_rotation::fr_02 },
     Case { name: "FR-03", rows: polhode_times::fr_03 },

@@ -1,5 +1,6 @@
 //! Integration tests of polhode-contact: one binary.
 
+mod approximate_decomposition;
 mod broad_phase;
 mod derivatives;
 mod face_contacts;

@@ -7,13 +7,16 @@
 )]
 
 mod bad_files;
+mod convex_hull;
 mod convexity;
+mod decomposition;
 mod diagnosis;
 mod exact_values;
 mod formats;
 mod invariance;
 mod obj;
 mod obj_errors;
+mod point_location;
 mod polygons;
 mod primitives;
 mod real_meshes;

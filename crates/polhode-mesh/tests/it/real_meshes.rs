@@ -13,7 +13,7 @@ use polhode_spatial::DVec3;
 use std::path::PathBuf;
 
 /// A mesh from the data folder, if there is one.
-fn real_mesh(name: &str) -> Option<TriangleMesh> {
+pub(crate) fn real_mesh(name: &str) -> Option<TriangleMesh> {
     let Some(folder) = std::env::var_os("POLHODE_DATA") else {
         eprintln!("POLHODE_DATA is not set: {name} is not checked");
         return None;
