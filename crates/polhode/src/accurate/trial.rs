@@ -179,11 +179,11 @@ impl Engine {
             spin.pose(t).rotation == state.pose.rotation && spin.start().angular_momentum == state.angular_momentum
         };
         if let Some(spin) = self.spins.get(&body).filter(|spin| leads_here(spin)) {
-            return Some(spin.clone());
+            return Some(*spin);
         }
         let rigid = self.world.bodies[body].rigid.as_ref()?;
         let spin = Flight::new(rigid, t, &state, DVec3::ZERO);
-        self.spins.insert(body, spin.clone());
+        self.spins.insert(body, spin);
         Some(spin)
     }
 
