@@ -89,6 +89,18 @@ impl From<polhode::spatial::MassPropertiesError> for Failure {
     }
 }
 
+impl From<polhode::mesh::MeshError> for Failure {
+    fn from(failure: polhode::mesh::MeshError) -> Self {
+        Self::Usage(error(&failure))
+    }
+}
+
+impl From<polhode::mesh::MonteCarloError> for Failure {
+    fn from(failure: polhode::mesh::MonteCarloError) -> Self {
+        Self::Usage(error(&failure))
+    }
+}
+
 impl From<io::Error> for Failure {
     /// An error of writing to stdout.
     fn from(failure: io::Error) -> Self {

@@ -17,7 +17,10 @@
 //! | [`volume_integrals`] | volume, centroid and second moment of a solid |
 //! | [`surface_integrals`] | area, centroid and second moment of a surface |
 //! | [`mass_properties`] | [`solid_mass_properties`], [`hollow_mass_properties`] from an [`Amount`] |
-//! | [`primitives`] | box and sphere, solid and hollow, in closed form; a box as a mesh |
+//! | [`primitives`] | box, sphere, ellipsoid, cylinder, cone, capsule, torus, half-ball: solid and hollow in closed form, and as meshes |
+//! | [`frames`] | meshes about their centre of mass, along their principal axes |
+//! | [`monte_carlo`] | [`MonteCarlo`]: seeded estimates with standard errors, to set beside the exact values |
+//! | [`reference_point`] | what the thesis's choices of a reference point cost in accuracy |
 //! | [`mod@convexity`] | [`convexity()`]: how far a solid is from convex |
 //! | [`convex_solid`] | [`ConvexSolid`]: a solid known to be convex, and the half-space test |
 //! | [`convex_hull`] | [`ConvexHull`] of points, exact for their coordinates |
@@ -42,13 +45,16 @@ pub mod convexity;
 pub mod decomposition;
 pub mod diagnosis;
 pub mod format;
+pub mod frames;
 pub mod mass_properties;
+pub mod monte_carlo;
 pub mod obj;
 pub mod off;
 pub mod ply;
 pub mod point_location;
 pub mod primitives;
 pub mod read_error;
+pub mod reference_point;
 pub mod repair;
 pub mod solid_mesh;
 pub mod stl;
@@ -60,9 +66,11 @@ pub mod winding_number;
 
 mod decimal;
 mod mesh_builder;
+mod moment_sums;
 mod nesting;
 mod polygon;
 mod predicates;
+mod random;
 mod topology;
 mod triangle_tree;
 mod words;
@@ -73,10 +81,19 @@ pub use convexity::{Convexity, convexity};
 pub use decomposition::{Decomposition, DecompositionError, DecompositionSettings, convex_decomposition};
 pub use diagnosis::{Defect, DefectKind, Diagnosis, Location, diagnose};
 pub use format::{Encoding, MeshFormat, WriteError};
+pub use frames::{in_principal_axes, recentered};
 pub use mass_properties::{Amount, hollow_mass_properties, solid_mass_properties};
+pub use monte_carlo::{Estimate, MonteCarlo, MonteCarloError, MonteCarloEstimate};
 pub use point_location::{PointLocation, PointLocator};
-pub use primitives::{PrimitiveError, box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere};
+pub use primitives::{
+    Capsule, Cone, Cuboid, Cylinder, Ellipsoid, HalfBall, Primitive, PrimitiveError, Refinement, Sphere, Torus,
+    box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere,
+};
 pub use read_error::{Place, ReadError, ReadErrorKind};
+pub use reference_point::{
+    ReferencePoint, ReferencePointCost, compare_reference_points, compare_reference_points_hollow,
+    plain_volume_integrals,
+};
 pub use repair::{Repair, RepairOptions, RepairReport, RepairStep, repair};
 pub use solid_mesh::SolidMesh;
 pub use surface_integrals::SurfaceIntegrals;

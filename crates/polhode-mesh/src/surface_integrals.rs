@@ -8,13 +8,11 @@
 //! int r r^T dA = A / 12 (s s^T + b b^T + c c^T + d d^T)                       m^4
 //! ```
 //!
-//! As for volumes, the first pass goes about the middle of the bounding box, the second about the centroid, and the
-//! sums are compensated. The surface need not be closed, and the winding of its triangles does not matter.
+//! As for volumes, the sums are compensated and about a point near the centroid. The surface need not be closed, and the winding of its triangles does not matter.
 
+use crate::moment_sums::{CentralMoments, Simplex};
 use crate::triangle_mesh::TriangleMesh;
-use crate::volume_integrals::{SymmetricSum, VectorSum};
 use glam::{DMat3, DVec3};
-use polhode_spatial::CompensatedSum;
 
 /// Integrals over a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,26 +28,13 @@ pub struct SurfaceIntegrals {
 impl SurfaceIntegrals {
     /// Of the triangles of `mesh`.
     pub fn of(mesh: &TriangleMesh) -> Self {
-        let reference = mesh.bounds().center();
-        let (mut area, mut first) = (CompensatedSum::ZERO, VectorSum::default());
-        for corners in mesh.corner_positions() {
-            let [b, c, d] = corners.map(|p| p - reference);
-            let weight = triangle_area([b, c, d]);
-            area.add(weight);
-            first.add(weight * (b + c + d));
-        }
-        let area = area.value();
-        let local_centroid = first.value() / (3.0 * area);
-        let mut second = SymmetricSum::default();
-        for corners in mesh.corner_positions() {
-            let corners = corners.map(|p| (p - reference) - local_centroid);
-            second.add_simplex(triangle_area(corners), corners);
-        }
-        Self { area, centroid: reference + local_centroid, second_moment: second.value() * (1.0 / 12.0) }
+        let CentralMoments { measure, centroid, second_moment } = CentralMoments::of(mesh, Simplex::TRIANGLE);
+        Self { area: measure, centroid, second_moment }
     }
 }
 
 /// Area of a triangle, m^2.
+#[inline]
 pub(crate) fn triangle_area([b, c, d]: [DVec3; 3]) -> f64 {
     0.5 * (c - b).cross(d - b).length()
 }

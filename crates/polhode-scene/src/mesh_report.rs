@@ -3,7 +3,7 @@
 use crate::report::triple;
 use glam::DMat3;
 use polhode::mesh::{
-    Amount, Diagnosis, MeshError, SolidMesh, SurfaceIntegrals, TriangleMesh, diagnose, hollow_mass_properties,
+    Amount, Diagnosis, MeshError, Repair, SolidMesh, SurfaceIntegrals, TriangleMesh, diagnose, hollow_mass_properties,
     solid_mass_properties,
 };
 use polhode::spatial::MassProperties;
@@ -65,6 +65,7 @@ impl MeshReport {
                     "kind": defect.kind.name(),
                     "count": defect.count,
                     "where": defect.location.to_string(),
+                    "repair": defect.repair().map(Repair::name),
                 })
             })
             .collect();

@@ -6,6 +6,7 @@
 
 mod bodies;
 mod convergence;
+mod curved_bodies;
 mod decomposition;
 mod diamonds;
 mod effects;
@@ -18,12 +19,14 @@ mod invariances;
 mod ledger;
 mod long_runs;
 mod mass_properties;
+mod mesh_program;
 mod motion;
 mod numerical_loss;
 mod peers;
 mod pi_machine;
 mod polhode_times;
 mod published_rotations;
+mod random_solids;
 mod reductions;
 mod resting_contact;
 mod run;
@@ -120,9 +123,20 @@ pub(crate) fn guarded(case: &str, rows: impl FnOnce() -> CaseResult) -> Vec<Row>
 pub(crate) const ALL: &[Case] = &[
     Case { name: "MP-01", rows: mass_properties::mp_01 },
     Case { name: "MP-02", rows: mass_properties::mp_02 },
+    Case { name: "MP-03", rows: mass_properties::mp_03 },
     Case { name: "MP-04", rows: mass_properties::mp_04 },
     Case { name: "MP-05", rows: mass_properties::mp_05 },
+    Case { name: "MP-06", rows: mass_properties::mp_06 },
+    Case { name: "MP-07", rows: curved_bodies::mp_07 },
+    Case { name: "MP-08", rows: curved_bodies::mp_08 },
+    Case { name: "MP-09", rows: curved_bodies::mp_09 },
+    Case { name: "MP-10", rows: curved_bodies::mp_10 },
+    Case { name: "MP-11", rows: curved_bodies::mp_11 },
+    Case { name: "MP-12", rows: mass_properties::mp_12 },
+    Case { name: "meshes of primitives", rows: curved_bodies::orders },
     Case { name: "mesh decomposition", rows: decomposition::convex_parts },
+    Case { name: "moved meshes", rows: random_solids::moved },
+    Case { name: "random solids", rows: random_solids::laws },
     Case { name: "FR-01", rows: free_rotation::fr_01 },
     Case { name: "FR-02", rows: free_rotation::fr_02 },
     Case { name: "FR-03", rows: polhode_times::fr_03 },

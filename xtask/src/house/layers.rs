@@ -41,6 +41,9 @@ const LAYERS: &[Layer] = &[
 /// Libraries that exactly one crate may name.
 const SINGLE_USER: [(&str, &str); 2] = [("parry3d", "polhode-contact"), ("clarabel", "polhode-response")];
 
+/// Libraries that a further crate may name for its benches and tests alone, to be held against.
+const DEVELOPMENT_USER: [(&str, &str); 1] = [("parry3d", "polhode-mesh")];
+
 /// Every dependency between crates of the workspace that is not an arrow of the layers.
 pub(super) fn check(root: &Path) -> Vec<Violation> {
     match metadata(root) {
@@ -70,7 +73,9 @@ fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
             }
             let known_as = dependency.rename.as_deref().unwrap_or(used);
             for (library, user) in SINGLE_USER {
-                if known_as == library && name != user {
+                let for_development = dependency.kind == cargo_metadata::DependencyKind::Development
+                    && DEVELOPMENT_USER.contains(&(library, name.as_str()));
+                if known_as == library && name != user && !for_development {
                     violations
                         .push(Violation::in_file(&place, format!("must not depend on {library}: only {user} may")));
                 }

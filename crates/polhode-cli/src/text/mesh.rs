@@ -1,6 +1,7 @@
 //! A mesh.
 
 use super::table::{Table, number, vector};
+use polhode::mesh::RepairReport;
 use polhode_scene::MeshReport;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -35,7 +36,23 @@ pub(crate) fn mesh(file: &Path, report: &MeshReport) -> String {
     }
     for defect in &report.diagnosis.defects {
         let harm = if defect.kind.prevents_solid() { "prevents a solid" } else { "harmless" };
-        let _ = writeln!(page, "  {defect} ({harm})");
+        let offer = defect.repair().map(|repair| format!("; --repair offers {repair}")).unwrap_or_default();
+        let _ = writeln!(page, "  {defect} ({harm}{offer})");
+    }
+    page
+}
+
+/// What a repair did.
+pub(crate) fn repairs(report: &RepairReport) -> String {
+    let mut page = "\nrepairs\n".to_owned();
+    if report.steps.is_empty() {
+        page.push_str("  none was needed or safe\n");
+    }
+    for step in &report.steps {
+        let _ = writeln!(page, "  {step}");
+    }
+    if let (Some(before), Some(after)) = (report.volume_before, report.volume_after) {
+        let _ = writeln!(page, "  volume {} m^3 before, {} m^3 after", number(before), number(after));
     }
     page
 }

@@ -4,15 +4,17 @@
 //! |---|---|
 //! | `table` | columns of equal width, numbers in few digits |
 //! | `report` | plan, accelerations and report of a run |
-//! | `mesh` | a mesh |
+//! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
 
 mod comparison;
 mod mesh;
+mod mesh_studies;
 mod report;
 mod table;
 
 pub(crate) use comparison::comparison;
-pub(crate) use mesh::mesh;
+pub(crate) use mesh::{mesh, repairs};
+pub(crate) use mesh_studies::{monte_carlo, reference_points};
 pub(crate) use report::{accelerations, plan, report};
 pub(crate) use table::{Table, number};

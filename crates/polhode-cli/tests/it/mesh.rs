@@ -64,3 +64,112 @@ fn mistakes() {
     }
     place.expect(3, &["mesh", "missing.obj"]);
 }
+
+/// What the choices of a reference point cost: nothing at home; far away (case MP-05) the origin ruins the inertia and
+/// the centre of mass does not.
+#[test]
+fn reference_points() {
+    let place = Place::new();
+    let text = std::fs::read_to_string(fixture("meshes/l-shape.obj")).unwrap();
+    let far: String = text
+        .lines()
+        .map(|line| match line.strip_prefix("v ") {
+            Some(numbers) => {
+                let v: Vec<f64> = numbers.split_whitespace().map(|x| x.parse().unwrap()).collect();
+                format!("v {} {} {}\n", v[0] + 1e6, v[1] - 2e6, v[2] + 3e6)
+            }
+            None => format!("{line}\n"),
+        })
+        .collect();
+    place.write("far.obj", &far);
+    let costs = place.expect(0, &["mesh", "far.obj", "--compare-reference-points", "--json"]).json();
+    let costs = costs["reference_points"].as_array().unwrap().clone();
+    let errors: Vec<f64> = costs.iter().map(|cost| cost["second_moment_error"].as_f64().unwrap()).collect();
+    assert!(errors[0] > 100.0 && errors[1] < 1e-13 && errors[2] < 1e-13, "{errors:?}");
+    let text = place.expect(0, &["mesh", "far.obj", "--compare-reference-points", "--hollow"]).stdout;
+    assert!(text.contains("average of the vertices") && text.contains("area"), "{text}");
+}
+
+/// The estimate repeats for a seed, differs for another, and states an error that its deviation bears out.
+#[test]
+fn monte_carlo() {
+    let place = Place::new();
+    let file = fixture("meshes/l-shape.obj");
+    let run = |seed: &str| {
+        let json = place.expect(0, &["mesh", &file, "--monte-carlo", "10000", "--seed", seed, "--json"]).json();
+        let volume = &json["monte_carlo"]["volume_m3"];
+        (volume["value"].as_f64().unwrap(), volume["standard_error"].as_f64().unwrap())
+    };
+    let (value, error) = run("7");
+    assert_eq!(run("7"), (value, error));
+    assert_ne!(run("8").0, value);
+    assert!((value - 4.0).abs() < 5.0 * error && error < 0.05, "{value} {error}");
+    let text = place.expect(0, &["mesh", &file, "--monte-carlo", "1000"]).stdout;
+    assert!(text.contains("standard error") && text.contains("inertia xy"), "{text}");
+    place.expect(2, &["mesh", &file, "--monte-carlo", "1"]);
+    place.expect(2, &["mesh", &file, "--monte-carlo", "1000", "--hollow"]);
+}
+
+/// Moved, turned, scaled.
+#[test]
+fn frames() {
+    let place = Place::new();
+    let file = fixture("meshes/l-shape.obj");
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let centred = place.expect(0, &["mesh", &file, "--recentre", "--json"]).json();
+    assert!((0..3).all(|axis| number(&centred["center_of_mass_m"][axis]).abs() < 1e-15));
+    let turned = place.expect(0, &["mesh", &file, "--principal", "--json"]).json();
+    for axis in 0..3 {
+        let moment = number(&turned["principal_moments_kg_m2"][axis]);
+        assert!((number(&turned["inertia_kg_m2"][axis][axis]) - moment).abs() < 1e-14);
+        assert!((number(&centred["principal_moments_kg_m2"][axis]) - moment).abs() < 1e-14);
+    }
+    let scaled = place.expect(0, &["mesh", &file, "--scale", "2", "--json"]).json();
+    assert!((number(&scaled["inertia_kg_m2"][0][0]) / 32.0 - 41.0 / 12.0).abs() < 1e-13);
+    place.expect(2, &["mesh", &file, "--scale", "0"]);
+}
+
+/// A cube with a face missing is no solid until it is repaired; the mended mesh reads back from every format, bit by bit
+/// where the format holds doubles.
+#[test]
+fn repaired_and_written() {
+    let place = Place::new();
+    let corners: String = (0..8).map(|k| format!("v {} {} {}.1\n", k & 1, (k >> 1) & 1, k >> 2)).collect();
+    let faces = "f 1 3 4 2\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n";
+    place.write("cup.obj", &format!("{corners}{faces}"));
+    let text = place.expect(1, &["mesh", "cup.obj"]).stdout;
+    assert!(text.contains("--repair offers fill_holes"), "{text}");
+    assert!(place.expect(1, &["mesh", "cup.obj", "--repair"]).stdout.contains("none was needed or safe"));
+    let repair = ["mesh", "cup.obj", "--repair", "--largest-hole", "1", "--json"];
+    let json = place.expect(0, &repair).json();
+    assert_eq!(json["repairs"]["steps"][0]["repair"], "fill_holes");
+    for name in ["cube.obj", "cube.stl", "cube.off", "cube.ply"] {
+        place.expect(0, &[&repair[..], &["-o", name]].concat());
+        let again = place.expect(0, &["mesh", name, "--json"]).json();
+        assert_eq!((&again["volume_m3"], &again["defects"]), (&json["volume_m3"], &json["defects"]), "{name}");
+    }
+    for mistake in [&["-o", "cube.dae"][..], &["--largest-hole", "2"], &["--encoding", "binary", "-o", "cube.off"]] {
+        place.expect(2, &[&repair[..], mistake].concat());
+    }
+    place.expect(3, &[&repair[..], &["-o", "no-folder/cube.obj"]].concat());
+    place.expect(2, &["mesh", "cup.obj", "--largest-hole", "1"]);
+    assert!(!place.list().iter().any(|name| name.contains("tmp")), "{:?}", place.list());
+}
+
+/// The convex parts of the L-shape fill it exactly; few parts by V-HACD do nearly.
+#[test]
+fn convex_parts() {
+    let place = Place::new();
+    let file = fixture("meshes/l-shape.obj");
+    let json = place.expect(0, &["mesh", &file, "--decompose", "--json", "-o", "part.ply"]).json();
+    let parts = json["decomposition"]["parts"].as_array().unwrap();
+    assert_eq!((parts.len(), &json["decomposition"]["way"]), (2, &"exact".into()));
+    let volume = |name: &str| place.expect(0, &["mesh", name, "--json"]).json()["volume_m3"].as_f64().unwrap();
+    assert!((volume("part-1.ply") + volume("part-2.ply") - 4.0).abs() < 1e-14);
+    let json = place.expect(0, &["mesh", &file, "--approximate", "--json"]).json();
+    assert!(json["decomposition"]["volume_error"].as_f64().unwrap().abs() < 0.05);
+    let text = place.expect(0, &["mesh", &file, "--decompose"]).stdout;
+    assert!(text.contains("convex parts, exact") && text.contains("reflex edges"), "{text}");
+    place.expect(2, &["mesh", &file, "--decompose", "--approximate"]);
+    place.expect(2, &["mesh", &file, "--decompose", "--hollow"]);
+}

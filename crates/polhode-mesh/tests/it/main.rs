@@ -11,6 +11,7 @@ mod convex_hull;
 mod convexity;
 mod decomposition;
 mod diagnosis;
+mod estimates;
 mod exact_values;
 mod formats;
 mod invariance;
