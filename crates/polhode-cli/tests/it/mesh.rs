@@ -134,7 +134,7 @@ fn frames() {
 #[test]
 fn repaired_and_written() {
     let place = Place::new();
-    let corners: String = (0..8).map(|k| format!("v {} {} {}.1\n", k & 1, (k >> 1) & 1, k >> 2)).collect();
+    let corners = "v 0 0 0.1\nv 1 0 0.1\nv 0 1 0.1\nv 1 1 0.1\nv 0 0 1.1\nv 1 0 1.1\nv 0 1 1.1\nv 1 1 1.1\n";
     let faces = "f 1 3 4 2\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n";
     place.write("cup.obj", &format!("{corners}{faces}"));
     let text = place.expect(1, &["mesh", "cup.obj"]).stdout;

@@ -53,6 +53,27 @@ fn given_inertia() {
     assert_eq!(points.center_of_mass(), DVec3::ZERO);
 }
 
+/// The exact inertia of a ball put in for that of its mesh, as the thesis advises for curved bodies (3.2): the mesh of an
+/// icosahedron falls short by a third, and mass, centre and shape stay those that are asked for.
+#[test]
+fn given_inertia_of_a_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let ball = polhode::mesh::Sphere::new(2.0).unwrap().mesh(polhode::mesh::Refinement::new(0).unwrap()).unwrap();
+    let bytes = format::write(ball.mesh(), MeshFormat::Obj, Encoding::Text).unwrap();
+    std::fs::write(folder.path().join("ball.obj"), bytes).unwrap();
+    let load = |lines: &str| {
+        let path = folder.path().join("scene.toml");
+        let text = format!("format = 1\n[[bodies]]\nname = \"a\"\nshape.convex.file = \"ball.obj\"\n{lines}\n");
+        std::fs::write(&path, text).unwrap();
+        *load(&path).unwrap_or_else(|error| panic!("{error}")).bodies()[0].mass_properties().unwrap()
+    };
+    let coarse = moments(&load("mass = 5")) / 8.0;
+    assert!((coarse - DVec3::splat(coarse.x)).abs().max_element() < 1e-14 && (0.6..0.75).contains(&coarse.x), "{coarse}");
+    let exact = load("mass = 5\ninertia = [8, 8, 8]");
+    assert_eq!((exact.mass(), moments(&exact)), (5.0, DVec3::splat(8.0)));
+    assert!(exact.center_of_mass().length() < 1e-15);
+}
+
 /// The L-shape (case MP-04) from its file, found beside the scene: exact mass and centre of mass; not convex, so it
 /// does not collide, while a convex mesh does.
 #[test]
