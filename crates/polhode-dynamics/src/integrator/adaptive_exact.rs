@@ -11,8 +11,9 @@
 //! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`].
 
 use super::dop853::{Tolerance, allowances};
-use super::drift_kick::{check, compose, within};
+use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
+use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator, blanes_moan};
 use crate::field::Wrench;
 use crate::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
@@ -217,12 +218,7 @@ impl Integrator for AdaptiveExact {
         t: f64,
         states: &mut [BodyState],
     ) -> Result<(), IntegrationError> {
-        within(self.from, self.t, t)?;
-        if states.len() != self.before.len() || states.len() != motion.bodies().len() {
-            return Err(IntegrationError::StateCount { states: states.len(), bodies: motion.bodies().len() });
-        }
-        if t == self.t {
-            states.copy_from_slice(&self.states);
+        if answered_at_end(motion, [self.from, self.t], &self.states, t, states)? {
             return Ok(());
         }
         if self.loaded && t != self.from {

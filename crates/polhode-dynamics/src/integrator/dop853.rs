@@ -17,7 +17,7 @@
 //! Steps end at the corners of signals. How it fails: another force that acts for a small part of a step (a pulse of a
 //! function of one's own, between two stages) can be missed; at a singularity the steps shrink until [`IntegrationError::StepTooSmall`].
 
-use super::drift_kick::within;
+use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
 use crate::free_motion::BufferedMotion;
 use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
@@ -294,12 +294,7 @@ impl Integrator for AdaptiveDop853 {
         t: f64,
         states: &mut [BodyState],
     ) -> Result<(), IntegrationError> {
-        within(self.from, self.t, t)?;
-        if states.len() != self.states.len() || states.len() != motion.bodies().len() {
-            return Err(IntegrationError::StateCount { states: states.len(), bodies: motion.bodies().len() });
-        }
-        if t == self.t {
-            states.copy_from_slice(&self.states);
+        if answered_at_end(motion, [self.from, self.t], &self.states, t, states)? {
             return Ok(());
         }
         let direction = (self.t - self.from).signum();

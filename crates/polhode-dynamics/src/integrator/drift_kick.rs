@@ -9,6 +9,7 @@
 //! Uniform gravity is in the drift of a free body, where it is exact, and in the kick of a pivoted one.
 
 use super::IntegrationError;
+use super::within_step::answered_at_end;
 use crate::field::{Dependence, Wrench};
 use crate::{BodyState, FreeMotion, RigidBody, exact_rotation};
 use glam::DVec3;
@@ -74,12 +75,7 @@ impl Stepper {
         stages: &Stages,
         states: &mut [BodyState],
     ) -> Result<(), IntegrationError> {
-        within(self.from, self.t, t)?;
-        if states.len() != self.before.len() || states.len() != motion.bodies().len() {
-            return Err(IntegrationError::StateCount { states: states.len(), bodies: motion.bodies().len() });
-        }
-        if t == self.t {
-            states.copy_from_slice(&self.states);
+        if answered_at_end(motion, [self.from, self.t], &self.states, t, states)? {
             return Ok(());
         }
         states.copy_from_slice(&self.before);
@@ -97,11 +93,6 @@ pub(super) fn check(motion: &FreeMotion<'_>, states: usize, method: &'static str
         return Err(IntegrationError::VelocityDependentField { method });
     }
     Ok(())
-}
-
-/// Whether `t` lies in the step, whose ends may be in either order.
-pub(super) fn within(from: f64, to: f64, t: f64) -> Result<(), IntegrationError> {
-    if (from.min(to)..=from.max(to)).contains(&t) { Ok(()) } else { Err(IntegrationError::OutsideStep { t, from, to }) }
 }
 
 /// Drifts and kicks in turn; the kick sees the time that the drifts before it have reached.

@@ -55,6 +55,7 @@ pub mod semi_implicit_euler;
 mod single_evaluation;
 mod split_step;
 pub mod splitting;
+mod within_step;
 
 pub use adaptive_exact::AdaptiveExact;
 pub use cf4::Cf4;

@@ -68,7 +68,10 @@ fn given_inertia_of_a_mesh() {
         *load(&path).unwrap_or_else(|error| panic!("{error}")).bodies()[0].mass_properties().unwrap()
     };
     let coarse = moments(&load("mass = 5")) / 8.0;
-    assert!((coarse - DVec3::splat(coarse.x)).abs().max_element() < 1e-14 && (0.6..0.75).contains(&coarse.x), "{coarse}");
+    assert!(
+        (coarse - DVec3::splat(coarse.x)).abs().max_element() < 1e-14 && (0.6..0.75).contains(&coarse.x),
+        "{coarse}"
+    );
     let exact = load("mass = 5\ninertia = [8, 8, 8]");
     assert_eq!((exact.mass(), moments(&exact)), (5.0, DVec3::splat(8.0)));
     assert!(exact.center_of_mass().length() < 1e-15);
