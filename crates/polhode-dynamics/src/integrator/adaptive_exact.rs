@@ -56,6 +56,8 @@ pub struct AdaptiveExact {
     proposed: u32,
     /// Steps that the last step was made of.
     inner: u32,
+    /// Error of the last step in units of what is allowed.
+    error: f64,
     /// How many of them lead to `cursor`, the states that were last looked at on the way: looking at one time after the
     /// other makes each of them once.
     passed: u32,
@@ -79,6 +81,7 @@ impl AdaptiveExact {
             flights: Vec::new(),
             proposed: 1,
             inner: 1,
+            error: 0.0,
             passed: 0,
             cursor: Vec::new(),
         }
@@ -110,7 +113,7 @@ impl AdaptiveExact {
                 return Err(IntegrationError::NotFinite { t });
             }
             if error <= 1.0 {
-                self.inner = 2 * n;
+                (self.inner, self.error) = (2 * n, error);
                 self.proposed = if error < HALVING_SHARE { (n / 2).max(1) } else { n };
                 return Ok(());
             }
@@ -172,7 +175,7 @@ impl Integrator for AdaptiveExact {
     }
 
     fn start(&mut self, motion: &FreeMotion<'_>, t: f64, states: &[BodyState]) {
-        (self.from, self.t, self.proposed, self.inner) = (t, t, 1, 1);
+        (self.from, self.t, self.proposed, self.inner, self.error) = (t, t, 1, 1, 0.0);
         self.passed = 0;
         for own in [&mut self.before, &mut self.states, &mut self.cursor] {
             own.clear();
@@ -210,6 +213,10 @@ impl Integrator for AdaptiveExact {
 
     fn states(&self) -> &[BodyState] {
         &self.states
+    }
+
+    fn step_error(&self) -> Option<f64> {
+        Some(self.error)
     }
 
     fn states_within(

@@ -92,6 +92,8 @@ pub struct AdaptiveDop853 {
     t: f64,
     states: Vec<BodyState>,
     flat: Vec<f64>,
+    /// Largest error of an inner step of the last step, in units of what is allowed.
+    error: f64,
     /// Length of the next inner step, s, without its sign; nothing before the first.
     proposed: Option<f64>,
     /// Inner steps of the last step: start, length, state at the start.
@@ -110,6 +112,7 @@ impl AdaptiveDop853 {
             t: 0.0,
             states: Vec::new(),
             flat: Vec::new(),
+            error: 0.0,
             proposed: None,
             inner: Vec::new(),
             dense: None,
@@ -189,6 +192,7 @@ impl AdaptiveDop853 {
             let error = self.error(motion);
             let factor = Dop853::next_step_factor(error);
             if error <= 1.0 {
+                self.error = self.error.max(error);
                 self.inner.push((t, direction * length, self.flat.clone()));
                 self.flat.copy_from_slice(self.method.end_state());
                 system.normalize(&mut self.flat);
@@ -267,6 +271,7 @@ impl Integrator for AdaptiveDop853 {
         self.flat.extend(self.states.iter().flat_map(BodyState::to_array));
         let kept = std::mem::take(&mut self.inner);
         self.method.restart();
+        self.error = 0.0;
         if end != t
             && let Err(error) = self.advance(motion, end)
         {
@@ -286,6 +291,10 @@ impl Integrator for AdaptiveDop853 {
 
     fn states(&self) -> &[BodyState] {
         &self.states
+    }
+
+    fn step_error(&self) -> Option<f64> {
+        Some(self.error)
     }
 
     fn states_within(

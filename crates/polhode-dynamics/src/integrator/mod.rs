@@ -99,6 +99,11 @@ pub trait Integrator: Debug + Send {
     /// States at [`Integrator::time`].
     fn states(&self) -> &[BodyState];
 
+    /// Estimated error of the last step in units of what the tolerance allows, of methods that control it.
+    fn step_error(&self) -> Option<f64> {
+        None
+    }
+
     /// Writes the states at `t` within the last step, to the method's own order: the method's own step of that length
     /// from the start of the last one, unless it has a cheaper interpolation of its order.
     ///

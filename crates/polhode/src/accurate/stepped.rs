@@ -73,6 +73,11 @@ impl Stepper {
         self.integrator.step(&motion, end - t)
     }
 
+    /// Estimated error of the last step in units of what is allowed; zero for methods that know none.
+    fn step_error(&self) -> f64 {
+        self.integrator.step_error().unwrap_or(0.0)
+    }
+
     /// States of the movable bodies within the last step.
     fn within(&mut self, world: &World, t: f64, states: &mut [BodyState]) -> Result<(), IntegrationError> {
         let motion = FreeMotion::new(world.free_motion().bodies(), world.gravity(), &self.fields);
@@ -231,6 +236,7 @@ impl Engine {
         let failed = |source| SimulationError::Integration { t: self.t, source };
         let marks = self.world.movable.iter().map(|body| bodies.binary_search(body).is_ok()).collect();
         self.stepper.step(&self.world, &self.states, marks, self.t, end).map_err(failed)?;
+        self.certificate.max_step_error = self.certificate.max_step_error.max(self.stepper.step_error());
         let colliding = || bodies.iter().copied().filter(|&body| self.world.bodies[body].shape.is_some());
         if colliding().next().is_none() || !self.world.may_collide_at_all() {
             return Ok(Some(SteppedTrial { dense: None }));

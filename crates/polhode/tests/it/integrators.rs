@@ -3,7 +3,7 @@
 use crate::checks::{assert_closes, by, heavy_brick, particle, try_run};
 use crate::support::{elastic, floor, run};
 use polhode::dynamics::integrator::Method as Integrator;
-use polhode::scene::{DragLaw, Force, Method, Orientation, RotationRate, Tier};
+use polhode::scene::{Attachment, DragLaw, Force, Method, Orientation, RotationRate, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{Body, BodySample, Effects, EventKind, Scene, SceneBuilder, SceneError};
 
@@ -229,5 +229,36 @@ fn thesis_takes_any_integrator() {
         let (report, recorder) = run(&landing, Effects::Planned);
         assert!(!recorder.events.is_empty());
         assert_closes(&report);
+    }
+}
+
+/// The plan chooses by the forces: closed form without any, splitting under error control for conservative ones that are
+/// weak over a step, DOP853 for stiff ones and for those that take energy; and the certificate says what the steps erred.
+#[test]
+fn plan_chooses_by_the_forces() {
+    let held = |force: Option<Force>| {
+        let scene = force.into_iter().fold(tumbling(), SceneBuilder::force).build().unwrap();
+        let simulation = polhode::Simulation::new(&scene, Effects::Planned).unwrap();
+        let plan = (simulation.plan().integrator, simulation.plan().integrator_reason.clone());
+        (plan, run(&scene, Effects::Planned).0.certificate.max_step_error)
+    };
+    let spring = |stiffness| Force::Spring {
+        a: Attachment::Body { body: 0, point: DVec3::ZERO },
+        b: Attachment::Body { body: 1, point: DVec3::X * 0.2 },
+        stiffness,
+        rest_length: 0.0,
+        damping: 0.0,
+    };
+    let drag = Force::Drag { body: 1, law: DragLaw::Linear, translational: 0.5, rotational: 0.1, wind: DVec3::ZERO };
+    let ((chosen, _), error) = held(None);
+    assert_eq!((chosen, error), (Integrator::Exact, 0.0));
+    for (force, expected, reason) in [
+        (spring(0.5), Integrator::ExactAdaptive, "conservative"),
+        (spring(5e4), Integrator::Dop853, "more than sixteen"),
+        (drag, Integrator::Dop853, "take or give energy"),
+    ] {
+        let ((chosen, why), error) = held(Some(force));
+        assert!(chosen == expected && why.contains(reason), "{chosen}: {why}");
+        assert!(error > 0.0 && error <= 1.0, "{chosen}: {error}");
     }
 }
