@@ -186,7 +186,7 @@ pub(crate) struct MeshRepairArgs {
     /// Mends what can be mended safely, and reports each mend
     #[arg(long)]
     pub(crate) repair: bool,
-    /// Distance within which vertices are merged by --repair, m
+    /// Distance within which vertices are merged by --repair, m (after --scale)
     #[arg(long, value_name = "M", default_value_t = 0.0, requires = "repair", allow_negative_numbers = true)]
     pub(crate) weld_tolerance: f64,
     /// Largest hole that --repair fills, as a fraction of the mesh's diagonal

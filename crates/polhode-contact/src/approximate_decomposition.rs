@@ -70,7 +70,7 @@ pub struct ApproximateDecomposition {
     pub flat_parts: usize,
 }
 
-/// Parts a solid into convex solids that nearly fill it.
+/// Parts a solid into convex solids that nearly fill it; one that is convex is its only part.
 ///
 /// ```
 /// use polhode_contact::{ApproximateSettings, approximate_decomposition};
@@ -97,6 +97,10 @@ pub fn approximate_decomposition(
     }
     if !(PARTS[0]..=PARTS[1]).contains(&max_parts) {
         return Err(ApproximateError::MaxParts(max_parts));
+    }
+    if let Ok(part) = ConvexSolid::new(solid.clone()) {
+        let volume = part.volume_integrals().volume;
+        return Ok(ApproximateDecomposition { parts: vec![part], volume, volume_error: 0.0, flat_parts: 0 });
     }
     let mesh = solid.mesh();
     let (center, size) = (mesh.bounds().center(), mesh.bounds().diagonal());

@@ -1,4 +1,5 @@
-//! Exact convex decomposition: a solid as convex parts that fill it and do not overlap.
+//! Exact convex decomposition: a solid as convex parts that fill it and, where its surface does not cross itself, do not
+//! overlap. Crossing is not looked for: of two boxes that overlap both are parts, and the volume is the sum.
 //!
 //! Binary space partitioning (thesis 2): while a piece has reflex edges (where its material turns through more than half
 //! a turn), a plane through one of them parts it; the piece on each side is treated in the same way (docs/REFERENCES.md,
@@ -90,7 +91,7 @@ pub struct Decomposition {
     /// Parts left out because they are flat to rounding.
     pub flat_parts: usize,
     /// Pieces that are not convex and that no plane could part, with their hulls among the parts: a surface that crosses
-    /// itself has some, and the volume error tells what they cost.
+    /// itself may have some, and the volume error tells what they cost.
     pub unresolved: usize,
 }
 
@@ -142,7 +143,7 @@ pub fn convex_decomposition(
             }
         }
         // Every piece that waits is one part at least.
-        if result.parts.len() + stack.len() > limit {
+        if result.parts.len() + result.flat_parts + stack.len() > limit {
             return Err(DecompositionError::TooManyParts { limit, reflex_edges: result.reflex_edges });
         }
     }

@@ -6,26 +6,30 @@
 //! sum w,    sum w s,    sum w (s s^T + b b^T + c c^T + d d^T) .
 //! ```
 //!
-//! With the edges `e = c - b`, `f = d - b` and `p = e + f`, `q = e - f` the last bracket is
-//! `4/3 s s^T + 1/6 p p^T + 1/2 q q^T`, and `s = 3 b + p`: fewer operations, and no products but of what is there.
+//! The last bracket is `g g^T + h h^T + k k^T` of the sums of two corners `g = b + c`, `h = b + d`, `k = c + d`: three
+//! products instead of four, none of which waits for the weight; and with the edges `e = c - b`, `f = d - b` it is
+//! `g = 2 b + e`, `h = 2 b + f`, `k = g + f`, `s = b + k`.
 //!
-//! The sums are plain within blocks of [`BLOCK`] triangles, four lanes side by side, and compensated over the blocks:
+//! The sums are plain within blocks of [`BLOCK`] triangles, two lanes side by side, and compensated over the blocks:
 //! their rounding errors do not grow with the size of the mesh, at nearly the cost of plain sums.
 
 use crate::{Bounds, TriangleMesh};
 use glam::{DMat3, DVec3};
 use polhode_spatial::CompensatedSum;
+use std::array::from_fn;
+use std::ops::{Add, Sub};
+use wide::f64x2;
 
-/// Triangles that are summed side by side, so that the compiler can use vector instructions. A fixed number, and each
-/// lane on its own: the bits do not depend on the instructions.
-const LANES: usize = 4;
+/// Triangles that are summed side by side: what the smallest vector registers hold. A fixed number, and each lane on its
+/// own: the bits do not depend on the instructions.
+const LANES: usize = 2;
 
-/// Triangles that are summed plainly, a sixteenth of that in each lane: the error of a plain sum of n terms is that of a
+/// Triangles that are summed plainly, half of them in each lane: the error of a plain sum of n terms is that of a
 /// random walk of n roundings, here four. Fewer would make the compensation cost more than the sums.
 const BLOCK: usize = 16 * LANES;
 
 /// Triangles that are looked at to find a point in the middle of the mesh.
-const SAMPLED: usize = 4096;
+const SAMPLED: usize = 1024;
 
 /// What a triangle counts for.
 #[derive(Debug, Clone, Copy)]
@@ -55,19 +59,26 @@ impl MomentSums {
     fn of(mesh: &TriangleMesh, reference: DVec3, weight: Weight) -> Self {
         // One copy of the loop for each weight.
         match weight {
-            Weight::Determinant => Self::over_blocks(mesh, reference, |b, n| b[0] * n[0] + b[1] * n[1] + b[2] * n[2]),
-            Weight::Area => Self::over_blocks(mesh, reference, |_, n| (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt()),
+            Weight::Determinant => Self::over_blocks(mesh, reference, Vectors::dot),
+            Weight::Area => Self::over_blocks(mesh, reference, |_, n| n.dot(n).sqrt()),
         }
     }
 
-    fn over_blocks(mesh: &TriangleMesh, reference: DVec3, weight: impl Fn([f64; 3], [f64; 3]) -> f64) -> Self {
+    fn over_blocks(mesh: &TriangleMesh, reference: DVec3, weight: impl Fn(Vectors, Vectors) -> f64x2) -> Self {
+        let origin = Vectors::new([reference; LANES]);
+        let vertices = mesh.vertices();
+        let corners = |triangle: [u32; 3]| triangle.map(|index| vertices[index as usize]);
         let mut total = [CompensatedSum::ZERO; 10];
-        let mut corners = Corners::default();
         for block in mesh.triangles().chunks(BLOCK) {
-            corners.gather(mesh.vertices(), block, reference);
             let mut sums = LaneSums::ZERO;
-            for group in 0..block.len().div_ceil(LANES) {
-                sums.add(&corners, group, reference, &weight);
+            let (pairs, last) = block.as_chunks::<LANES>();
+            for &[t, u] in pairs {
+                let (t, u) = (corners(t), corners(u));
+                sums.add(from_fn(|corner| Vectors::new([t[corner], u[corner]])), origin, &weight);
+            }
+            // An odd one out is paired with a triangle that has shrunk to the reference point and counts for nothing.
+            for &t in last {
+                sums.add(corners(t).map(|corner| Vectors::new([corner, reference])), origin, &weight);
             }
             for (total, sum) in total.iter_mut().zip(sums.over_lanes()) {
                 total.add(sum);
@@ -77,112 +88,89 @@ impl MomentSums {
         Self {
             weight: w,
             first: DVec3::new(fx, fy, fz),
-            diagonal: DVec3::new(dx, dy, dz) * (4.0 / 3.0),
-            off_diagonal: DVec3::new(ox, oy, oz) * (4.0 / 3.0),
+            diagonal: DVec3::new(dx, dy, dz),
+            off_diagonal: DVec3::new(ox, oy, oz),
         }
     }
 }
 
-/// Coordinates of the corners of a block of triangles: for each corner its x, y and z, each of all triangles in a row.
-/// Written one by one and read four at a time, which is faster than putting vectors together in registers.
-struct Corners([[[f64; BLOCK]; 3]; 3]);
-
-impl Default for Corners {
-    fn default() -> Self {
-        Self([[[0.0; BLOCK]; 3]; 3])
-    }
+/// A vector in each lane.
+#[derive(Clone, Copy)]
+struct Vectors {
+    x: f64x2,
+    y: f64x2,
+    z: f64x2,
 }
 
-impl Corners {
-    /// Reads a block of at most [`BLOCK`] triangles. The rest of the last group is filled with triangles that have
-    /// shrunk to the reference point and count for nothing.
-    fn gather(&mut self, vertices: &[DVec3], block: &[[u32; 3]], reference: DVec3) {
-        let mut set = |at: usize, corner: usize, v: DVec3| {
-            let [x, y, z] = &mut self.0[corner];
-            (x[at], y[at], z[at]) = (v.x, v.y, v.z);
-        };
-        for (at, triangle) in block.iter().enumerate() {
-            for (corner, &index) in triangle.iter().enumerate() {
-                set(at, corner, vertices[index as usize]);
-            }
-        }
-        for at in block.len()..block.len().next_multiple_of(LANES) {
-            for corner in 0..3 {
-                set(at, corner, reference);
-            }
-        }
-    }
-
-    /// Four numbers of coordinate `axis` of corner `corner`.
+impl Vectors {
     #[inline]
-    fn lanes(&self, corner: usize, axis: usize, group: usize) -> Lanes {
-        self.0[corner][axis].as_chunks::<LANES>().0[group]
+    fn new([v, w]: [DVec3; LANES]) -> Self {
+        Self { x: f64x2::new([v.x, w.x]), y: f64x2::new([v.y, w.y]), z: f64x2::new([v.z, w.z]) }
+    }
+
+    #[inline]
+    fn dot(self, v: Self) -> f64x2 {
+        self.x * v.x + self.y * v.y + self.z * v.z
+    }
+
+    #[inline]
+    fn cross(self, v: Self) -> Self {
+        Self { x: self.y * v.z - self.z * v.y, y: self.z * v.x - self.x * v.z, z: self.x * v.y - self.y * v.x }
     }
 }
 
-/// Numbers side by side.
-type Lanes = [f64; LANES];
+impl Add for Vectors {
+    type Output = Self;
 
-/// An expression for each lane.
-macro_rules! lanes {
-    ($i:ident => $value:expr) => {{
-        let mut result = [0.0; LANES];
-        for $i in 0..LANES {
-            result[$i] = $value;
-        }
-        result
-    }};
+    #[inline]
+    fn add(self, v: Self) -> Self {
+        Self { x: self.x + v.x, y: self.y + v.y, z: self.z + v.z }
+    }
 }
 
-/// Plain sums, in the order of [`MomentSums`], of second moments 3/4; each in four lanes.
-struct LaneSums([Lanes; 10]);
+impl Sub for Vectors {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, v: Self) -> Self {
+        Self { x: self.x - v.x, y: self.y - v.y, z: self.z - v.z }
+    }
+}
+
+/// Plain sums, in the order of [`MomentSums`]; each in two lanes.
+struct LaneSums([f64x2; 10]);
 
 impl LaneSums {
-    const ZERO: Self = Self([[0.0; LANES]; 10]);
+    const ZERO: Self = Self([f64x2::ZERO; 10]);
 
-    // Operators on vectors of lanes would read better and take four times as long.
+    /// Adds a triangle in each lane. Vectors of a library, because arrays of plain numbers are put into vector
+    /// registers by the compiler only when it reads them from memory, to which they would have to be copied first.
     #[inline]
-    fn add(&mut self, corners: &Corners, group: usize, reference: DVec3, weight: impl Fn([f64; 3], [f64; 3]) -> f64) {
-        let at = |corner: usize, axis: usize| corners.lanes(corner, axis, group);
-        let (ax, ay, az) = (at(0, 0), at(0, 1), at(0, 2));
-        let (cx, cy, cz) = (at(1, 0), at(1, 1), at(1, 2));
-        let (dx, dy, dz) = (at(2, 0), at(2, 1), at(2, 2));
-        let (ex, ey, ez) = (lanes!(i => cx[i] - ax[i]), lanes!(i => cy[i] - ay[i]), lanes!(i => cz[i] - az[i]));
-        let (fx, fy, fz) = (lanes!(i => dx[i] - ax[i]), lanes!(i => dy[i] - ay[i]), lanes!(i => dz[i] - az[i]));
-        let bx = lanes!(i => ax[i] - reference.x);
-        let by = lanes!(i => ay[i] - reference.y);
-        let bz = lanes!(i => az[i] - reference.z);
-        let nx = lanes!(i => ey[i] * fz[i] - ez[i] * fy[i]);
-        let ny = lanes!(i => ez[i] * fx[i] - ex[i] * fz[i]);
-        let nz = lanes!(i => ex[i] * fy[i] - ey[i] * fx[i]);
-        let w = lanes!(i => weight([bx[i], by[i], bz[i]], [nx[i], ny[i], nz[i]]));
-        let (px, py, pz) = (lanes!(i => ex[i] + fx[i]), lanes!(i => ey[i] + fy[i]), lanes!(i => ez[i] + fz[i]));
-        let (qx, qy, qz) = (lanes!(i => ex[i] - fx[i]), lanes!(i => ey[i] - fy[i]), lanes!(i => ez[i] - fz[i]));
-        let sx = lanes!(i => 3.0 * bx[i] + px[i]);
-        let sy = lanes!(i => 3.0 * by[i] + py[i]);
-        let sz = lanes!(i => 3.0 * bz[i] + pz[i]);
-        let (wsx, wsy, wsz) = (lanes!(i => w[i] * sx[i]), lanes!(i => w[i] * sy[i]), lanes!(i => w[i] * sz[i]));
-        let (wp, wq) = (lanes!(i => 0.125 * w[i]), lanes!(i => 0.375 * w[i]));
-        let (wpx, wpy, wpz) = (lanes!(i => wp[i] * px[i]), lanes!(i => wp[i] * py[i]), lanes!(i => wp[i] * pz[i]));
-        let (wqx, wqy, wqz) = (lanes!(i => wq[i] * qx[i]), lanes!(i => wq[i] * qy[i]), lanes!(i => wq[i] * qz[i]));
+    fn add(&mut self, [b, c, d]: [Vectors; 3], origin: Vectors, weight: impl Fn(Vectors, Vectors) -> f64x2) {
+        let (e, f, b) = (c - b, d - b, b - origin);
+        let w = weight(b, e.cross(f));
+        let twice = b + b;
+        let (g, h) = (twice + e, twice + f);
+        let k = g + f;
+        let s = b + k;
         let sums = &mut self.0;
-        for i in 0..LANES {
-            sums[0][i] += w[i];
-            sums[1][i] += wsx[i];
-            sums[2][i] += wsy[i];
-            sums[3][i] += wsz[i];
-            sums[4][i] += wsx[i] * sx[i] + wpx[i] * px[i] + wqx[i] * qx[i];
-            sums[5][i] += wsy[i] * sy[i] + wpy[i] * py[i] + wqy[i] * qy[i];
-            sums[6][i] += wsz[i] * sz[i] + wpz[i] * pz[i] + wqz[i] * qz[i];
-            sums[7][i] += wsy[i] * sz[i] + wpy[i] * pz[i] + wqy[i] * qz[i];
-            sums[8][i] += wsx[i] * sz[i] + wpx[i] * pz[i] + wqx[i] * qz[i];
-            sums[9][i] += wsx[i] * sy[i] + wpx[i] * py[i] + wqx[i] * qy[i];
-        }
+        sums[0] += w;
+        sums[1] += w * s.x;
+        sums[2] += w * s.y;
+        sums[3] += w * s.z;
+        sums[4] += w * (g.x * g.x + h.x * h.x + k.x * k.x);
+        sums[5] += w * (g.y * g.y + h.y * h.y + k.y * k.y);
+        sums[6] += w * (g.z * g.z + h.z * h.z + k.z * k.z);
+        sums[7] += w * (g.y * g.z + h.y * h.z + k.y * k.z);
+        sums[8] += w * (g.x * g.z + h.x * h.z + k.x * k.z);
+        sums[9] += w * (g.x * g.y + h.x * h.y + k.x * k.y);
     }
 
-    /// The sums over the lanes, in pairs.
     fn over_lanes(&self) -> [f64; 10] {
-        self.0.map(|[a, b, c, d]| (a + b) + (c + d))
+        self.0.map(|sum| {
+            let [a, b] = sum.to_array();
+            a + b
+        })
     }
 }
 

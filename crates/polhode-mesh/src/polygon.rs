@@ -8,13 +8,14 @@
 //!
 //! A polygon that crosses itself, or is flat to rounding, has no such cut; it keeps its fan, whose signed areas still
 //! sum to the polygon's, so that the integrals of a solid are right. Corners need not lie in a plane: only their
-//! projection along the normal counts. Cost: n for a fan, at most n^2 for ears.
+//! projection along the normal counts. Cost: n for a fan, n^2 for ears as a rule, n^3 for
+//! spirals whose ears are few.
 
 use crate::triangle_mesh::COORDINATE_ROUNDING;
 use glam::{DVec2, DVec3};
 
-/// Most corners of a polygon that ears are clipped from: the cost grows as the square.
-pub(crate) const MOST_CLIPPED_CORNERS: usize = 5000;
+/// Most corners of a polygon that ears are clipped from: a double spiral of so many takes half a second.
+pub(crate) const MOST_CLIPPED_CORNERS: usize = 2000;
 
 /// How the triangles of a polygon are found.
 #[derive(Debug, Clone, PartialEq)]

@@ -30,6 +30,16 @@ pub(crate) struct Received {
     pub(crate) external_j: f64,
 }
 
+impl std::ops::AddAssign for Received {
+    fn add_assign(&mut self, other: Self) {
+        self.gravity = self.gravity + other.gravity;
+        self.support = self.support + other.support;
+        self.fields = self.fields + other.fields;
+        self.damping_j += other.damping_j;
+        self.external_j += other.external_j;
+    }
+}
+
 /// The ledger of a run in progress.
 #[derive(Debug, Clone)]
 pub(crate) struct Books {

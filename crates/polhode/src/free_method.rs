@@ -9,7 +9,7 @@
 //! What a scene asks for is used literally. Splitting costs nothing for the spin, however fast, does not let the energy
 //! of a bound motion drift, and leaves an attitude that no torque turns exact; its order is 4, so that forces that are
 //! strong within a step are left to DOP853. Both are under error control: a comet that begins far from its sun, where
-//! all is slow, is followed by shorter steps near it.
+//! all is slow, is followed by shorter steps near it, and by DOP853 from where a step would need more than 64.
 
 use crate::scene::{Integrator, Tier};
 use crate::settings::Settings;

@@ -38,6 +38,11 @@ impl Settings {
             }
     }
 
+    /// Whether splitting under error control is the plan's choice, not the scene's.
+    pub(crate) fn splits_by_choice(&self) -> bool {
+        self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
+    }
+
     /// What the method asks for, and the tier's choice for the rest.
     pub(crate) fn resolve(method: &Method) -> Self {
         let tier = method.tier.unwrap_or(Tier::Accurate);

@@ -111,7 +111,9 @@ pub(super) fn moved(_context: &Context) -> CaseResult {
                 let second = back * found.second_moment * back.transpose() * (1.0 / (cube * factor * factor));
                 let center = (found.centroid / factor - away - turn.rotate(home.centroid)).length() / size;
                 let volume = (found.volume / (home.volume * cube) - 1.0).abs();
-                worst = worst.max(volume).max(center).max(relative(second, home.second_moment));
+                for error in [volume, center, relative(second, home.second_moment)] {
+                    keep(&mut worst, error);
+                }
             }
         }
         let quantity = format!("{name}: turned, a million sizes away, scaled by 1e-4 to 1e4: change, relative");
@@ -144,7 +146,7 @@ fn random_mesh(random: &mut Random, sphere: &TriangleMesh, kind: usize) -> Resul
 fn check(random: &mut Random, mesh: &TriangleMesh, worst: &mut Worst) -> Result<(), Box<dyn Error>> {
     let body = solid_mass_properties(&SolidMesh::new(mesh.clone())?, Density::new(1.0)?)?;
     let moments = body.principal_axes().moments();
-    worst.triangle_inequality = worst.triangle_inequality.max((moments.z - moments.x - moments.y) / moments.z);
+    keep(&mut worst.triangle_inequality, (moments.z - moments.x - moments.y) / moments.z);
     let whole = VolumeIntegrals::of(mesh);
     let turn = Rotation::from_rotation_vector(random.vector(-3.0, 3.0));
     let back = turn.inverse().to_matrix();
@@ -153,22 +155,24 @@ fn check(random: &mut Random, mesh: &TriangleMesh, worst: &mut Worst) -> Result<
         ((moved.volume / whole.volume - 1.0).abs()).max(relative(second, whole.second_moment))
     };
     let turned = mesh.in_frame(&Pose::new(turn, DVec3::ZERO))?;
-    worst.rotation = worst.rotation.max(difference(&VolumeIntegrals::of(&turned)));
+    keep(&mut worst.rotation, difference(&VolumeIntegrals::of(&turned)));
     let away = random.vector(-1.0, 1.0).normalize_or(DVec3::X) * 1e6 * mesh.bounds().diagonal();
     let far = turned.translated(away)?;
     let home = VolumeIntegrals::of(&far.translated(-away)?);
     let found = VolumeIntegrals::of(&far);
-    let center = (found.centroid - away - home.centroid).length() / away.length();
+    let center = (found.centroid - away - home.centroid).length() / far.bounds().largest_coordinate();
     let sums = (found.volume / home.volume - 1.0).abs().max(relative(found.second_moment, home.second_moment));
-    worst.far = worst.far.max(sums).max(center);
+    keep(&mut worst.far, sums);
+    keep(&mut worst.far, center);
     let rounding = f64::EPSILON * far.bounds().largest_coordinate() * SurfaceIntegrals::of(mesh).area;
-    worst.far_rounding = worst.far_rounding.max((found.volume - whole.volume).abs() / rounding);
+    keep(&mut worst.far_rounding, (found.volume - whole.volume).abs() / rounding);
     for factor in SCALES {
         let scaled = VolumeIntegrals::of(&mesh.scaled(factor)?);
         let cube = factor * factor * factor;
         let volume = (scaled.volume / (whole.volume * cube) - 1.0).abs();
         let second = relative(scaled.second_moment * (1.0 / (cube * factor * factor)), whole.second_moment);
-        worst.scaling = worst.scaling.max(volume).max(second);
+        keep(&mut worst.scaling, volume);
+        keep(&mut worst.scaling, second);
     }
     let normal = random.vector(-1.0, 1.0).normalize_or(DVec3::X);
     // A point of the convex hull, so that there is something on either side.
@@ -178,13 +182,22 @@ fn check(random: &mut Random, mesh: &TriangleMesh, worst: &mut Worst) -> Result<
     let [above, below] = [normal, -normal].map(|normal| half(mesh, normal, through));
     let sum = joined(&VolumeIntegrals::of(&above?), &VolumeIntegrals::of(&below?));
     let error = (sum.volume / whole.volume - 1.0).abs().max(relative(sum.second_moment, whole.second_moment));
-    worst.splitting = worst.splitting.max(error);
+    keep(&mut worst.splitting, error);
     Ok(())
+}
+
+/// Keeps the larger error; one that is not a number stays.
+fn keep(worst: &mut f64, error: f64) {
+    if error > *worst || error.is_nan() {
+        *worst = error;
+    }
 }
 
 /// Largest difference of elements, relative to the largest element.
 fn relative(found: DMat3, expected: DMat3) -> f64 {
-    let largest = |m: DMat3| m.to_cols_array().into_iter().fold(0.0_f64, |l, x| l.max(x.abs()));
+    let largest = |m: DMat3| {
+        m.to_cols_array().into_iter().fold(0.0_f64, |l, x| if l > x.abs() || l.is_nan() { l } else { x.abs() })
+    };
     largest(found - expected) / largest(expected)
 }
 

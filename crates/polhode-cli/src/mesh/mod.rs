@@ -33,10 +33,11 @@ pub(crate) fn mesh(args: &MeshArgs) -> Result<(), Failure> {
         (None, density) => Density::new(density.unwrap_or(DEFAULT_DENSITY))?.into(),
     };
     let output = MeshOutput::of(&args.output)?;
-    let (mut mesh, repairs) = mended(read_mesh(&args.file)?, &args.repair)?;
+    let mut mesh = read_mesh(&args.file)?;
     if let Some(factor) = args.frame.scale {
         mesh = mesh.scaled(factor)?;
     }
+    let (mut mesh, repairs) = mended(mesh, &args.repair)?;
     let mut report = MeshReport::new(mesh.clone(), filling, amount);
     if let (true, Ok(body)) = (args.frame.recentre || args.frame.principal, &report.mass_properties) {
         mesh = if args.frame.principal { in_principal_axes(&mesh, body)? } else { recentered(&mesh, body)? };

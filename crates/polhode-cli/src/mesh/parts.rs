@@ -100,7 +100,9 @@ impl Parts {
             Self::Exact(found) if found.unresolved > 0 => page.push_str(
                 "note: pieces that no plane could part are replaced by their hulls: the surface crosses itself\n",
             ),
-            Self::Exact(_) => {}
+            Self::Exact(_) => {
+                page.push_str("note: a surface that crosses itself is not looked for; its parts would overlap\n");
+            }
             Self::Approximate(_) => {
                 page.push_str("note: how much the parts overlap is not measured; voids are filled\n");
             }

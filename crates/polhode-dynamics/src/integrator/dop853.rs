@@ -120,7 +120,7 @@ impl AdaptiveDop853 {
     }
 
     /// Inner steps that the last step took.
-    pub const fn inner_steps(&self) -> usize {
+    pub const fn accepted_steps(&self) -> usize {
         self.inner.len()
     }
 

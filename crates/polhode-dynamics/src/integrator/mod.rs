@@ -99,6 +99,11 @@ pub trait Integrator: Debug + Send {
     /// States at [`Integrator::time`].
     fn states(&self) -> &[BodyState];
 
+    /// Parts that the last step was made of, one after the other and of one length.
+    fn inner_steps(&self) -> u32 {
+        1
+    }
+
     /// Estimated error of the last step in units of what the tolerance allows, of methods that control it.
     fn step_error(&self) -> Option<f64> {
         None

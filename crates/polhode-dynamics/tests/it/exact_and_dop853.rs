@@ -150,7 +150,7 @@ fn far_from_the_origin() {
         state.pose.translation += offset;
         method.start(&motion, 0.0, &[state]);
         method.step(&motion, 1.0).unwrap();
-        (method.states()[0].pose.translation - offset, method.inner_steps())
+        (method.states()[0].pose.translation - offset, method.accepted_steps())
     };
     let ((near, few), (far, many)) = (run(DVec3::ZERO), run(DVec3::splat(1e6)));
     assert!((near - far).length() < 1e-8, "{:e}", (near - far).length());
@@ -254,11 +254,11 @@ fn short_last_steps_do_not_shorten_the_next() {
     let mut method = dop853(1e-10);
     method.start(&motion, 0.0, &[*flight.start()]);
     method.step(&motion, 10.0).unwrap();
-    let steps = method.inner_steps();
+    let steps = method.accepted_steps();
     method.step(&motion, 1e-6).unwrap();
-    assert_eq!(method.inner_steps(), 1);
+    assert_eq!(method.accepted_steps(), 1);
     method.step(&motion, 10.0).unwrap();
-    assert!(method.inner_steps() <= steps + 2, "{} after {steps}", method.inner_steps());
+    assert!(method.accepted_steps() <= steps + 2, "{} after {steps}", method.accepted_steps());
 }
 
 /// A body takes the steps that it needs, whatever moves with it: errors are not averaged over bodies.
@@ -274,7 +274,7 @@ fn other_bodies_do_not_dilute_the_error() {
         let mut method = dop853(1e-9);
         method.start(&motion, 0.0, &states);
         method.step(&motion, 3.0).unwrap();
-        (method.inner_steps(), bits(&method.states()[0]))
+        (method.accepted_steps(), bits(&method.states()[0]))
     };
     assert_eq!(steps(0), steps(30));
 }
@@ -293,7 +293,7 @@ fn error_control_is_the_same_at_every_size() {
         let mut method = dop853(1e-10);
         method.start(&motion, 0.0, &[state]);
         method.step(&motion, 3.0).unwrap();
-        (method.inner_steps(), method.states()[0].pose.translation / scale)
+        (method.accepted_steps(), method.states()[0].pose.translation / scale)
     };
     // Powers of two, so that the arithmetic is the same to the last bit.
     assert_eq!(steps(1.0), steps(1.0 / 4096.0));

@@ -4,6 +4,7 @@
 
 use crate::decimal::whole;
 use crate::read_error::{Place, ReadError, ReadErrorKind, shown};
+use std::collections::BTreeSet;
 
 /// How the body is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,17 +130,25 @@ impl<'a> Header<'a> {
         let mut lines = Lines::new(bytes)?;
         let mut encoding = None;
         let mut elements: Vec<Element<'a>> = Vec::new();
+        // Names of all elements, and of the properties of the last.
+        let (mut names, mut properties) = (BTreeSet::new(), BTreeSet::new());
         loop {
             let line = lines.next()?;
             match line.words[..] {
                 [] | [b"comment" | b"obj_info", ..] => {}
+                [b"format", ..] if encoding.is_some() => {
+                    return Err(line.error(ReadErrorKind::Repeated("line that begins with 'format'".to_owned())));
+                }
                 [b"format", name, b"1.0"] => encoding = Some(line.encoding(name)?),
                 [b"format", ..] => {
                     return Err(line.expected("format ascii, binary_little_endian or binary_big_endian 1.0"));
                 }
-                [b"element", name, count] => elements.push(line.element(name, count, &elements)?),
+                [b"element", name, count] => {
+                    properties.clear();
+                    elements.push(line.element(name, count, &mut names)?);
+                }
                 [b"property", ..] => match elements.last_mut() {
-                    Some(element) => line.property(element)?,
+                    Some(element) => line.property(element, &mut properties)?,
                     None => return Err(line.expected("an element before its properties")),
                 },
                 [b"end_header"] => break,
@@ -203,18 +212,23 @@ impl<'a> Line<'a> {
         }
     }
 
-    fn element(&self, name: &'a [u8], count: &[u8], earlier: &[Element<'a>]) -> Result<Element<'a>, ReadError> {
+    fn element(
+        &self,
+        name: &'a [u8],
+        count: &[u8],
+        earlier: &mut BTreeSet<&'a [u8]>,
+    ) -> Result<Element<'a>, ReadError> {
         let Some(count) = whole(count).and_then(|count| u64::try_from(count).ok()) else {
             return Err(self.error(ReadErrorKind::BadCount(shown(count))));
         };
-        if earlier.iter().any(|element| element.name == name) {
+        if !earlier.insert(name) {
             return Err(self.error(ReadErrorKind::Repeated(format!("element {}", shown(name)))));
         }
         Ok(Element { name, count, properties: Vec::new(), place: self.place })
     }
 
     /// Adds the property of this line to an element.
-    fn property(&self, element: &mut Element<'a>) -> Result<(), ReadError> {
+    fn property(&self, element: &mut Element<'a>, earlier: &mut BTreeSet<&'a [u8]>) -> Result<(), ReadError> {
         let accepted = "property TYPE NAME or property list TYPE TYPE NAME with char, uchar, short, ushort, int, uint, float, double";
         let scalar = |name: &[u8]| Scalar::named(name).ok_or_else(|| self.expected(accepted));
         let property = match self.words[..] {
@@ -230,9 +244,9 @@ impl<'a> Line<'a> {
         {
             return Err(self.expected("integer types for the length of a list and for vertex indices"));
         }
-        if element.properties.iter().any(|other| {
-            other.name == property.name || (element.name == b"face" && other.is_corners() && property.is_corners())
-        }) {
+        // A face has its corners once, whichever of their two names they go by.
+        let has_corners = || element.properties.iter().any(Property::is_corners);
+        if !earlier.insert(property.name) || (element.name == b"face" && property.is_corners() && has_corners()) {
             return Err(self.error(ReadErrorKind::Repeated(format!("property {}", shown(property.name)))));
         }
         element.properties.push(property);

@@ -15,8 +15,8 @@ use crate::topology::Topology;
 use crate::triangle_mesh::{Bounds, MeshError, TriangleMesh};
 use std::collections::BTreeSet;
 
-/// Most corners of a rim that is filled: 1.7e8 areas, some seconds.
-const MOST_RIM_CORNERS: usize = 1000;
+/// Most areas that are computed, over all rims: those of one rim of 1000 corners, some seconds. Rims beyond stay open.
+const MOST_AREAS: f64 = 1.7e8;
 
 /// Largest area of a filling relative to that of the component (dimensionless): a flat sheet has 1, a half-ball 1/2.
 const LARGEST_FILLING: f64 = 0.8;
@@ -27,13 +27,16 @@ pub(super) fn filled(mesh: &TriangleMesh, largest: f64) -> Result<(TriangleMesh,
     let limit = largest * mesh.bounds().diagonal();
     let mut triangles = mesh.triangles().to_vec();
     let mut new_edges = BTreeSet::new();
-    let mut count = 0;
+    let (mut count, mut areas_left) = (0, MOST_AREAS);
     let component_areas = component_areas(mesh);
     for (triangle, rim) in rims(mesh, &edges) {
         let positions = || rim.iter().filter_map(|&index| mesh.vertices().get(index as usize).copied());
-        if rim.len() > MOST_RIM_CORNERS || Bounds::of(positions()).diagonal() > limit {
+        let corners = rim.len() as f64;
+        let areas = corners * corners * corners / 6.0;
+        if areas > areas_left || Bounds::of(positions()).diagonal() > limit {
             continue;
         }
+        areas_left -= areas;
         let is_free = |a: u32, b: u32| a != b && !edges.has_edge(a, b) && !new_edges.contains(&(a.min(b), a.max(b)));
         let Some(patch) = least_area(mesh, &rim, is_free) else { continue };
         let area: f64 = patch.iter().map(|&corners| triangle_area(mesh.corners(corners))).sum();

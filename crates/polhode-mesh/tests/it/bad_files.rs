@@ -209,3 +209,20 @@ proptest! {
         let _ = format::read(&bytes, format);
     }
 }
+
+/// A header of very many elements, or of one with very many properties, is read in the time of its bytes; names that come
+/// twice and a second format are refused.
+#[test]
+fn long_ply_headers() {
+    let elements: String = (0..50_000).map(|k| format!("element e{k} 0\n")).collect::<Vec<_>>().concat();
+    let properties: String = (0..50_000).map(|k| format!("property float p{k}\n")).collect::<Vec<_>>().concat();
+    for (header, expected) in [
+        (format!("{elements}element e7 0\n"), "element e7"),
+        (format!("element vertex 0\n{properties}property float p7\n"), "property p7"),
+        ("format binary_little_endian 1.0\n".to_owned(), "format"),
+    ] {
+        let file = format!("ply\nformat ascii 1.0\n{header}end_header\n");
+        let error = format::read(file.as_bytes(), MeshFormat::Ply).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}

@@ -311,8 +311,8 @@ impl Engine {
         if bodies.is_empty() {
             return Ok(());
         }
-        let mut ends = self.states.clone();
-        self.stepped_states(t_next, &mut ends)?;
+        let parts = self.stepped_parts(t_next)?;
+        let Some((_, mut ends)) = parts.last().cloned() else { return Ok(()) };
         if t_next < trial.end() {
             self.stepper.interrupt();
         }
@@ -321,8 +321,12 @@ impl Engine {
         }
         let before = self.books.balance(&self.world, &self.states, &bodies);
         let after = self.books.balance(&self.world, &ends, &bodies);
-        let stage = Ends { t: [trial.start(), t_next], states: [&self.states, &ends] };
-        let received = free_stage::received(&self.world, stage, &bodies, self.books.ledger.momentum.about);
+        let mut received = Received::default();
+        for pair in parts.windows(2) {
+            let [(t0, start), (t1, end)] = pair else { continue };
+            let stage = Ends { t: [*t0, *t1], states: [start, end] };
+            received += free_stage::received(&self.world, stage, &bodies, self.books.ledger.momentum.about);
+        }
         self.books.smooth_stage(before, after, received);
         self.states = ends;
         Ok(())

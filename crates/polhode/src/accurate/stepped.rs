@@ -14,13 +14,16 @@ use crate::settings::Settings;
 use crate::world::World;
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
-use polhode_dynamics::integrator::{self, IntegrationError, MethodSettings, Tolerance};
+use polhode_dynamics::integrator::{self, AdaptiveExact, IntegrationError, MethodSettings, Tolerance};
 use polhode_dynamics::{BodyState, DenseStep, Flight, FreeMotion, RigidBody};
 use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
 use std::sync::Arc;
 
 /// Turn of a body within one polynomial, rad: the interpolation of its quaternion then errs by some 1e-14.
 const TURN_OF_POLYNOMIAL: f64 = 0.5;
+
+/// Splittings within a step that the plan has chosen them for, at the most: more cost more than DOP853 does.
+const MOST_SPLITTINGS: u32 = 64;
 
 /// Polynomials of a step at the most: beyond, an impact found late shows in the certificate.
 const MOST_POLYNOMIALS: f64 = 4096.0;
@@ -42,7 +45,12 @@ pub(super) struct Stepper {
 impl Stepper {
     pub(super) fn new(settings: &Settings) -> Self {
         let fields = Masked { fields: Arc::from(Vec::new()), stepped: Vec::new() };
-        Self { integrator: build(settings), current: false, from: 0.0, stepped: Vec::new(), fields: [Box::new(fields)] }
+        let integrator = if settings.splits_by_choice() {
+            Box::new(AdaptiveExact::new(tolerance(settings)).limited_to(MOST_SPLITTINGS))
+        } else {
+            build(settings)
+        };
+        Self { integrator, current: false, from: 0.0, stepped: Vec::new(), fields: [Box::new(fields)] }
     }
 
     /// The present states are no longer those of the integrator.
@@ -132,11 +140,14 @@ impl Field for Masked {
     }
 }
 
+fn tolerance(settings: &Settings) -> Tolerance {
+    Tolerance::new(settings.tolerance).unwrap_or_default()
+}
+
 /// The integrator of free motion that the settings name.
 pub(crate) fn build(settings: &Settings) -> Box<dyn integrator::Integrator> {
-    let tolerance = Tolerance::new(settings.tolerance).unwrap_or_default();
     settings.integrator.build(&MethodSettings {
-        tolerance,
+        tolerance: tolerance(settings),
         orientation: settings.orientation,
         rotation_rate: settings.rotation_rate,
         ..MethodSettings::default()
@@ -227,6 +238,22 @@ impl Engine {
         })
     }
 
+    /// Whether splitting, which the plan has chosen, is given up from now on because forces have grown strong: DOP853 goes
+    /// on from the present states.
+    pub(super) fn gives_up_splitting(&mut self, error: &SimulationError) -> bool {
+        let is_too_small =
+            matches!(error, SimulationError::Integration { source: IntegrationError::StepTooSmall { .. }, .. });
+        if !is_too_small || !self.settings.splits_by_choice() {
+            return false;
+        }
+        self.warn("forces have grown too strong for splitting: dop853 goes on from here");
+        self.settings.integrator = Integrator::Dop853;
+        for body in self.stepped_bodies() {
+            self.modes[body] = Mode::Constrained;
+        }
+        true
+    }
+
     /// Steps the stepped bodies to `end`; nothing when there are none.
     pub(super) fn step_freely(&mut self, end: f64) -> Result<Option<SteppedTrial>, SimulationError> {
         let bodies = self.stepped_bodies();
@@ -255,6 +282,23 @@ impl Engine {
         let parts = (0..count).map(|k| DenseStep::through(time(k), time(k + 1) - time(k), &mut sample));
         let parts = parts.collect::<Result<Vec<_>, _>>().map_err(failed)?;
         Ok(Some(SteppedTrial { dense: Some(SteppedMotion { parts }) }))
+    }
+
+    /// States of the stepped bodies at the ends of the parts that the step up to `t` was made of, the first at its start:
+    /// time (s) and states of all bodies.
+    pub(super) fn stepped_parts(&mut self, t: f64) -> Result<Vec<(f64, Vec<BodyState>)>, SimulationError> {
+        let (start, end) = (self.stepper.from, self.stepper.integrator.time());
+        let share = if end > start { ((t - start) / (end - start)).clamp(0.0, 1.0) } else { 1.0 };
+        let count = (share * f64::from(self.stepper.integrator.inner_steps())).ceil().max(1.0) as u32;
+        let mut parts = Vec::with_capacity(count as usize + 1);
+        parts.push((start, self.states.clone()));
+        for k in 1..=count {
+            let at = if k == count { t } else { start + (t - start) * (f64::from(k) / f64::from(count)) };
+            let mut states = self.states.clone();
+            self.stepped_states(at, &mut states)?;
+            parts.push((at, states));
+        }
+        Ok(parts)
     }
 
     /// Writes the states of the stepped bodies at a time within the last step over `states`.

@@ -2,7 +2,7 @@
 //!
 //! All groups take the same step, the longest that all of their error estimates accept, so that each body has one
 //! motion over the step. The attitude of a body that only forces through its centre of mass act on is that of free
-//! rotation, unless DOP853 is asked for by name. A trial that an event cuts short is repeated from its start with the shorter step, not
+//! rotation, unless an integrator is asked for by name. A trial that an event cuts short is repeated from its start with the shorter step, not
 //! interpolated, so that states at events are as accurate as states at step ends.
 
 use super::engine::{Engine, Mode};
@@ -51,11 +51,6 @@ pub(super) struct GroupTrial {
 impl Trial {
     pub(super) fn end(&self) -> f64 {
         self.end
-    }
-
-    /// Start of the step, s.
-    pub(super) fn start(&self) -> f64 {
-        self.t
     }
 }
 
@@ -113,6 +108,13 @@ impl Engine {
     /// # Errors
     /// When no step is short enough.
     pub(super) fn integrate(&mut self) -> Result<Trial, SimulationError> {
+        match self.try_to_integrate() {
+            Err(error) if self.gives_up_splitting(&error) => self.try_to_integrate(),
+            result => result,
+        }
+    }
+
+    fn try_to_integrate(&mut self) -> Result<Trial, SimulationError> {
         let limit = self.step_limit();
         let groups = self.constrained_groups();
         if groups.is_empty() {
@@ -125,7 +127,10 @@ impl Engine {
             h = limit;
         }
         loop {
-            self.check_step(h)?;
+            // A step that ends where a force is not smooth may be as short as it must.
+            if h < limit {
+                self.check_step(h)?;
+            }
             match self.attempt_all(&groups, h) {
                 Ok((mut trial, factor)) => {
                     trial.stepped = self.step_freely(trial.end)?;

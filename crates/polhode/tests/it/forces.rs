@@ -3,8 +3,9 @@
 use crate::checks::{assert_closes, complete_elliptic, numerical_relative, particle, worst_place, worst_velocity};
 use crate::support::run;
 use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
+use polhode::dynamics::integrator::Method as Integrator;
 use polhode::dynamics::{BodyState, RigidBody};
-use polhode::scene::{Attachment, DragLaw, Force, Frame, Signal};
+use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
 use polhode::{Body, Effects, Recorder, RunReport, Scene, SceneBuilder};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -411,6 +412,39 @@ fn pushed_body_turns_freely() {
     for (time, (a, b)) in pushed.times.iter().zip(pushed.samples.iter().zip(&free.samples)) {
         let angle = a[0].pose.rotation.angle_to(b[0].pose.rotation);
         assert!(angle < 1e-13, "{time} s: {angle:e}");
+    }
+}
+
+/// A comet that begins far from its sun, where splitting is cheap, and comes so near that it is not: DOP853 goes on, the
+/// report says so, and the motion and the impulse of the sun are those of DOP853 from the start.
+#[test]
+fn comet_leaves_splitting_near_its_sun() {
+    let comet = |method: Method| {
+        let body = particle("comet", 2.0, DVec3::X, DVec3::Y * 0.05);
+        let sun = Force::PointGravity { mu: 1.0, center: DVec3::ZERO };
+        let scene = space("comet", 2.0, 0.1).body(body).force(sun).method(method).build().unwrap();
+        run(&scene, Effects::Planned).0
+    };
+    let planned = comet(Method::default());
+    assert!(planned.warnings.iter().any(|warning| warning.contains("dop853 goes on")), "{:?}", planned.warnings);
+    let exact = comet(Method { integrator: Some(Integrator::Dop853), tolerance: Some(1e-13), ..Method::default() });
+    let apart = (planned.bodies[0].1.pose.translation - exact.bodies[0].1.pose.translation).length();
+    assert!(apart < 1e-6, "{apart:e}");
+    for report in [&planned, &exact] {
+        let momentum = &report.ledger.momentum;
+        let lost = momentum.numerical.value().linear.length() / momentum.scale_linear;
+        assert!(lost < 1e-9, "{lost:e}");
+    }
+}
+
+/// Two times of a table next to each other are a jump: steps end at both, and `m v` is the area.
+#[test]
+fn jump_of_a_table() {
+    for at in [0.05, 0.1, 1e-3] {
+        let jump = Signal::table(vec![(at, 0.0), (f64::next_up(at), 1.0)]).unwrap();
+        let (_, recorder) = pushed(load(DVec3::Y, DVec3::ZERO, Frame::World, None, jump), 0.2, DVec3::ZERO);
+        let found = recorder.samples.last().unwrap()[0].velocity.linear;
+        assert!((found.y * MASS / (0.2 - at) - 1.0).abs() < 1e-9, "{at}: {found}");
     }
 }
 
