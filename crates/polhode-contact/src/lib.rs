@@ -10,18 +10,14 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`shape`] | [`Shape`], [`Sphere`], [`HalfSpace`], [`PointCloud`] |
-//! | [`polyhedron`] | [`ConvexPolyhedron`]: faces of any number of vertices, edges, neighbours |
+//! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`Manifold`] |
-//! | [`manifold()`](manifold::manifold) | all contacts of a pair at given poses |
-//! | [`evaluate()`](evaluate::evaluate) | the same contact at other poses; its first and second time derivatives |
-//! | [`separation()`](separation::separation) | signed separation of a pair |
-//! | [`time_of_impact()`](time_of_impact::time_of_impact) | first time at which two moving shapes close |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`] |
+//! | [`impact`] | [`time_of_impact()`]: first time at which two moving shapes close |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
+//! | [`bounding`] | [`Aabb`], [`swept_aabb`]: bounds of still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], [`Bvh`]: which pairs may touch |
-//! | [`mod@approximate_decomposition`] | [`approximate_decomposition()`]: few convex parts that nearly fill a solid |
-//! | [`aabb`] | [`Aabb`], [`swept_aabb`]: bounds of a moving shape |
 //!
 //! ```
 //! use polhode_contact::{Shape, manifold};
@@ -34,42 +30,30 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod aabb;
-pub mod approximate_decomposition;
 mod backend;
+pub mod bounding;
 pub mod broad_phase;
 pub mod clearance;
-mod closest_feature;
 pub mod contact;
-mod crossed_edges;
-pub mod evaluate;
-mod face_pair;
 pub mod feature;
-mod hull;
-mod impact_bounds;
-pub mod manifold;
-pub mod mirror;
-pub mod polyhedron;
-mod quadratic_bound;
-mod root_bracket;
-mod separating_axis;
-pub mod separation;
+pub mod impact;
+pub mod narrow_phase;
 pub mod shape;
-pub mod time_of_impact;
-mod topology;
 
-pub use aabb::{Aabb, AabbError, swept_aabb};
-pub use approximate_decomposition::{
-    ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,
-};
+pub use bounding::aabb::{Aabb, AabbError, swept_aabb};
 pub use broad_phase::{BroadPhase, BroadPhaseError, Bvh};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
-pub use evaluate::{evaluate, kinematics};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
-pub use manifold::{manifold, manifold_with};
-pub use mirror::mirror_defect;
-pub use polyhedron::{ConvexPolyhedron, Edge, Face};
-pub use separating_axis::Workspace;
-pub use separation::{separation, separation_with};
-pub use shape::{HalfSpace, PointCloud, Shape, ShapeError, Sphere};
-pub use time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_impact};
+pub use impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_impact};
+pub use narrow_phase::evaluate::{evaluate, kinematics};
+pub use narrow_phase::manifold::{manifold, manifold_with};
+pub use narrow_phase::separating_axis::Workspace;
+pub use narrow_phase::separation::{separation, separation_with};
+pub use shape::approximate_decomposition::{
+    ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,
+};
+pub use shape::mirror::mirror_defect;
+pub use shape::polyhedron::{ConvexPolyhedron, Edge, Face};
+pub use shape::{
+    Capsule, Compound, Cone, Cylinder, HalfSpace, PointCloud, Shape, ShapeError, Sphere, Torus, TriangleMesh,
+};

@@ -1,9 +1,9 @@
 //! Signed separation of two shapes.
 
 use crate::clearance::place_tolerance;
-use crate::closest_feature::nearest_feature;
-use crate::polyhedron::ConvexPolyhedron;
-use crate::separating_axis::{Axes, Workspace};
+use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::separating_axis::{Axes, Workspace};
+use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{HalfSpace, Shape};
 use polhode_spatial::Pose;
 

@@ -7,13 +7,13 @@
 //! Other pairs: every vertex or point below the reach; the nearest features of a sphere.
 
 use crate::clearance::place_tolerance;
-use crate::closest_feature::nearest_feature;
-use crate::crossed_edges::CrossedEdges;
-use crate::evaluate::evaluate;
-use crate::face_pair;
-use crate::polyhedron::ConvexPolyhedron;
-use crate::separating_axis::{Axes, EdgeAxis, Workspace};
-use crate::separation::{search_axes, separation_with};
+use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::narrow_phase::evaluate::evaluate;
+use crate::narrow_phase::face_pair;
+use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace};
+use crate::narrow_phase::separation::{search_axes, separation_with};
+use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;

@@ -12,8 +12,8 @@
 //!    the bodies' own features and so follows the bodies as they turn, and does not ask which one is called A;
 //!  - edges along each other make no crossing; their ends are vertices on edges.
 
-use crate::polyhedron::{ConvexPolyhedron, Face};
-use crate::separating_axis::Workspace;
+use crate::narrow_phase::separating_axis::Workspace;
+use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Side};
 use glam::DVec3;
 

@@ -7,8 +7,8 @@
 //! Gregorius 2013.
 
 use crate::clearance::{PARALLEL_SINE, place_tolerance};
-use crate::crossed_edges::CrossedEdges;
-use crate::polyhedron::ConvexPolyhedron;
+use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -29,9 +29,9 @@ pub struct Workspace {
     /// Separation along the normal of each face of A and of B, m.
     pub(crate) along_faces_a: Vec<f64>,
     pub(crate) along_faces_b: Vec<f64>,
-    pub(crate) face_pair: crate::face_pair::Buffers,
+    pub(crate) face_pair: crate::narrow_phase::face_pair::Buffers,
     pub(crate) features: Vec<crate::ContactFeature>,
-    pub(crate) bounds: [Vec<crate::quadratic_bound::Quadratic>; 2],
+    pub(crate) bounds: [Vec<crate::impact::quadratic_bound::Quadratic>; 2],
 }
 
 /// The best axis of a kind.

@@ -4,10 +4,11 @@
 //! plane, `normal . x = offset`. An edge knows its two vertices and its two faces: `faces[0]` is the one whose loop
 //! runs from `vertices[0]` to `vertices[1]`, so that `n_0 x n_1` points along the edge.
 
+use crate::shape::topology;
 use crate::shape::{ShapeError, check_length, check_point};
-use crate::topology;
 use glam::DVec3;
 use polhode_mesh::SolidMesh;
+use polhode_spatial::Rotation;
 
 /// A face, borrowed from its polyhedron.
 #[derive(Debug, Clone, Copy)]
@@ -97,7 +98,7 @@ impl ConvexPolyhedron {
     /// # Errors
     /// When there are fewer than four points, they are flat, a coordinate is not finite, or the hull fails its checks.
     pub fn from_points(points: &[DVec3]) -> Result<Self, ShapeError> {
-        crate::hull::from_points(points)
+        crate::shape::hull::from_points(points)
     }
 
     /// From a closed mesh that is convex; coplanar triangles become one face.
@@ -106,7 +107,7 @@ impl ConvexPolyhedron {
     /// When the mesh is not convex, or flat.
     pub fn from_mesh(mesh: &SolidMesh) -> Result<Self, ShapeError> {
         let mesh = mesh.mesh();
-        crate::hull::from_triangles(mesh.vertices(), mesh.triangles())
+        crate::shape::hull::from_triangles(mesh.vertices(), mesh.triangles())
     }
 
     /// From vertices (m) and faces, each an anticlockwise loop of vertex indices seen from outside.
@@ -115,6 +116,16 @@ impl ConvexPolyhedron {
     /// When the faces do not close a surface, are not plane, or the body is not convex.
     pub fn from_faces(vertices: Vec<DVec3>, faces: Vec<Vec<u32>>) -> Result<Self, ShapeError> {
         topology::build(vertices, faces)
+    }
+
+    /// The same polyhedron turned about the frame's origin.
+    pub fn rotated(&self, rotation: Rotation) -> Self {
+        let mut turned = self.clone();
+        turned.vertices.iter_mut().for_each(|vertex| *vertex = rotation.rotate(*vertex));
+        turned.faces.iter_mut().for_each(|face| face.normal = rotation.rotate(face.normal));
+        turned.edges.iter_mut().for_each(|edge| edge.direction = rotation.rotate(edge.direction));
+        turned.corner_sides.iter_mut().for_each(|side| *side = rotation.rotate(*side));
+        turned
     }
 
     /// The same polyhedron moved by a vector, m.

@@ -1,8 +1,8 @@
 //! The feature of a convex polyhedron that is nearest to a point.
 
 use crate::SurfaceFeature;
-use crate::evaluate::face_margin;
-use crate::polyhedron::ConvexPolyhedron;
+use crate::narrow_phase::evaluate::face_margin;
+use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 
 /// A feature and its signed distance from the point, m; negative inside the polyhedron.

@@ -21,8 +21,8 @@
 //! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
 //! same for both, then cancels but for this small stray velocity.
 
-use crate::crossed_edges::CrossedEdges;
-use crate::quadratic_bound::{Quadratic, open_until};
+use crate::impact::quadratic_bound::{Quadratic, open_until};
+use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::{ConvexPolyhedron, Side};
 use glam::DVec3;
 use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};

@@ -4,9 +4,9 @@
 //! between two faces join one of them and never bridge an edge. Vertices inside a face or inside an edge are left out.
 
 use crate::backend;
-use crate::polyhedron::ConvexPolyhedron;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
 use crate::shape::{ShapeError, check_point};
-use crate::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
 use glam::{DMat3, DVec3};
 use polhode_spatial::PrincipalAxes;
 use std::collections::BTreeMap;

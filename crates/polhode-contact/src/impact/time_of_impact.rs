@@ -13,12 +13,12 @@
 //! back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
-use crate::closest_feature::nearest_feature;
-use crate::crossed_edges::CrossedEdges;
-use crate::impact_bounds::Window;
-use crate::root_bracket::{Sample, last_open};
-use crate::separating_axis::{Axes, Workspace};
-use crate::separation::{search_axes, separation_with};
+use crate::impact::impact_bounds::Window;
+use crate::impact::root_bracket::{Sample, last_open};
+use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::separating_axis::{Axes, Workspace};
+use crate::narrow_phase::separation::{search_axes, separation_with};
 use crate::{Shape, Side};
 use polhode_spatial::{Motion, Pose};
 use thiserror::Error;

@@ -12,8 +12,8 @@
 //! Edge against edge has a formula of its own (`crossed_edges.rs`).
 
 use crate::clearance::COINCIDENCE;
-use crate::crossed_edges::CrossedEdges;
-use crate::polyhedron::{ConvexPolyhedron, Face};
+use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};

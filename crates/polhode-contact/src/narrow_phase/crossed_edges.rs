@@ -12,7 +12,7 @@
 //! separation that may be rounding.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::polyhedron::Edge;
+use crate::shape::polyhedron::Edge;
 use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};

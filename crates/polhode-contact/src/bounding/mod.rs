@@ -1,0 +1,3 @@
+//! Volumes that bound shapes, still and moving.
+
+pub mod aabb;

@@ -1,0 +1,6 @@
+//! Impacts: when two moving shapes close.
+
+mod impact_bounds;
+pub(crate) mod quadratic_bound;
+mod root_bracket;
+pub mod time_of_impact;
