@@ -8,10 +8,11 @@ use crate::Acceleration;
 use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
 use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError};
-use polhode_contact::Shape;
+use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::energy::potential_energy;
 use polhode_dynamics::field::{Account, Field, Wrench};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
+use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose};
 use std::sync::Arc;
 
@@ -69,7 +70,9 @@ impl World {
     /// # Errors
     /// When a shape cannot be moved into its central frame.
     pub(crate) fn new(scene: &Scene) -> Result<(Self, Vec<BodyState>), SceneError> {
-        let bodies = scene.bodies().iter().map(WorldBody::new).collect::<Result<Vec<_>, _>>()?;
+        let may_collide = |a: usize| (0..scene.bodies().len()).any(|b| scene.may_collide(a, b));
+        let bodies = scene.bodies().iter().enumerate().map(|(index, body)| WorldBody::new(body, || may_collide(index)));
+        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
         let states: Vec<_> =
             scene.bodies().iter().zip(&bodies).map(|(body, world)| world.initial_state(body)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
@@ -358,16 +361,16 @@ impl MovingFrames for World {
 }
 
 impl WorldBody {
-    fn new(body: &Body) -> Result<Self, SceneError> {
+    fn new(body: &Body, may_collide: impl Fn() -> bool) -> Result<Self, SceneError> {
+        let refused = |source| SceneError::Shape { body: body.name().to_owned(), source };
         let center_of_mass = body.mass_properties().map_or(DVec3::ZERO, MassProperties::center_of_mass);
         let pivot = body.pivot_point().map(|point| body.initial_pose().inverse_transform_point(point));
         let origin = pivot.unwrap_or(center_of_mass);
         let shape = match body.shape() {
-            Some(Geometry::Shape(shape)) => Some(
-                shape
-                    .translated(-origin)
-                    .map_err(|source| SceneError::Shape { body: body.name().to_owned(), source })?,
-            ),
+            Some(Geometry::Shape(shape)) => Some(shape.translated(-origin).map_err(refused)?),
+            Some(Geometry::Mesh(mesh)) if may_collide() => {
+                Some(colliding(mesh, body.is_fixed()).and_then(|shape| shape.translated(-origin)).map_err(refused)?)
+            }
             Some(Geometry::Mesh(_)) | None => None,
         };
         Ok(Self {
@@ -395,6 +398,15 @@ impl WorldBody {
     pub(crate) fn moves(&self) -> bool {
         self.rigid.is_some()
     }
+}
+
+/// What collides of a solid mesh: its convex parts, or, when it is ground, its surface.
+fn colliding(mesh: &SolidMesh, is_fixed: bool) -> Result<Shape, ShapeError> {
+    if !is_fixed || convexity(mesh).is_convex() {
+        return Shape::solid(mesh);
+    }
+    let mesh = mesh.mesh();
+    Shape::triangle_mesh(mesh.vertices().to_vec(), mesh.triangles().to_vec())
 }
 
 /// Size of a body, m: of its shape, or, for a point and for a body without a shape, twice its radius of gyration.

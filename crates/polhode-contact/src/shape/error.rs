@@ -1,6 +1,7 @@
 //! Why numbers make no shape, and the checks of single numbers.
 
 use glam::DVec3;
+use polhode_mesh::DecompositionError;
 use thiserror::Error;
 
 /// Smallest length of a shape, m. Below it products of four lengths, as areas squared, leave the range of f64.
@@ -118,6 +119,9 @@ pub enum ShapeError {
         /// What was given.
         what: &'static str,
     },
+    /// A solid that is not convex could not be decomposed.
+    #[error(transparent)]
+    Decomposition(#[from] DecompositionError),
     /// The faces do not close a simple surface.
     #[error(
         "the faces do not close a surface like a sphere's: {vertices} vertices - {edges} edges + {faces} faces must be 2 ({reason})"

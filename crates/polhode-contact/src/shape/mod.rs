@@ -15,6 +15,7 @@ pub(crate) mod hull;
 pub mod mirror;
 mod point_cloud;
 pub mod polyhedron;
+mod solid;
 mod sphere;
 pub(crate) mod topology;
 mod torus;

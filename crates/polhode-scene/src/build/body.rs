@@ -1,14 +1,15 @@
 //! A body: its pose, motion, shape and mass.
 
 use super::materials::Materials;
-use super::shape::{self, Form, Matter};
-use super::{Fault, mass, pivot, vector};
+use super::matter::Matter;
+use super::shape::{self, Form, Mobility};
+use super::{Fault, mass, pivot, placement, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly};
 use crate::mesh_file::MeshFolder;
 use glam::DVec3;
-use polhode::spatial::{Pose, Rotation, Velocity};
+use polhode::spatial::Velocity;
 use polhode::{Body, SceneError};
 
 /// The body given at `path`.
@@ -18,7 +19,9 @@ pub(super) fn build(
     folder: &MeshFolder,
     path: &KeyPath,
 ) -> Result<Body, Fault> {
-    let form = entry.shape.as_ref().map(|shape| shape::build(shape, folder, &path.key("shape"))).transpose()?;
+    let mobility = if entry.fixed { Mobility::Fixed } else { Mobility::Moves };
+    let form =
+        entry.shape.as_ref().map(|shape| shape::build(shape, mobility, folder, &path.key("shape"))).transpose()?;
     let mut body = if entry.fixed {
         fixed(entry, path)?
     } else {
@@ -27,7 +30,8 @@ pub(super) fn build(
         }
         Body::movable(&entry.name, mass::build(entry, form.as_ref().map(|form| &form.matter), path)?)
     };
-    body = body.pose(Pose::new(rotation(entry, path)?, optional(entry.position.as_ref(), path, "position")?));
+    let (position, orientation) = (entry.position.as_ref(), entry.orientation.as_ref());
+    body = body.pose(placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?);
     let velocity = optional(entry.velocity.as_ref(), path, "velocity")?;
     let angular_velocity = optional(entry.angular_velocity.as_ref(), path, "angular_velocity")?;
     if let Some(pivot) = &entry.pivot {
@@ -69,23 +73,4 @@ fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
 /// A vector that is zero when absent.
 fn optional(value: Option<&Exactly<f64, 3>>, path: &KeyPath, key: &str) -> Result<DVec3, Fault> {
     value.map_or(Ok(DVec3::ZERO), |value| vector(value, &path.key(key)))
-}
-
-fn rotation(entry: &BodyEntry, path: &KeyPath) -> Result<Rotation, Fault> {
-    let path_of_vector = path.key("rotation_vector");
-    match (&entry.orientation, &entry.rotation_vector) {
-        (Some(_), Some(_)) => Err((path_of_vector, Refusal::Excludes { key: "rotation_vector", other: "orientation" })),
-        (Some(wxyz), None) => Rotation::from_wxyz(wxyz.0).map_err(|error| (path.key("orientation"), error.into())),
-        (None, Some(value)) => {
-            let rotation = Rotation::from_rotation_vector(vector(value, &path_of_vector)?);
-            // The length of a vector may overflow where its components do not.
-            if rotation.is_finite() {
-                Ok(rotation)
-            } else {
-                let largest = value.0.into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-                Err((path_of_vector, Refusal::Number { value: largest, accepted: "an angle whose square is finite" }))
-            }
-        }
-        (None, None) => Ok(Rotation::IDENTITY),
-    }
 }

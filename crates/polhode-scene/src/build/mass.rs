@@ -5,37 +5,25 @@
 //! and inertia, and their centre of mass is their origin.
 
 use super::Fault;
-use super::shape::Matter;
+use super::matter::{Filling, Matter};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly, InertiaEntry};
 use glam::{DMat3, DVec3};
-use polhode::mesh::{
-    Amount, PrimitiveError, hollow_box, hollow_mass_properties, hollow_sphere, solid_box, solid_mass_properties,
-    solid_sphere,
-};
+use polhode::mesh::Amount;
 use polhode::spatial::{Density, Inertia, Mass, MassProperties};
 
 /// Mass properties of the body given at `path`.
 pub(super) fn build(entry: &BodyEntry, matter: Option<&Matter>, path: &KeyPath) -> Result<MassProperties, Fault> {
     let amount = amount(entry, path)?;
     let inertia = entry.inertia.as_ref().map(|inertia| self::inertia(inertia, &path.key("inertia"))).transpose()?;
-    let Some(matter) = matter.filter(|matter| !matches!(matter, Matter::Points | Matter::HalfSpace)) else {
+    let Some(matter) = matter.filter(|matter| matter.has_volume()) else {
         return of_given_inertia(entry, amount, inertia, matter.is_some(), path);
     };
-    let shape = path.key("shape");
-    let filled = match (matter, entry.hollow) {
-        (Matter::Box(size), false) => solid_box(*size, amount).map_err(primitive),
-        (Matter::Box(size), true) => hollow_box(*size, amount).map_err(primitive),
-        (Matter::Sphere(radius), false) => solid_sphere(*radius, amount).map_err(primitive),
-        (Matter::Sphere(radius), true) => hollow_sphere(*radius, amount).map_err(primitive),
-        (Matter::Mesh(mesh), false) => solid_mass_properties(mesh, amount).map_err(Refusal::Mesh),
-        (Matter::Mesh(mesh), true) => hollow_mass_properties(mesh.mesh(), amount).map_err(Refusal::Mesh),
-        (Matter::Points | Matter::HalfSpace, _) => {
-            Err(Refusal::Needs { what: WITHOUT_VOLUME, needed: MASS_AND_INERTIA })
-        }
-    };
-    let filled = filled.map_err(|refusal| (shape, refusal))?;
+    let filling = if entry.hollow { Filling::Hollow } else { Filling::Solid };
+    let needs = Refusal::Needs { what: WITHOUT_VOLUME, needed: MASS_AND_INERTIA };
+    let filled = matter.filled(filling, amount).and_then(|filled| filled.ok_or(needs));
+    let filled = filled.map_err(|refusal| (path.key("shape"), refusal))?;
     let Some(inertia) = inertia else { return Ok(filled) };
     let mass = Mass::new(filled.mass()).map_err(|error| (path.clone(), error.into()))?;
     Ok(MassProperties::new(mass, filled.center_of_mass(), inertia))
@@ -89,11 +77,4 @@ fn inertia(entry: &InertiaEntry, path: &KeyPath) -> Result<Inertia, Fault> {
         InertiaEntry::Matrix(Exactly([x, y, z])) => Inertia::new(DMat3::from_cols_array_2d(&[x.0, y.0, z.0])),
     };
     inertia.map_err(|error| (path.clone(), error.into()))
-}
-
-fn primitive(error: PrimitiveError) -> Refusal {
-    match error {
-        PrimitiveError::MassProperties(error) => error.into(),
-        error => error.into(),
-    }
 }

@@ -10,7 +10,9 @@
 //! | `force` | forces |
 //! | `mass` | mass properties from mass or density, shape and inertia |
 //! | `materials` | materials and rules for pairs of them |
+//! | `matter` | what the mass of a body is spread over |
 //! | `method` | tier and knobs |
+//! | `placement` | where a body or a part of one stands |
 //! | `pivot` | the velocity of a body on a pivot |
 //! | `shape` | shapes, and the meshes they are read from |
 //! | `signal` | signals, which forces are multiplied by |
@@ -21,15 +23,17 @@ mod body;
 mod force;
 mod mass;
 mod materials;
+mod matter;
 mod method;
 mod pivot;
+mod placement;
 mod shape;
 mod signal;
 mod spring;
 
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{self, Exactly, NoContactEntry, SceneFile, ShapeEntry};
+use crate::format::{self, Exactly, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use bodies::Bodies;
 use glam::DVec3;
@@ -87,6 +91,8 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         | SceneError::InitialOverlap { body_b: name, .. }
         | SceneError::DuplicateName(name)
         | SceneError::FixedBodyMoves(name)
+        | SceneError::MovingSurface(name)
+        | SceneError::Shape { body: name, .. }
         | SceneError::MovingHalfSpace(name) => body(name),
         SceneError::FixedBodyPivots(name) => body(name).key("pivot"),
         SceneError::PivotMoves { body: name, .. } => body(name).key("velocity"),
@@ -95,10 +101,6 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
             force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
         SceneError::IntegratorTakesNoVelocities { .. } => KeyPath::of(&["method", "integrator"]),
-        SceneError::NotYetAvailable { .. } => {
-            let mesh = file.bodies.iter().position(|body| matches!(body.shape, Some(ShapeEntry::Mesh(_))));
-            mesh.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
-        }
         _ => KeyPath::root(),
     }
 }

@@ -1,14 +1,14 @@
 //! Shapes, and the meshes they are read from.
 
-use super::{Fault, positive, vector};
+use super::matter::Matter;
+use super::{Fault, placement, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::ShapeEntry;
+use crate::format::{CompoundEntry, FileEntry, PartEntry, RadiusHeightEntry, ShapeEntry};
 use crate::mesh_file::MeshFolder;
-use glam::DVec3;
 use polhode::Geometry;
 use polhode::contact::{ConvexPolyhedron, Shape};
-use polhode::mesh::{SolidMesh, convexity};
+use polhode::mesh::{Capsule, Cone, Cuboid, Cylinder, Primitive, SolidMesh, Sphere, Torus, TriangleMesh, convexity};
 use polhode::spatial::UnitVector;
 
 /// A shape, with what its mass properties need.
@@ -19,22 +19,22 @@ pub(super) struct Form {
     pub(super) matter: Matter,
 }
 
-/// What the mass of a body is spread over.
-pub(super) enum Matter {
-    /// A box of this size, m.
-    Box(DVec3),
-    /// A ball of this radius, m.
-    Sphere(f64),
-    /// The solid that a mesh bounds.
-    Mesh(SolidMesh),
-    /// Nothing that has a volume.
-    Points,
-    /// A half-space, which no mass can fill.
-    HalfSpace,
+/// Whether the body of a shape moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mobility {
+    /// It does: its shape must enclose something or be a set of points.
+    Moves,
+    /// It is ground: an open surface will do.
+    Fixed,
 }
 
 /// The shape given at `path`.
-pub(super) fn build(entry: &ShapeEntry, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+pub(super) fn build(
+    entry: &ShapeEntry,
+    mobility: Mobility,
+    folder: &MeshFolder,
+    path: &KeyPath,
+) -> Result<Form, Fault> {
     match entry {
         ShapeEntry::Box(entry) => {
             let path = path.key("box").key("size");
@@ -42,14 +42,33 @@ pub(super) fn build(entry: &ShapeEntry, folder: &MeshFolder, path: &KeyPath) -> 
             for (index, &edge) in entry.size.0.iter().enumerate() {
                 positive(edge, &path.index(index))?;
             }
-            let shape = Shape::cuboid(size).map_err(|error| (path, error.into()))?;
-            Ok(Form { geometry: shape.into(), matter: Matter::Box(size) })
+            form(Shape::cuboid(size), Cuboid::new(size).map(Primitive::Box), &path)
         }
         ShapeEntry::Sphere(entry) => {
             let path = path.key("sphere").key("radius");
             let radius = positive(entry.radius, &path)?;
-            let shape = Shape::sphere(radius).map_err(|error| (path, error.into()))?;
-            Ok(Form { geometry: shape.into(), matter: Matter::Sphere(radius) })
+            form(Shape::sphere(radius), Sphere::new(radius).map(Primitive::Sphere), &path)
+        }
+        ShapeEntry::Cylinder(entry) => {
+            let path = path.key("cylinder");
+            let (radius, height) = radius_and_height(entry, &path)?;
+            form(Shape::cylinder(radius, height), Cylinder::new(radius, height).map(Primitive::Cylinder), &path)
+        }
+        ShapeEntry::Cone(entry) => {
+            let path = path.key("cone");
+            let (radius, height) = radius_and_height(entry, &path)?;
+            form(Shape::cone(radius, height), Cone::new(radius, height).map(Primitive::Cone), &path)
+        }
+        ShapeEntry::Capsule(entry) => {
+            let path = path.key("capsule");
+            let (radius, height) = radius_and_height(entry, &path)?;
+            form(Shape::capsule(radius, height), Capsule::new(radius, height).map(Primitive::Capsule), &path)
+        }
+        ShapeEntry::Torus(entry) => {
+            let path = path.key("torus");
+            let (major, minor) =
+                (positive(entry.major, &path.key("major"))?, positive(entry.minor, &path.key("minor"))?);
+            form(Shape::torus(major, minor), Torus::new(major, minor).map(Primitive::Torus), &path.key("minor"))
         }
         ShapeEntry::HalfSpace(entry) => {
             let path = path.key("half_space").key("normal");
@@ -63,29 +82,90 @@ pub(super) fn build(entry: &ShapeEntry, folder: &MeshFolder, path: &KeyPath) -> 
                 points.push(vector(position, &path.index(index))?);
             }
             let shape = Shape::points(points).map_err(|error| (path, error.into()))?;
-            Ok(Form { geometry: shape.into(), matter: Matter::Points })
+            Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume })
         }
+        ShapeEntry::Compound(entry) => compound(entry, folder, &path.key("compound").key("parts")),
         ShapeEntry::Convex(entry) => {
-            let path = path.key("convex").key("file");
-            let mesh = solid(&entry.file, folder, &path)?;
-            let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path, error.into()))?;
+            let path = path.key("convex");
+            let mesh = solid(read(entry, folder, &path)?, &path.key("file"))?;
+            let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
             Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh) })
         }
-        ShapeEntry::Mesh(entry) => {
-            let mesh = solid(&entry.file, folder, &path.key("mesh").key("file"))?;
-            Ok(Form { geometry: colliding_if_convex(&mesh), matter: Matter::Mesh(mesh) })
-        }
+        ShapeEntry::Mesh(entry) => mesh(entry, mobility, folder, &path.key("mesh")),
     }
 }
 
-/// The solid in a file of this name.
-fn solid(file: &str, folder: &MeshFolder, path: &KeyPath) -> Result<SolidMesh, Fault> {
-    let mesh = folder.read(file).map_err(|error| (path.clone(), Refusal::MeshFile(error)))?;
+/// A primitive as shape and matter.
+fn form(
+    shape: Result<Shape, polhode::contact::ShapeError>,
+    primitive: Result<Primitive, polhode::mesh::PrimitiveError>,
+    path: &KeyPath,
+) -> Result<Form, Fault> {
+    let shape = shape.map_err(|error| (path.clone(), error.into()))?;
+    let primitive = primitive.map_err(|error| (path.clone(), error.into()))?;
+    Ok(Form { geometry: shape.into(), matter: Matter::Primitive(primitive) })
+}
+
+fn radius_and_height(entry: &RadiusHeightEntry, path: &KeyPath) -> Result<(f64, f64), Fault> {
+    Ok((positive(entry.radius, &path.key("radius"))?, positive(entry.height, &path.key("height"))?))
+}
+
+/// A mesh file as ground, convex solid or solid of any form.
+fn mesh(entry: &FileEntry, mobility: Mobility, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+    let surface = read(entry, folder, path)?;
+    let mesh = match (SolidMesh::new(surface.clone()), mobility) {
+        (Ok(mesh), _) => mesh,
+        (Err(_), Mobility::Fixed) => {
+            let shape = Shape::triangle_mesh(surface.vertices().to_vec(), surface.triangles().to_vec());
+            let shape = shape.map_err(|error| (path.key("file"), error.into()))?;
+            return Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume });
+        }
+        (Err(error), Mobility::Moves) => return Err((path.key("file"), Refusal::Mesh(error))),
+    };
+    let polyhedron = if convexity(&mesh).is_convex() { ConvexPolyhedron::from_mesh(&mesh).ok() } else { None };
+    let geometry = polyhedron.map_or_else(|| Geometry::Mesh(mesh.clone()), |p| Shape::convex(p).into());
+    Ok(Form { geometry, matter: Matter::Mesh(mesh) })
+}
+
+/// The mesh in a file, in metres.
+fn read(entry: &FileEntry, folder: &MeshFolder, path: &KeyPath) -> Result<TriangleMesh, Fault> {
+    let mesh = folder.read(&entry.file).map_err(|error| (path.key("file"), Refusal::MeshFile(error)))?;
+    let Some(scale) = entry.scale else { return Ok(mesh) };
+    let scale = positive(scale, &path.key("scale"))?;
+    mesh.scaled(scale).map_err(|error| (path.key("scale"), Refusal::Mesh(error)))
+}
+
+fn solid(mesh: TriangleMesh, path: &KeyPath) -> Result<SolidMesh, Fault> {
     SolidMesh::new(mesh).map_err(|error| (path.clone(), Refusal::Mesh(error)))
 }
 
-/// A convex mesh collides; any other has mass properties only.
-fn colliding_if_convex(mesh: &SolidMesh) -> Geometry {
-    let polyhedron = if convexity(mesh).is_convex() { ConvexPolyhedron::from_mesh(mesh).ok() } else { None };
-    polyhedron.map_or_else(|| Geometry::Mesh(mesh.clone()), |polyhedron| Shape::convex(polyhedron).into())
+/// Parts that are fixed to each other.
+fn compound(entry: &CompoundEntry, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+    let mut shapes = Vec::with_capacity(entry.parts.len());
+    let mut matters = Vec::with_capacity(entry.parts.len());
+    for (index, part) in entry.parts.iter().enumerate() {
+        let path = path.index(index);
+        let (shape, matter) = self::part(part, folder, &path)?;
+        shapes.push(shape);
+        matters.push(matter);
+    }
+    let shape = Shape::compound(shapes).map_err(|error| (path.clone(), error.into()))?;
+    Ok(Form { geometry: shape.into(), matter: Matter::Parts(matters) })
+}
+
+fn part(
+    entry: &PartEntry,
+    folder: &MeshFolder,
+    path: &KeyPath,
+) -> Result<(Shape, (Matter, polhode::spatial::Pose)), Fault> {
+    let pose =
+        placement::pose(entry.position.as_ref(), entry.orientation.as_ref(), entry.rotation_vector.as_ref(), path)?;
+    let path = path.key("shape");
+    let form = build(&entry.shape, Mobility::Moves, folder, &path)?;
+    let shape = match form.geometry {
+        Geometry::Shape(shape) => Ok(shape),
+        Geometry::Mesh(mesh) => Shape::solid(&mesh),
+    };
+    let shape = shape.and_then(|shape| shape.placed(&pose)).map_err(|error| (path, error.into()))?;
+    Ok((shape, (form.matter, pose)))
 }

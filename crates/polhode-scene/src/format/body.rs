@@ -55,9 +55,19 @@ pub enum ShapeEntry {
     /// Points that touch by themselves: corners without faces. Mass and inertia must be given; the centre of mass is
     /// the origin.
     Points(PointsEntry),
+    /// A cylinder about the z axis, its centre at the origin.
+    Cylinder(RadiusHeightEntry),
+    /// A cone about the z axis, its apex towards +z, its origin a quarter of its height above the base.
+    Cone(RadiusHeightEntry),
+    /// A capsule about the z axis, its centre at the origin; its height is without the caps.
+    Capsule(RadiusHeightEntry),
+    /// A ring about the z axis, its centre at the origin.
+    Torus(TorusEntry),
+    /// Parts that are fixed to each other.
+    Compound(CompoundEntry),
     /// A convex solid from a mesh file.
     Convex(FileEntry),
-    /// Any closed solid from a mesh file. It collides when it is convex.
+    /// A mesh file: of a closed solid of any form, or, for a fixed body, of a surface too.
     Mesh(FileEntry),
 }
 
@@ -95,12 +105,62 @@ pub struct PointsEntry {
     pub positions: Vec<Vector>,
 }
 
+/// A cylinder, a cone or a capsule.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RadiusHeightEntry {
+    /// Radius, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Height, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub height: f64,
+}
+
+/// A ring.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusEntry {
+    /// Radius of the circle in the middle of the tube, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub major: f64,
+    /// Radius of the tube, m; less than the other.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub minor: f64,
+}
+
+/// Several parts.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CompoundEntry {
+    /// The parts; mass is spread evenly over all of them, twice where two overlap.
+    #[schemars(length(min = 1))]
+    pub parts: Vec<PartEntry>,
+}
+
+/// A part of a compound.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartEntry {
+    /// Shape, about the part's own origin.
+    pub shape: ShapeEntry,
+    /// Position of the part's origin in the body, m.
+    pub position: Option<Vector>,
+    /// Orientation in the body as a unit quaternion [w, x, y, z]; or rotation_vector.
+    pub orientation: Option<Exactly<f64, 4>>,
+    /// Orientation in the body as axis times angle, rad; or orientation.
+    pub rotation_vector: Option<Vector>,
+}
+
 /// A mesh in a file.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FileEntry {
     /// OBJ, STL, OFF or PLY file, relative to the scene file; lengths in m.
     pub file: String,
+    /// What the coordinates of the file are multiplied by to give metres; 1 when absent.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub scale: Option<f64>,
 }
 
 /// Inertia about the centre of mass, in the body's own axes.

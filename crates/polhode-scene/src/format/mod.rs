@@ -24,7 +24,10 @@ pub(crate) mod planned;
 mod scene;
 mod signal;
 
-pub use body::{BodyEntry, BoxEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PointsEntry, ShapeEntry, SphereEntry};
+pub use body::{
+    BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PartEntry, PointsEntry,
+    RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
+};
 pub use exactly::{Exactly, Vector};
 pub use force::{
     AppliedForceEntry, AppliedTorqueEntry, DragEntry, DragLawName, ForceEntry, ForceKind, FrameName,
@@ -39,7 +42,8 @@ pub use signal::{SignalEntry, SinusoidEntry};
 pub const VERSION: u32 = 1;
 
 /// Kinds of shape, for messages.
-pub(crate) const SHAPES: &str = "box, sphere, half_space, points, convex or mesh";
+pub(crate) const SHAPES: &str =
+    "box, sphere, cylinder, cone, capsule, torus, half_space, points, convex, mesh or compound";
 
 /// Kinds of force, for messages.
 pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";

@@ -4,7 +4,6 @@
 //! rather than that it has made a spelling mistake. They are no members of the format's types and so absent from the
 //! schema.
 
-use super::SHAPES;
 use crate::document::{KeyPath, Step};
 use toml::de::{DeTable, DeValue};
 
@@ -41,11 +40,6 @@ pub(crate) struct Request {
 
 const PLANNED: &[Planned] = &[
     Planned { path: &["joints"], values: &[], instead: "bodies without joints" },
-    Planned { path: &["bodies", "*", "shape", "cylinder"], values: &[], instead: SHAPES },
-    Planned { path: &["bodies", "*", "shape", "cone"], values: &[], instead: SHAPES },
-    Planned { path: &["bodies", "*", "shape", "capsule"], values: &[], instead: SHAPES },
-    Planned { path: &["bodies", "*", "shape", "torus"], values: &[], instead: SHAPES },
-    Planned { path: &["bodies", "*", "shape", "compound"], values: &[], instead: SHAPES },
     Planned { path: &["method", "tier"], values: &["fast", "stepped"], instead: "accurate or thesis" },
     Planned {
         path: &["method", "impact"],

@@ -166,9 +166,6 @@ fn unknown_keys_and_values() {
 fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
     let mut cases = vec![(format!("{BASE}\n[[joints]]\ntype.hinge = {{ bodies = [\"a\", \"b\"] }}\n"), "joints")];
-    for shape in ["cylinder", "cone", "capsule", "torus", "compound"] {
-        cases.push((brick("shape", &format!("shape.{shape}.radius = 1")), "bodies.brick.shape"));
-    }
     let knobs = [
         ("tier", &["fast", "stepped"][..]),
         ("impact", &["poisson", "energetic", "pulse"]),
@@ -312,10 +309,10 @@ fn meshes() {
         assert!(error.to_string().contains(message), "{error}");
         assert!(error.to_string().contains("scene.toml:"), "{error}");
     }
-    // A mesh that is not convex has mass, but cannot meet the floor yet.
-    let error = load_shape("shape.mesh.file = \"l.obj\"");
-    assert!(error.to_string().contains("not yet available: collision"), "{error}");
-    assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
+    // An open surface is ground, and only that.
+    let ground = "format = 1\n[[bodies]]\nname = \"a\"\nfixed = true\nshape.mesh.file = \"flat.obj\"\n";
+    write("scene.toml", ground);
+    assert!(load(&path).is_ok());
 }
 
 /// Files that are missing, folders, too large or no text give typed errors at once.

@@ -118,7 +118,6 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
-        check_meshes_stay_alone(&scene)?;
         Ok(scene)
     }
 }
@@ -154,10 +153,15 @@ fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     if body.is_fixed() && !body.velocity.is_zero() {
         return Err(SceneError::FixedBodyMoves(body.name.clone()));
     }
-    if !body.is_fixed() && matches!(&body.geometry, Some(Geometry::Shape(Shape::HalfSpace(_)))) {
-        return Err(SceneError::MovingHalfSpace(body.name.clone()));
+    match &body.geometry {
+        Some(Geometry::Shape(Shape::HalfSpace(_))) if !body.is_fixed() => {
+            Err(SceneError::MovingHalfSpace(body.name.clone()))
+        }
+        Some(Geometry::Shape(Shape::TriangleMesh(_))) if !body.is_fixed() => {
+            Err(SceneError::MovingSurface(body.name.clone()))
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// A pivoted body moves about a point that stays: a velocity of its centre of mass, when it is given, must be that of
@@ -175,23 +179,6 @@ fn check_pivot(body: &Body, pivot: DVec3) -> Result<(), SceneError> {
     {
         let needed = turning.to_array();
         return Err(SceneError::PivotMoves { body: body.name.clone(), difference, needed });
-    }
-    Ok(())
-}
-
-/// Meshes that are not convex have mass properties but cannot collide yet.
-fn check_meshes_stay_alone(scene: &Scene) -> Result<(), SceneError> {
-    for (a, body) in scene.bodies.iter().enumerate() {
-        let Some(Geometry::Mesh(_)) = body.geometry else { continue };
-        if let Some(b) = (0..scene.bodies.len()).find(|&b| scene.may_collide(a, b)) {
-            return Err(SceneError::NotYetAvailable {
-                what: format!(
-                    "collision of the non-convex mesh of body {} (with body {})",
-                    body.name, scene.bodies[b].name
-                ),
-                instead: "a convex shape, or a no_contact group with both".to_owned(),
-            });
-        }
     }
     Ok(())
 }

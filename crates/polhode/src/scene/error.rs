@@ -54,6 +54,11 @@ pub enum SceneError {
     /// A half-space is given to a body that moves.
     #[error("body {0} is a half-space, which is unbounded: it must be fixed")]
     MovingHalfSpace(String),
+    /// A surface of triangles is given to a body that moves.
+    #[error(
+        "body {0} is a surface of triangles, which is ground: it must be fixed; a body that moves needs a closed mesh"
+    )]
+    MovingSurface(String),
     /// A group of bodies names one that is not there.
     #[error("no_contact names body number {0}, which does not exist")]
     UnknownBody(usize),

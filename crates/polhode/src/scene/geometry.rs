@@ -8,8 +8,8 @@ use polhode_mesh::SolidMesh;
 pub enum Geometry {
     /// A shape that collides.
     Shape(Shape),
-    /// A solid mesh that need not be convex. It gives mass properties; it cannot collide yet, so a scene in which it
-    /// could meet another body is refused.
+    /// A solid mesh that need not be convex. Where it may meet another body it collides: as ground by its surface when it
+    /// is fixed, else by the convex parts of its exact decomposition.
     Mesh(SolidMesh),
 }
 
