@@ -45,6 +45,7 @@ pub use broad_phase::{BroadPhase, BroadPhaseError, Bvh};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_impact};
+pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics};
 pub use narrow_phase::manifold::{manifold, manifold_with};
 pub use narrow_phase::separating_axis::Workspace;

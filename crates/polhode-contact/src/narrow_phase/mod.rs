@@ -1,6 +1,7 @@
 //! Narrow phase: whether, where and how two shapes touch.
 
 mod closest_feature;
+pub mod counterpart;
 pub(crate) mod crossed_edges;
 pub mod evaluate;
 pub(crate) mod face_pair;

@@ -3,9 +3,8 @@
 //! A contact is known by its bodies and features, so that its status survives from one event to the next while its
 //! geometry is always evaluated afresh. Between events the set is frozen; at an event it is detected again.
 
-use crate::interaction::vertex_vertex::counterpart;
 use crate::world::{TOUCH_RELATIVE, World};
-use polhode_contact::{ContactFeature, ContactKinematics, Shape};
+use polhode_contact::{ContactFeature, ContactKinematics, Shape, counterpart};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
@@ -100,7 +99,7 @@ impl World {
         let mut features: Vec<_> = manifold.contacts.iter().map(|contact| contact.feature).collect();
         let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
         for i in 0..features.len() {
-            features.extend(counterpart(features[i], (shape_a, pose_a), (shape_b, pose_b), distance));
+            features.extend(counterpart(features[i], shape_a, pose_a, shape_b, pose_b, distance));
         }
         features.sort_unstable();
         features.dedup();

@@ -7,4 +7,3 @@ pub(crate) mod assembly;
 pub(crate) mod contact_set;
 pub(crate) mod groups;
 pub(crate) mod impact;
-mod vertex_vertex;

@@ -2,22 +2,25 @@
 //!
 //! Where a vertex of one body meets a vertex of the other, the direction of the force is not defined by the two
 //! points (thesis 3.3 calls the case degenerate and leaves the choice open). What defines it are the two faces: the
-//! vertex of A must stay outside the face of B and the vertex of B outside the face of A. Collision detection reports
-//! one contact per place, the first of these; the second is added here, so that the pair is treated alike from both
-//! sides. Without it a pair of bodies that is its own mirror image would be pushed along one of the two normals only
-//! and lose its symmetry.
+//! vertex of A must stay outside the face of B and the vertex of B outside the face of A. A manifold has one contact per
+//! place, the first of these; the second is given here, for a response that treats the pair alike from both sides:
+//! without it a pair of bodies that is its own mirror image would be pushed along one of the two normals only and lose its
+//! symmetry.
 
-use polhode_contact::{ContactFeature, ConvexPolyhedron, Shape, Side};
+use crate::{ContactFeature, ConvexPolyhedron, Shape, Side};
+use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// Faces are parallel when the cosine of their normals is -1 within this: angles above some 2e-8 are told apart.
 const PARALLEL_COSINE: f64 = 2.0 * f64::EPSILON;
 
 /// The counterpart of a vertex-face contact whose vertex stands at a vertex of the face, within `distance` (m).
-pub(crate) fn counterpart(
+pub fn counterpart(
     feature: ContactFeature,
-    (shape_a, pose_a): (&Shape, &Pose),
-    (shape_b, pose_b): (&Shape, &Pose),
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
     distance: f64,
 ) -> Option<ContactFeature> {
     let ContactFeature::VertexFace { vertex_of, vertex, face } = feature else { return None };
@@ -44,12 +47,7 @@ pub(crate) fn counterpart(
 }
 
 /// The face at a vertex whose normal is most opposed to `normal`; of equal ones the first.
-fn most_opposed_face(
-    owner: &ConvexPolyhedron,
-    vertex: u32,
-    pose: &Pose,
-    normal: polhode_spatial::DVec3,
-) -> Option<(u32, f64)> {
+fn most_opposed_face(owner: &ConvexPolyhedron, vertex: u32, pose: &Pose, normal: DVec3) -> Option<(u32, f64)> {
     let mut best: Option<(u32, f64)> = None;
     for (index, face) in owner.faces().enumerate().filter(|(_, face)| face.vertices.contains(&vertex)) {
         let cosine = pose.rotation.rotate(face.normal).dot(normal);
