@@ -4,7 +4,7 @@
 //! ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors are
 //! the same everywhere.
 
-use crate::commands;
+use crate::{commands, narrow_phase};
 use clap::Args;
 use serde_json::Value;
 use std::error::Error;
@@ -88,6 +88,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
         let study = study(options, root, &scene, &figure)?;
         document.push_str(&section(name, what, &study));
     }
+    document.push_str(&narrow_phase::section(root)?);
     fs::write(root.join(DOCUMENT), document)?;
     Ok(ExitCode::SUCCESS)
 }

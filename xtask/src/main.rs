@@ -1,27 +1,36 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
-//! regenerates the figures and tables of `docs/accuracy-and-cost.md`.
+//! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask import-rigid-ipc` takes over scenes of
+//! another project's suite.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`verify`] | the command: steps in order, table, exit code |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
+//! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
+//! | [`interpenetration`] | whether bodies are in each other, without the contact crate |
 //! | [`cases`] | validation cases, one file per group |
+//! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
+//! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`readme`] | the example of the README, as a test |
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod cases;
 mod commands;
 mod cost;
+mod exact;
 mod golden;
 mod house;
+mod interpenetration;
 mod known;
+mod narrow_phase;
 mod readme;
 mod reference;
+mod rigid_ipc;
 mod row;
 mod table;
 mod verify;
@@ -43,12 +52,18 @@ enum Task {
     Verify(verify::Options),
     /// Regenerates figures and tables of docs/accuracy-and-cost.md.
     Cost(cost::Options),
+    /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
+    ImportRigidIpc(rigid_ipc::Options),
+    /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
+    NarrowPhase,
 }
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
         Task::Verify(options) => verify::run(&options),
+        Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
+        Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
     };
     match outcome {
         Ok(code) => code,

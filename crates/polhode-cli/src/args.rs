@@ -104,6 +104,9 @@ pub(crate) struct CostArgs {
     /// Varies a key of the scene over values; several keys give all combinations [default: integrators and steps]
     #[arg(long, value_name = "KEY=VALUE,...")]
     pub(crate) vary: Vec<String>,
+    /// Compares the broad phases, which find pairs that may touch, on the boxes of one run
+    #[arg(long, conflicts_with_all = ["vary", "target", "instructions", "svg"])]
+    pub(crate) broad_phase: bool,
     /// Names the cheapest method whose error stays below this; exit code 1 when there is none
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) target: Option<f64>,

@@ -62,19 +62,33 @@ pub(crate) struct AabbTree {
 }
 
 impl AabbTree {
-    /// Takes new boxes: refits the tree when their number is unchanged, builds it anew otherwise.
+    /// Takes new boxes: moves the leaves when their number is unchanged, builds the tree anew otherwise. The order of
+    /// the steps is rapier3d's: fitting comes last and puts the nodes in the order in which they are visited.
     pub(crate) fn set(&mut self, boxes: &[Aabb]) {
         let convert = |aabb: &Aabb| ParryAabb::new(aabb.min(), aabb.max());
-        if boxes.len() == self.leaves && self.leaves > 0 {
-            for (leaf, aabb) in boxes.iter().enumerate() {
-                self.tree.insert_or_update_partially(convert(aabb), leaf as u32, 0.0);
-            }
-            self.tree.refit(&mut self.workspace);
-            self.tree.optimize_incremental(&mut self.workspace);
-        } else {
+        if self.leaves == 0 || boxes.len() > 2 * self.leaves {
             let converted: Vec<ParryAabb> = boxes.iter().map(convert).collect();
             self.tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &converted);
             self.leaves = boxes.len();
+            return;
+        }
+        let is_smaller = boxes.len() < self.leaves;
+        for leaf in boxes.len()..self.leaves {
+            self.tree.remove(leaf as u32);
+        }
+        if is_smaller {
+            // Nodes that are no longer used must go before leaves are collected from all nodes.
+            self.tree.refit(&mut self.workspace);
+        }
+        for (leaf, aabb) in boxes.iter().enumerate() {
+            self.tree.insert_or_update_partially(convert(aabb), leaf as u32, 0.0);
+        }
+        if boxes.len() == self.leaves {
+            self.tree.optimize_incremental(&mut self.workspace);
+            self.tree.refit(&mut self.workspace);
+        } else {
+            self.leaves = boxes.len();
+            self.tree.rebuild(&mut self.workspace, BvhBuildStrategy::Binned);
         }
     }
 

@@ -71,9 +71,22 @@ pub struct Manifold {
     pub axis: SeparatingAxis,
 }
 
+impl Default for Manifold {
+    /// No contact, and nothing known.
+    fn default() -> Self {
+        Self { contacts: Vec::new(), separation: f64::NAN, axis: SeparatingAxis::None }
+    }
+}
+
 impl Manifold {
     /// No contact, at a given separation.
     pub(crate) const fn empty(separation: f64, axis: SeparatingAxis) -> Self {
         Self { contacts: Vec::new(), separation, axis }
+    }
+
+    /// Forgets the contacts, and takes a separation.
+    pub(crate) fn set_empty(&mut self, separation: f64, axis: SeparatingAxis) {
+        self.contacts.clear();
+        (self.separation, self.axis) = (separation, axis);
     }
 }

@@ -3,7 +3,10 @@
 //! Identities are of the bodies, not of the pose: the same vertex on the same face is the same contact one step later.
 //! The kinds are those of thesis 3.3 (end): vertex-face and edge-edge, and what smooth shapes add. Vertices, edges and
 //! faces are numbered as in the shape ([`crate::ConvexPolyhedron`]); a half-space is face 0; the points of a cloud are
-//! vertices; the centre of a sphere is centre 0.
+//! vertices; the centre of a sphere is centre 0. A compound numbers its elements part after part, centres among the
+//! vertices; a part that is a sphere is named by the vertex number of its centre. The flat patch `p` of a triangle
+//! mesh is face `2 p` seen from outside and face `2 p + 1` seen from inside. What capsules, cylinders, cones and tori have
+//! is listed at [`crate::shape::round`].
 
 /// One of the two bodies of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,6 +38,17 @@ pub enum SurfaceFeature {
     Vertex(u32),
     /// A sphere, against a point of a cloud.
     Sphere,
+    /// The half-ball at an end of a capsule.
+    Cap(u32),
+    /// The side of a capsule, cylinder or cone.
+    Side(u32),
+    /// The rim of a disc, where it is nearest; or the middle line of a ring.
+    Rim(u32),
+    /// The rim of a disc that lies almost flat, where an edge leaves the disc in its own direction; against another rim,
+    /// where that leaves it as it runs anticlockwise about the outward normal of its disc.
+    RimExit(u32),
+    /// The same where the edge or the other rim enters the disc.
+    RimEntry(u32),
 }
 
 /// Which features touch.
@@ -67,6 +81,20 @@ pub enum ContactFeature {
     },
     /// Two spheres.
     SphereSphere,
+    /// Two spheres of which one at least is a part of a compound, by the numbers of their centres.
+    Spheres {
+        /// Centre of A's sphere.
+        center_a: u32,
+        /// Centre of B's sphere.
+        center_b: u32,
+    },
+    /// Any other two parts of the surfaces.
+    Elements {
+        /// Part of A.
+        a: SurfaceFeature,
+        /// Part of B.
+        b: SurfaceFeature,
+    },
 }
 
 impl ContactFeature {
@@ -81,6 +109,8 @@ impl ContactFeature {
                 Self::Smooth { center_of: center_of.other(), center, against }
             }
             Self::SphereSphere => Self::SphereSphere,
+            Self::Spheres { center_a, center_b } => Self::Spheres { center_a: center_b, center_b: center_a },
+            Self::Elements { a, b } => Self::Elements { a: b, b: a },
         }
     }
 }

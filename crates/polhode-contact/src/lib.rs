@@ -13,11 +13,12 @@
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`] |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`]; [`NarrowPhase`]: all pairs from step to step |
+//! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
 //! | [`impact`] | [`time_of_impact()`]: first time at which two moving shapes close |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
-//! | [`bounding`] | [`Aabb`], [`swept_aabb`]: bounds of still and moving shapes |
-//! | [`broad_phase`] | [`BroadPhase`], [`Bvh`]: which pairs may touch |
+//! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
+//! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
 //!
 //! ```
 //! use polhode_contact::{Shape, manifold};
@@ -38,18 +39,26 @@ pub mod contact;
 pub mod feature;
 pub mod impact;
 pub mod narrow_phase;
+pub mod query;
 pub mod shape;
 
-pub use bounding::aabb::{Aabb, AabbError, swept_aabb};
-pub use broad_phase::{BroadPhase, BroadPhaseError, Bvh};
+pub use bounding::aabb::{Aabb, AabbError, aabb_of, swept_aabb};
+pub use bounding::{BoundingSphere, OrientedBox};
+pub use broad_phase::{BroadPhase, BroadPhaseError, BroadPhaseMethod, Bvh, UnknownBroadPhase};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_impact};
+pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics};
-pub use narrow_phase::manifold::{manifold, manifold_with};
+pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with};
+pub use narrow_phase::persistent::{ContactChange, NarrowPhase, NarrowPhaseError, PairContacts};
 pub use narrow_phase::separating_axis::Workspace;
 pub use narrow_phase::separation::{separation, separation_with};
+pub use query::{
+    ClosestPoints, FeatureKind, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point,
+    contains, distance, overlap, ray_cast,
+};
 pub use shape::approximate_decomposition::{
     ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,
 };

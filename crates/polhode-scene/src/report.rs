@@ -85,6 +85,7 @@ pub fn plan_json(plan: &Plan) -> Value {
         "integrator_reason": plan.integrator_reason,
         "impact": names::impact(plan.impact),
         "contact": names::contact(plan.contact),
+        "broad_phase": plan.broad_phase.name(),
         "step_s": plan.step_s,
         "tolerance": plan.tolerance,
         "max_events_per_step": plan.max_events_per_step,

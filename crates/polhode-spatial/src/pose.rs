@@ -20,26 +20,31 @@ impl Pose {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation: DVec3::ZERO };
 
     /// From its two parts.
+    #[inline]
     pub const fn new(rotation: Rotation, translation: DVec3) -> Self {
         Self { rotation, translation }
     }
 
     /// A translation without rotation.
+    #[inline]
     pub const fn from_translation(translation: DVec3) -> Self {
         Self { rotation: Rotation::IDENTITY, translation }
     }
 
     /// `p_AQ` from `p_BQ`.
+    #[inline]
     pub fn transform_point(&self, point: DVec3) -> DVec3 {
         self.rotation.rotate(point) + self.translation
     }
 
     /// `p_BQ` from `p_AQ`.
+    #[inline]
     pub fn inverse_transform_point(&self, point: DVec3) -> DVec3 {
         self.rotation.inverse_rotate(point - self.translation)
     }
 
     /// `X_BA`.
+    #[inline]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.inverse();
         Self { rotation, translation: -rotation.rotate(self.translation) }
@@ -47,12 +52,14 @@ impl Pose {
 
     /// `X_BC` from `X_AB` (self) and `X_AC`: the pose of `other` seen from `self`, formed from the difference of the
     /// translations, so that two frames far from the origin lose no digits.
+    #[inline]
     pub fn relative(&self, other: &Self) -> Self {
         let inverse = self.rotation.inverse();
         Self { rotation: inverse * other.rotation, translation: inverse.rotate(other.translation - self.translation) }
     }
 
     /// Whether every component is finite.
+    #[inline]
     pub fn is_finite(&self) -> bool {
         self.rotation.is_finite() && self.translation.is_finite()
     }

@@ -112,6 +112,7 @@ impl Rotation {
     }
 
     /// The quaternion.
+    #[inline]
     pub const fn quaternion(self) -> DQuat {
         self.0
     }
@@ -122,16 +123,19 @@ impl Rotation {
     }
 
     /// The matrix whose columns are the images of the axes.
+    #[inline]
     pub fn to_matrix(self) -> DMat3 {
         DMat3::from_quat(self.0)
     }
 
     /// The inverse rotation.
+    #[inline]
     pub fn inverse(self) -> Self {
         Self(self.0.conjugate())
     }
 
     /// Turns `v_B` into `v_A`.
+    #[inline]
     pub fn rotate(self, vector: DVec3) -> DVec3 {
         // Rodrigues in quaternion form, v + 2 w (u x v) + 2 u x (u x v): exact for the identity, unlike q v q*.
         let u = DVec3::new(self.0.x, self.0.y, self.0.z);
@@ -140,6 +144,7 @@ impl Rotation {
     }
 
     /// Turns `v_A` into `v_B`.
+    #[inline]
     pub fn inverse_rotate(self, vector: DVec3) -> DVec3 {
         self.inverse().rotate(vector)
     }
@@ -151,6 +156,7 @@ impl Rotation {
     }
 
     /// Whether every component is finite.
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.0.is_finite()
     }

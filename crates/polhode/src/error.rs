@@ -1,7 +1,7 @@
 //! What can go wrong while simulating.
 
 use crate::scene::SceneError;
-use polhode_contact::ImpactError;
+use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_response::ResponseError;
 use thiserror::Error;
@@ -45,6 +45,9 @@ pub enum SimulationError {
         /// Residual reached (relative).
         residual: f64,
     },
+    /// There are more bodies than pairs can be numbered for.
+    #[error("pairs of bodies that may touch cannot be found: {0}")]
+    BroadPhase(#[source] BroadPhaseError),
     /// The integrator could not make a step.
     #[error("no step possible from t = {t} s: {source}")]
     Integration {

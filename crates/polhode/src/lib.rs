@@ -5,6 +5,7 @@
 //! ```
 
 mod accurate;
+pub mod body_queries;
 mod books;
 pub mod error;
 pub mod event;
@@ -23,6 +24,7 @@ mod simulation;
 mod thesis;
 mod world;
 
+pub use body_queries::BodyQueries;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
 pub use ledger::Ledger;

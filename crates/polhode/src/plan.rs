@@ -6,7 +6,7 @@
 
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Scene, Tier};
+use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Scene, Tier};
 use crate::settings::Settings;
 use crate::world::World;
 use polhode_spatial::DVec3;
@@ -104,6 +104,8 @@ pub struct Plan {
     pub impact: ImpactLaw,
     /// Method of contact forces.
     pub contact: ContactMethod,
+    /// How pairs that may touch are found.
+    pub broad_phase: BroadPhaseMethod,
     /// Step, s: fixed in tier `thesis`, an upper bound in tier `accurate`.
     pub step_s: f64,
     /// Local error per step of contact phases (dimensionless).
@@ -135,6 +137,7 @@ impl Plan {
             integrator_reason: findings.choice.reason.clone(),
             impact: settings.impact,
             contact: settings.contact,
+            broad_phase: settings.broad_phase,
             step_s: settings.step_s,
             tolerance: settings.tolerance,
             max_events_per_step: settings.max_events_per_step,

@@ -1,6 +1,6 @@
 //! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
 
 /// Upper bound of a step when none is given, s.
 const DEFAULT_STEP_S: f64 = 0.01;
@@ -22,6 +22,7 @@ pub(crate) struct Settings {
     pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
+    pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
@@ -58,6 +59,7 @@ impl Settings {
             rotation_rate: method.rotation_rate.unwrap_or_default(),
             impact: method.impact.unwrap_or(impact),
             contact: method.contact.unwrap_or(contact),
+            broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(DEFAULT_STEP_S),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),

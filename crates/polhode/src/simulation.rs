@@ -1,6 +1,7 @@
 //! A simulation: a scene in motion.
 
 use crate::accurate::Engine;
+use crate::body_queries::BodyQueries;
 use crate::free_method;
 use crate::observer::{Flow, Observer};
 use crate::plan::Findings;
@@ -11,6 +12,7 @@ use crate::settings::Settings;
 use crate::thesis::ThesisEngine;
 use crate::world::World;
 use crate::{Effects, Plan, Scene, SimulationError};
+use polhode_contact::QueryError;
 use polhode_spatial::DVec3;
 
 /// Acceleration of a body.
@@ -104,6 +106,19 @@ impl Simulation {
             TierEngine::Accurate(engine) => engine.time(),
             TierEngine::Thesis(engine) => engine.time(),
         }
+    }
+
+    /// The bodies where they stand now, for questions: what is nearest, what a ray meets, what overlaps what. An example
+    /// stands at [`BodyQueries`].
+    ///
+    /// # Errors
+    /// When a pose is not finite.
+    pub fn queries(&self) -> Result<BodyQueries<'_>, QueryError> {
+        let (world, states) = match &self.tier {
+            TierEngine::Accurate(engine) => engine.bodies(),
+            TierEngine::Thesis(engine) => engine.bodies(),
+        };
+        BodyQueries::new(world, states)
     }
 
     fn report(&mut self, outcome: Outcome) -> RunReport {

@@ -6,11 +6,13 @@
 
 mod bodies;
 mod convergence;
+mod convex_pairs;
 mod curved_bodies;
 mod decomposition;
 mod diamonds;
 mod effects;
 mod exact_drift;
+mod falling_shapes;
 mod free_rotation;
 mod heavy_tops;
 mod impact_chains;
@@ -26,15 +28,20 @@ mod peers;
 mod pi_machine;
 mod polhode_times;
 mod published_rotations;
+mod random;
+mod random_pairs;
 mod random_solids;
 mod reductions;
 mod resting_contact;
+mod rigid_ipc;
 mod run;
 mod setting;
 mod speed;
+mod stackings;
 mod stacks;
 mod table_edge;
 mod thesis_tier;
+mod tunnelling;
 
 use crate::reference::Reference;
 use crate::row::Row;
@@ -137,6 +144,9 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "mesh decomposition", rows: decomposition::convex_parts },
     Case { name: "moved meshes", rows: random_solids::moved },
     Case { name: "random solids", rows: random_solids::laws },
+    Case { name: "convex pairs", rows: convex_pairs::random },
+    Case { name: "stackings", rows: stackings::symmetric },
+    Case { name: "tunnelling", rows: tunnelling::shots },
     Case { name: "FR-01", rows: free_rotation::fr_01 },
     Case { name: "FR-02", rows: free_rotation::fr_02 },
     Case { name: "FR-03", rows: polhode_times::fr_03 },
@@ -176,6 +186,8 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-08", rows: resting_contact::rc_08 },
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "falling shapes", rows: falling_shapes::times },
+    Case { name: "resting shapes", rows: falling_shapes::rest },
     Case { name: "least-force bound", rows: resting_contact::least_force_bound },
     Case { name: "diamonds stand", rows: diamonds::stand },
     Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },
@@ -190,6 +202,8 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "CD-04", rows: invariances::cd_04 },
     Case { name: "CD-05", rows: long_runs::cd_05 },
     Case { name: "CD-06", rows: invariances::cd_06 },
+    Case { name: "Rigid IPC scenes", rows: rigid_ipc::own },
+    Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

@@ -1,5 +1,6 @@
 //! Laws that the mass properties of every solid obey, on random closed meshes: convex, star-shaped, with a void.
 
+use super::random::Random;
 use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::{DMat3, DVec3};
@@ -15,24 +16,6 @@ const CASE: &str = "random solids";
 const SCALES: [f64; 2] = [1e-4, 1e4];
 /// Random meshes of a full run.
 const MESHES: usize = 10_000;
-
-/// SplitMix64 (docs/REFERENCES.md, Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    /// Uniform between two numbers.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn vector(&mut self, low: f64, high: f64) -> DVec3 {
-        DVec3::new(self.between(low, high), self.between(low, high), self.between(low, high))
-    }
-}
 
 /// Worst errors so far.
 #[derive(Default)]

@@ -25,7 +25,7 @@ fn check_library(hidden: &Hidden, sources: &[RustSource]) -> Vec<Violation> {
     let Hidden { library, home, module } = hidden;
     let mut violations = Vec::new();
     let users: Vec<&RustSource> =
-        sources.iter().filter(|source| source.product_code().any(|(_, line)| names(line, library))).collect();
+        sources.iter().filter(|s| !is_task(s) && s.product_code().any(|(_, line)| names(line, library))).collect();
     let file_ends = [format!("/{module}.rs"), format!("/{module}/mod.rs")];
     for user in &users {
         if user.crate_name() != *home || !file_ends.iter().any(|end| user.path().ends_with(end)) {
@@ -51,6 +51,12 @@ fn check_library(hidden: &Hidden, sources: &[RustSource]) -> Vec<Violation> {
         }
     }
     violations
+}
+
+/// Whether the file belongs to the development tasks, which are no part of the product and may hold a library against
+/// the crate that hides it.
+fn is_task(source: &RustSource) -> bool {
+    source.path().starts_with("xtask/")
 }
 
 /// Public items of the file whose signature names the library or something imported from it.

@@ -13,7 +13,7 @@ const SCRIPT: &str = r#"document.querySelectorAll("th").forEach((th, column) => 
   [...body.rows].sort((a, b) => (up ? 1 : -1) * order(key(a), key(b))).forEach(row => body.append(row));
 }));"#;
 
-const STYLE: &str = "body{font:15px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
+pub(super) const STYLE: &str = "body{font:15px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
 svg{max-width:100%;height:auto}table{border-collapse:collapse}th{cursor:pointer;border-bottom:2px solid #888}\
 th,td{padding:.15em .8em;text-align:left;white-space:nowrap}td.n{text-align:right;font-variant-numeric:tabular-nums}\
 tr.front{background:#fff3d0}pre{white-space:pre-wrap}";
@@ -70,6 +70,6 @@ fn cell(value: f64, shown: &str) -> String {
     format!("<td class=\"n\" data-value=\"{value:?}\">{shown}</td>")
 }
 
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

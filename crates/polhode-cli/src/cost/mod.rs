@@ -19,6 +19,7 @@
 //! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
 //! | `progress` | a bar on a terminal |
 
+mod broad_phases;
 mod candidate;
 mod csv;
 mod error;
@@ -41,6 +42,7 @@ pub(crate) use instructions::probe;
 use crate::args::{CostArgs, SceneArgs};
 use crate::failure::{self, Failure};
 use crate::stdout;
+use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
 use polhode_scene::{AtomicFile, Override};
 use source::Source;
@@ -62,6 +64,9 @@ const SEARCH_SAMPLES: u32 = 100;
 pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     positive("--target", args.target)?;
     positive("--budget", Some(args.budget))?;
+    if args.broad_phase {
+        return broad_phases(args);
+    }
     let axes: Vec<Axis> =
         args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(|fault| usage(&fault))?;
     let counting = if args.instructions { Counting::Instructions } else { Counting::Time };
@@ -72,15 +77,12 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     // A folder that does not exist is found before the work, not after it.
     let [csv, svg, html] = [&args.csv, &args.svg, &args.html].map(|path| open(path.as_ref()));
     let (csv, svg, html) = (csv?, svg?, html?);
-    let effort =
-        Effort { fewest_rounds: args.rounds.min(3) as usize, most_rounds: args.rounds as usize, enough_s: 0.2 };
-    let options = Options { samples: args.samples, effort, budget_s: args.budget, counting };
+    let options = Options { samples: args.samples, effort: effort(args), budget_s: args.budget, counting };
     let study = Study::run(&source, &axes, &options)?;
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study)? } else { String::new() };
     for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
-        if let Some(mut file) = file {
-            let written = file.write_all(text.as_bytes()).and_then(|()| file.commit());
-            written.map_err(|error| cannot_write(file.target(), &error))?;
+        if let Some(file) = file {
+            write(file, &text)?;
         }
     }
     if args.json {
@@ -92,6 +94,29 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
         Some(target) if study.cheapest(target).is_none() => Err(Failure::Check(text::not_reached(&study, target))),
         _ => Ok(()),
     }
+}
+
+/// Times the broad phases and tells it in every way asked for.
+fn broad_phases(args: &CostArgs) -> Result<(), Failure> {
+    let source = Source::new(&args.scene)?;
+    let [csv, html] = [&args.csv, &args.html].map(|path| open(path.as_ref()));
+    let (csv, html) = (csv?, html?);
+    let study = BroadPhaseStudy::run(&source, args.samples, effort(args))?;
+    for (file, text) in [(csv, study.csv()), (html, study.html())] {
+        if let Some(file) = file {
+            write(file, &text)?;
+        }
+    }
+    if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
+}
+
+fn effort(args: &CostArgs) -> Effort {
+    Effort { fewest_rounds: args.rounds.min(3) as usize, most_rounds: args.rounds as usize, enough_s: 0.2 }
+}
+
+fn write(mut file: AtomicFile, text: &str) -> Result<(), Failure> {
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.commit());
+    written.map_err(|error| cannot_write(file.target(), &error))
 }
 
 /// The settings of the cheapest method that reaches an accuracy; stderr is told which it is.

@@ -14,6 +14,7 @@ pub(crate) fn plan(scene: &str, plan: &Plan) -> String {
     methods.row(["integrator", &format!("{} ({})", names::integrator(plan.integrator), plan.integrator_reason)]);
     methods.row(["impact", names::impact(plan.impact)]);
     methods.row(["contact", names::contact(plan.contact)]);
+    methods.row(["broad phase", plan.broad_phase.name()]);
     methods.row(["step", &format!("{} s", number(plan.step_s))]);
     methods.row(["tolerance", &number(plan.tolerance)]);
     let mut effects = Table::default();

@@ -131,3 +131,23 @@ fn mistakes() {
     place.expect(3, &["cost", "missing.toml"]);
     assert_eq!(place.list(), ["scene.toml"]);
 }
+
+/// Two boxes that fall on a floor: every broad phase is timed and finds the same pairs, in every form of the table.
+#[test]
+fn broad_phases() {
+    let scene = "format = 1\nduration = 0.1\n\
+                 [[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\n\
+                 [[bodies]]\nname = \"a\"\nshape.box.size = [1, 1, 1]\nmass = 1\nposition = [0, 0, 0.5]\n\
+                 [[bodies]]\nname = \"b\"\nshape.box.size = [1, 1, 1]\nmass = 1\nposition = [5, 0, 3]\n";
+    let place = Place::with_scene(scene);
+    let arguments = ["cost", "scene.toml", "--broad-phase", "--samples", "10", "--rounds", "2"];
+    let json = place.expect(0, &[&arguments[..], &["--csv", "b.csv", "--html", "b.html", "--json"]].concat()).json();
+    assert_eq!(place.list(), ["b.csv", "b.html", "scene.toml"]);
+    let names: Vec<_> = json["broad_phases"].as_array().unwrap().iter().map(|row| &row["broad_phase"]).collect();
+    let expected = ["bvh", "voxel-grid", "octree", "kd-tree", "binary-space-partition", "sweep-and-prune", "none"];
+    assert_eq!(names, expected);
+    // The floor has no bounds, so that it meets both boxes at each of eleven samples; the boxes never meet.
+    assert_eq!((&json["boxes"], &json["samples"], &json["pairs"]), (&3.into(), &11.into(), &22.into()));
+    assert_eq!(json["broad_phases"][3]["rounds"], 2);
+    place.expect(2, &[&arguments[..], &["--svg", "b.svg"]].concat());
+}

@@ -1,12 +1,14 @@
 //! Axis-aligned bounding boxes, and boxes that bound a moving shape.
 
+use super::extent::extent;
 use crate::Shape;
+use crate::shape::extent::turned;
 use glam::DVec3;
-use polhode_spatial::{Motion, MotionBounds};
+use polhode_spatial::{Motion, MotionBounds, Pose};
 use thiserror::Error;
 
 /// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
-const ROUNDING_ULPS: f64 = 16.0;
+pub(crate) const ROUNDING_ULPS: f64 = 16.0;
 
 /// Why two corners make no box.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -63,9 +65,24 @@ impl Aabb {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
     }
 
+    /// Whether the point (m) is in the box.
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.min.cmple(point).all() && point.cmple(self.max).all()
+    }
+
+    /// The smallest box that contains both.
+    pub fn merged(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
     /// Whether every bound is finite.
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The smallest box that contains both.
+    pub fn union(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// The box blown up by a distance on every side, m.
@@ -75,6 +92,28 @@ impl Aabb {
     pub fn inflated(&self, by: f64) -> Result<Self, AabbError> {
         Self::new(self.min - by, self.max + by)
     }
+}
+
+/// A box that contains the shape at a pose. A half-space is unbounded.
+///
+/// # Errors
+/// When the pose is not finite.
+pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
+    if let Shape::HalfSpace(_) = shape {
+        return if pose.is_finite() {
+            Ok(Aabb::UNBOUNDED)
+        } else {
+            Aabb::new(pose.translation * f64::NAN, pose.translation)
+        };
+    }
+    let (mut low, mut high) = (DVec3::ZERO, DVec3::ZERO);
+    for axis in 0..3 {
+        let direction = pose.rotation.inverse_rotate(DVec3::AXES[axis]);
+        (low[axis], high[axis]) = (-extent(shape, -direction), extent(shape, direction));
+    }
+    let place = pose.translation;
+    let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()).max_element() + place.abs());
+    Aabb::new(place + low - rounding, place + high + rounding)
 }
 
 /// A box that contains the shape at every time of `[t0, t1]` (s).
@@ -92,6 +131,11 @@ pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Resul
     if let Shape::HalfSpace(_) = shape {
         return Ok(Aabb::UNBOUNDED);
     }
+    if let Shape::Compound(compound) = shape {
+        let mut boxes = compound.parts().iter().map(|part| swept_aabb(part, motion, t0, t1));
+        let Some(first) = boxes.next() else { return Ok(Aabb::UNBOUNDED) };
+        return boxes.try_fold(first?, |whole, part| Ok(whole.union(&part?)));
+    }
     let duration = t1 - t0;
     let bounds = motion.bounds(t0, t1);
     let (start, end) = (motion.pose(t0).translation, motion.pose(t1).translation);
@@ -106,14 +150,17 @@ pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Resul
 
 /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
 fn turning_extent(shape: &Shape, motion: &dyn Motion, bounds: &MotionBounds, t0: f64, duration: f64) -> (DVec3, DVec3) {
-    let (centers, rounding) = shape.centers();
     let rotation = motion.pose(t0 + 0.5 * duration).rotation;
-    let arm = centers.iter().map(|c| c.length()).fold(0.0, f64::max);
-    let stray = arm * (0.5 * bounds.angular_speed * duration).min(2.0) + rounding;
-    let (low, high) = centers
-        .iter()
-        .map(|&c| rotation.rotate(c))
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
-    let ball = DVec3::splat(arm + rounding);
+    let radius = shape.radius();
+    let stray = DVec3::splat(radius * (0.5 * bounds.angular_speed * duration).min(2.0));
+    if let Shape::TriangleMesh(mesh) = shape {
+        // The corners of the box around it stand in for many vertices.
+        let around = turned(mesh.bounds(), &Pose { rotation, translation: DVec3::ZERO });
+        return (around.min - stray, around.max + stray);
+    }
+    let reach = |axis: DVec3| extent(shape, rotation.inverse_rotate(axis));
+    let high = DVec3::new(reach(DVec3::X), reach(DVec3::Y), reach(DVec3::Z));
+    let low = -DVec3::new(reach(DVec3::NEG_X), reach(DVec3::NEG_Y), reach(DVec3::NEG_Z));
+    let ball = DVec3::splat(radius);
     ((low - stray).max(-ball), (high + stray).min(ball))
 }

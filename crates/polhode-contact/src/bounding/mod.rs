@@ -1,3 +1,17 @@
 //! Volumes that bound shapes, still and moving.
+//!
+//! | module | volume | overlap of two |
+//! |---|---|---|
+//! | [`aabb`] | box along the world's axes, of still and moving shapes | six comparisons |
+//! | [`bounding_sphere`] | smallest ball | one distance |
+//! | [`oriented_box`] | box in any direction | separating axes, fifteen of them |
+//!
+//! All are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
 
 pub mod aabb;
+pub mod bounding_sphere;
+pub(crate) mod extent;
+pub mod oriented_box;
+
+pub use bounding_sphere::BoundingSphere;
+pub use oriented_box::OrientedBox;

@@ -1,12 +1,42 @@
-//! Broad phase: which pairs of bounding boxes overlap.
+//! Broad phase: which pairs of bounding boxes share a point.
+//!
+//! | module | method |
+//! |---|---|
+//! | [`bvh`] | hierarchy of bounding boxes, refitted from call to call (default) |
+//! | [`voxel_grid`] | uniform cells in a hash table |
+//! | [`octree`] | space halved along three axes at once |
+//! | [`kd_tree`] | space halved along one axis, at the median |
+//! | [`binary_space_partition`] | space halved by planes in any direction |
+//! | [`sweep_and_prune`] | intervals on one axis, kept in order from call to call |
+//! | [`all_pairs`] | none: every box against every other |
+//!
+//! All give the same pairs in the same order, whatever their history, so that the choice is one of time alone. Boxes
+//! may be infinite, of any spread of sizes, flat, or coincident. After the first calls none allocates, unless there are
+//! more boxes or pairs than ever before.
+
+pub mod all_pairs;
+pub mod binary_space_partition;
+pub mod bvh;
+pub(crate) mod far_boxes;
+pub mod kd_tree;
+pub mod method;
+pub mod octree;
+pub(crate) mod pair_collector;
+pub(crate) mod partition;
+pub mod sweep_and_prune;
+pub mod voxel_grid;
+
+pub use all_pairs::AllPairs;
+pub use binary_space_partition::BinarySpacePartition;
+pub use bvh::Bvh;
+pub use kd_tree::KdTree;
+pub use method::{BroadPhaseMethod, UnknownBroadPhase};
+pub use octree::Octree;
+pub use sweep_and_prune::SweepAndPrune;
+pub use voxel_grid::VoxelGrid;
 
 use crate::Aabb;
-use crate::backend::AabbTree;
 use thiserror::Error;
-
-/// Boxes that reach farther than this (m) are kept out of the tree, whose cost function squares and multiplies
-/// lengths, and are compared with every box.
-const FARTHEST: f64 = 1e60;
 
 /// Why pairs cannot be found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -22,69 +52,20 @@ pub enum BroadPhaseError {
 }
 
 /// A way to find the pairs of boxes that overlap.
-pub trait BroadPhase {
-    /// All pairs `(i, j)`, `i < j`, of boxes that share a point, sorted, each once.
+pub trait BroadPhase: std::fmt::Debug + Send {
+    /// Puts all pairs `(i, j)`, `i < j`, of boxes that share a point into `pairs`, sorted, each once. What the buffer
+    /// held before is forgotten; its memory is used again.
     ///
     /// # Errors
-    /// When there are more boxes than indices.
-    fn pairs(&mut self, boxes: &[Aabb]) -> Result<Vec<(u32, u32)>, BroadPhaseError>;
+    /// When there are more boxes than indices; `pairs` is then empty.
+    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError>;
 }
 
-/// A bounding-volume hierarchy that is refitted from call to call. The pairs depend on the boxes alone, not on the
-/// tree's history: every candidate is tested against the boxes themselves and the result is sorted.
-#[derive(Default, Clone)]
-pub struct Bvh {
-    tree: AabbTree,
-    bounded: Vec<Aabb>,
-    /// Index of each bounded box among all.
-    index: Vec<u32>,
-    unbounded: Vec<u32>,
-}
-
-impl std::fmt::Debug for Bvh {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Bvh")
-            .field("bounded", &self.bounded.len())
-            .field("unbounded", &self.unbounded.len())
-            .finish_non_exhaustive()
+/// Empties the result, and refuses more boxes than a `u32` can number.
+fn begin(boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
+    pairs.clear();
+    match u32::try_from(boxes.len()) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(BroadPhaseError::TooManyBoxes { count: boxes.len(), limit: u32::MAX as usize }),
     }
-}
-
-impl BroadPhase for Bvh {
-    fn pairs(&mut self, boxes: &[Aabb]) -> Result<Vec<(u32, u32)>, BroadPhaseError> {
-        if u32::try_from(boxes.len()).is_err() {
-            return Err(BroadPhaseError::TooManyBoxes { count: boxes.len(), limit: u32::MAX as usize });
-        }
-        self.bounded.clear();
-        self.index.clear();
-        self.unbounded.clear();
-        for (i, aabb) in boxes.iter().enumerate() {
-            if aabb.min().abs().max(aabb.max().abs()).max_element() <= FARTHEST {
-                self.bounded.push(*aabb);
-                self.index.push(i as u32);
-            } else {
-                self.unbounded.push(i as u32);
-            }
-        }
-        let mut pairs = Vec::new();
-        for (k, &i) in self.unbounded.iter().enumerate() {
-            let others = self.index.iter().chain(&self.unbounded[k + 1..]);
-            pairs.extend(others.filter(|&&j| boxes[i as usize].overlaps(&boxes[j as usize])).map(|&j| ordered(i, j)));
-        }
-        if self.bounded.len() > 1 {
-            self.tree.set(&self.bounded);
-            let (bounded, index) = (&self.bounded, &self.index);
-            self.tree.overlaps(&mut |i, j| {
-                if bounded[i as usize].overlaps(&bounded[j as usize]) {
-                    pairs.push(ordered(index[i as usize], index[j as usize]));
-                }
-            });
-        }
-        pairs.sort_unstable();
-        Ok(pairs)
-    }
-}
-
-fn ordered(i: u32, j: u32) -> (u32, u32) {
-    if i < j { (i, j) } else { (j, i) }
 }

@@ -16,6 +16,8 @@
 //! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
 //! of the two places (all seen from A, where `e_A` rests).
 //!
+//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below` bounds that.
+//!
 //! The centres' accelerations. `|v'| <= a` alone would hold two bodies that fall side by side to grow together with 2g.
 //! But the change of velocity over the window is known: if it is nearly `a T` in a direction `u`, then `v'` is nearly
 //! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
@@ -23,12 +25,22 @@
 
 use crate::impact::quadratic_bound::{Quadratic, open_until};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::shape::round::Hull;
 use crate::{ConvexPolyhedron, Side};
 use glam::DVec3;
 use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
 
 /// Rounding of a velocity, in epsilons of its magnitude.
 const VELOCITY_ULPS: f64 = 8.0;
+
+/// Lower bound of `-|a x n|` over a window, for a unit vector `a` with rate `a'` and a bound of `|a''|`: the component of
+/// `a + a' s` across `n` has a length that is convex in `s`, and so lies below its chord; the rest is a parabola.
+fn circle_below(n: DVec3, axis: DVec3, rate: DVec3, second: f64, window: f64) -> Quadratic {
+    let (now, change) = (axis.cross(n), rate.cross(n));
+    let start = now.length();
+    let slope = if window > 0.0 { ((now + change * window).length() - start) / window } else { change.length() };
+    Quadratic { value: -start, rate: -slope, curvature: second }
+}
 
 /// Points of a body, blown up by a radius: what of a shape an axis sees.
 pub(crate) type Points<'a> = (&'a [DVec3], f64);
@@ -162,24 +174,63 @@ impl<'a> Window<'a> {
         open
     }
 
-    /// How long two sets of points stay apart along a direction that is fixed in the world, from B to A.
-    pub(crate) fn along_direction(&mut self, direction: DVec3, points_a: Points<'_>, points_b: Points<'_>) -> f64 {
+    /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body: its outward unit
+    /// normal and its offset in that body's frame (m).
+    pub(crate) fn circles_above_plane(&mut self, of: Side, hull: &Hull<'_>, normal: DVec3, offset: f64) -> f64 {
+        let (v, e) = self.sides(of);
+        let up = e.pose.rotation.rotate(normal);
+        let between = v.pose.translation - e.pose.translation;
+        let relative = v.velocity.linear - e.velocity.linear;
+        let central = self.central(of, up, e.spin());
+        let spin = v.velocity.angular - e.velocity.angular;
+        // The axis seen from the plane's body.
+        let both = v.spin() + e.spin();
+        let swing = v.bounds.angular_acceleration + e.bounds.angular_acceleration + v.spin() * e.spin() + both * both;
+        let mut open = self.length;
+        for circle in hull.circles.iter() {
+            let arm = v.pose.rotation.rotate(circle.center);
+            let axis = v.pose.rotation.rotate(circle.axis);
+            let place = between + arm;
+            let velocity = relative + v.velocity.angular.cross(arm) - e.velocity.angular.cross(place);
+            let reach = arm.length();
+            let speed = self.speed + v.spin() * reach;
+            let turning = v.turning(reach) + e.turning(place.length() + speed * self.length) + 2.0 * e.spin() * speed;
+            let center = Quadratic {
+                value: up.dot(place) - offset - hull.ball,
+                rate: up.dot(velocity) + central.rate,
+                curvature: central.curvature + turning,
+            };
+            let tilt = circle_below(up, axis, spin.cross(axis), swing, self.length);
+            open = open.min(open_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
+        }
+        open
+    }
+
+    /// How long two hulls stay apart along a direction that is fixed in the world, from B to A.
+    pub(crate) fn along_direction(&mut self, direction: DVec3, hull_a: &Hull<'_>, hull_b: &Hull<'_>) -> f64 {
         let [mut first, mut second] = std::mem::take(self.buffers);
-        let collect = |bounds: &mut Vec<Quadratic>, body: &MovingBody, direction: DVec3, points: &[DVec3]| {
-            bounds.clear();
-            bounds.extend(points.iter().map(|&point| {
+        let length = self.length;
+        let collect = |bounds: &mut Vec<Quadratic>, body: &MovingBody, direction: DVec3, hull: &Hull<'_>| {
+            let point = |point: DVec3| {
                 let arm = body.pose.rotation.rotate(point);
                 Quadratic {
                     value: direction.dot(arm),
                     rate: direction.dot(body.velocity.angular.cross(arm)),
                     curvature: body.turning(arm.length()),
                 }
+            };
+            bounds.clear();
+            bounds.extend(hull.points.iter().map(|&p| point(p)));
+            bounds.extend(hull.circles.iter().map(|circle| {
+                let axis = body.pose.rotation.rotate(circle.axis);
+                let tilt = circle_below(direction, axis, body.velocity.angular.cross(axis), body.turning(1.0), length);
+                point(circle.center).plus(tilt.times(circle.radius))
             }));
         };
-        collect(&mut first, &self.a, direction, points_a.0);
-        collect(&mut second, &self.b, -direction, points_b.0);
+        collect(&mut first, &self.a, direction, hull_a);
+        collect(&mut second, &self.b, -direction, hull_b);
         let mut base = self.central(Side::A, direction, 0.0);
-        base.value = direction.dot(self.a.pose.translation - self.b.pose.translation) - points_a.1 - points_b.1;
+        base.value = direction.dot(self.a.pose.translation - self.b.pose.translation) - hull_a.ball - hull_b.ball;
         base.rate += direction.dot(self.a.velocity.linear - self.b.velocity.linear);
         let open = open_until(base, &first, &second, self.length);
         *self.buffers = [first, second];

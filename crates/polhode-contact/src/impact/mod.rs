@@ -1,5 +1,6 @@
 //! Impacts: when two moving shapes close.
 
+mod composite_impact;
 mod impact_bounds;
 pub(crate) mod quadratic_bound;
 mod root_bracket;

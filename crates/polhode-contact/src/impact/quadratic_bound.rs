@@ -19,12 +19,18 @@ impl Quadratic {
         self.value + s * (self.rate - 0.5 * self.curvature * s)
     }
 
-    fn plus(self, other: Self) -> Self {
+    /// A bound of the sum.
+    pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
             rate: self.rate + other.rate,
             curvature: self.curvature + other.curvature,
         }
+    }
+
+    /// A bound of a multiple; `factor` is not negative.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self { value: factor * self.value, rate: factor * self.rate, curvature: factor * self.curvature }
     }
 
     /// The positive root when the value at zero is positive; infinite when there is none.

@@ -13,13 +13,19 @@
 //! back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
+use crate::impact::composite_impact::{find_composite, is_composite};
 use crate::impact::impact_bounds::Window;
 use crate::impact::root_bracket::{Sample, last_open};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::round::element::{Element, Locus};
+use crate::narrow_phase::round::gap::{self, Gap};
+use crate::narrow_phase::round::ring;
 use crate::narrow_phase::separating_axis::{Axes, Workspace};
 use crate::narrow_phase::separation::{search_axes, separation_with};
-use crate::{Shape, Side};
+use crate::shape::round::{Hull, circles, is_round};
+use crate::{Shape, Side, SurfaceFeature};
+use glam::DVec3;
 use polhode_spatial::{Motion, Pose};
 use thiserror::Error;
 
@@ -115,12 +121,29 @@ pub fn find_impact(
     if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
         return Err(ImpactError::Interval { t0, t1 });
     }
+    let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
+    if shapes.into_iter().any(is_composite) {
+        return find_composite(shapes, motions, (t0, t1), settings);
+    }
+    find_in_parts(shapes, shapes, motions, (t0, t1), settings)
+}
+
+/// The impact of one part of each of two bodies; the whole bodies give the tolerances.
+pub(crate) fn find_in_parts(
+    shapes: [&Shape; 2],
+    wholes: [&Shape; 2],
+    motions: [&dyn Motion; 2],
+    (t0, t1): (f64, f64),
+    settings: &ImpactSearch,
+) -> Result<ImpactReport, ImpactError> {
     let mut search = Search {
-        shapes: [shape_a, shape_b],
-        motions: [motion_a, motion_b],
+        shapes,
+        wholes,
+        motions,
         settings,
         workspace: Workspace::default(),
         axes: None,
+        gap: None,
         evaluations: 0,
     };
     let start = search.look(t0)?;
@@ -139,17 +162,24 @@ struct Moment {
 
 struct Search<'a> {
     shapes: [&'a Shape; 2],
+    /// The bodies that the shapes are parts of.
+    wholes: [&'a Shape; 2],
     motions: [&'a dyn Motion; 2],
     settings: &'a ImpactSearch,
     workspace: Workspace,
     /// Best axes at the last look, for two polyhedra.
     axes: Option<Axes>,
+    /// Best axis at the last look, for a round shape and another convex one.
+    gap: Option<Gap>,
     evaluations: u32,
 }
 
 /// The window is narrowed to this many times the first safe step when that was much shorter than the window: bounds
 /// that need not hold for long are tighter.
 const NARROWER: f64 = 4.0;
+
+/// A window that was clear to its end is widened this often at most.
+const MOST_WINDOWS: usize = 16;
 
 /// A change of separation by this many resolutions is a change, not rounding.
 const MEASURABLE: f64 = 4.0;
@@ -166,6 +196,36 @@ fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
 }
 
+const fn is_half_space(shape: &Shape) -> bool {
+    matches!(shape, Shape::HalfSpace(_))
+}
+
+const fn is_ring(shape: &Shape) -> bool {
+    matches!(shape, Shape::Torus(_))
+}
+
+/// Points of a hull above one plane that is fixed in the other body.
+fn points_clear_of_plane(
+    now: &Moment,
+    window: &mut Window<'_>,
+    of: Side,
+    hull: &Hull<'_>,
+    (normal, offset): (DVec3, f64),
+) -> f64 {
+    let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+    let x = now.poses[other].relative(&now.poses[this]);
+    let gap = |k: usize| normal.dot(x.transform_point(hull.points[k])) - offset - hull.ball;
+    window.above_planes(of, (&hull.points, hull.ball), |k| (normal, gap(k)))
+}
+
+/// Of a cloud the point that a feature names, of another shape all of it.
+fn only_point<'a>(shape: &Shape, hull: Hull<'a>, feature: SurfaceFeature) -> Hull<'a> {
+    match (shape, feature) {
+        (Shape::Points(_), SurfaceFeature::Vertex(index)) => hull.of_point(index),
+        _ => hull,
+    }
+}
+
 impl Search<'_> {
     /// Poses and separation at a time.
     fn look(&mut self, t: f64) -> Result<Moment, ImpactError> {
@@ -179,6 +239,12 @@ impl Search<'_> {
             let axes = search_axes(&mut self.workspace, a, pose_a, b, pose_b, f64::INFINITY);
             self.axes = Some(axes);
             axes.separation(a, pose_a, b, pose_b)
+        } else if self.shapes.into_iter().any(is_ring) && !self.shapes.into_iter().any(is_half_space) {
+            self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
+            self.gap.map_or(f64::INFINITY, |gap| gap.separation)
+        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(is_half_space) {
+            self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
+            self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else {
             separation_with(&mut self.workspace, self.shapes[0], pose_a, self.shapes[1], pose_b)
         };
@@ -189,11 +255,11 @@ impl Search<'_> {
     }
 
     fn resolution(&self, at: &Moment) -> f64 {
-        resolution(self.shapes[0], &at.poses[0], self.shapes[1], &at.poses[1])
+        resolution(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1])
     }
 
     fn touch(&self, at: &Moment) -> f64 {
-        touch_tolerance(self.shapes[0], &at.poses[0], self.shapes[1], &at.poses[1], self.settings.touch_relative)
+        touch_tolerance(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1], self.settings.touch_relative)
     }
 
     /// From a moment at which the pair is clear: the time of impact, if any, and the separation there or at the end.
@@ -220,9 +286,18 @@ impl Search<'_> {
 
     /// For how long the pair certainly stays clear, at most `remaining` (s).
     fn safe_step(&mut self, now: &Moment, remaining: f64) -> Result<f64, ImpactError> {
-        let step = self.clear_for(now, remaining)?;
-        if step * NARROWER < remaining && step > 0.0 {
-            return Ok(self.clear_for(now, step * NARROWER)?.max(step));
+        let mut step = self.clear_for(now, remaining)?;
+        for _ in 0..MOST_WINDOWS {
+            let window = step * NARROWER;
+            if window >= remaining || step <= 0.0 {
+                break;
+            }
+            let longer = self.clear_for(now, window)?;
+            step = step.max(longer);
+            // Clear for all of a narrow window: its end says nothing, a wider one may do better.
+            if longer < window {
+                break;
+            }
         }
         Ok(step)
     }
@@ -241,6 +316,13 @@ impl Search<'_> {
         let [a, b] = self.shapes;
         match (a, b) {
             (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
+            _ if is_half_space(a) && !circles(b).is_empty() || is_half_space(b) && !circles(a).is_empty() => {
+                self.circles_clear_of_half_space(now, window)
+            }
+            _ if is_ring(a) || is_ring(b) => self.ring_clear(now, window),
+            _ if (is_round(a) || is_round(b)) && !(is_half_space(a) || is_half_space(b)) => {
+                self.round_clear(now, window)
+            }
             (Shape::HalfSpace(_), _) => self.clear_of_surface(now, window, Side::B),
             (_, Shape::HalfSpace(_)) => self.clear_of_surface(now, window, Side::A),
             (Shape::Convex(_), _) => self.clear_of_surface(now, window, Side::B),
@@ -257,8 +339,9 @@ impl Search<'_> {
         let ([Shape::Convex(a), Shape::Convex(b)], Some(axes)) = (self.shapes, self.axes) else { return 0.0 };
         let [pose_a, pose_b] = &now.poses;
         let (points_a, points_b) = (self.shapes[0].centers(), self.shapes[1].centers());
+        let (hull_a, hull_b) = (Hull::of(self.shapes[0]), Hull::of(self.shapes[1]));
         let mut step: f64 = 0.0;
-        let mut direction = (f64::NEG_INFINITY, glam::DVec3::ZERO);
+        let mut direction = (f64::NEG_INFINITY, DVec3::ZERO);
         if axes.face_a.separation > 0.0 {
             let face = &a.faces[axes.face_a.face as usize];
             let x = pose_a.relative(pose_b);
@@ -283,7 +366,7 @@ impl Search<'_> {
                 direction = (crossed.separation, crossed.normal);
             }
         }
-        if direction.0 > 0.0 { step.max(window.along_direction(direction.1, points_a, points_b)) } else { step }
+        if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
     }
 
     /// Points or a sphere of body `of` against a half-space or a polyhedron: each has a plane of its own, through the
@@ -312,7 +395,57 @@ impl Search<'_> {
         }
         let away = now.poses[other].rotation.rotate(nearest(0).direction);
         let direction = if of == Side::A { away } else { -away };
-        step.max(window.along_direction(direction, self.shapes[0].centers(), self.shapes[1].centers()))
+        step.max(window.along_direction(direction, &Hull::of(self.shapes[0]), &Hull::of(self.shapes[1])))
+    }
+
+    /// A round shape or a ring above a half-space: its points and its circles.
+    fn circles_clear_of_half_space(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let (of, this, other) = if is_half_space(self.shapes[1]) { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
+        let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
+        let hull = Hull::of(self.shapes[this]);
+        let step = window.circles_above_plane(of, &hull, half_space.normal(), half_space.offset());
+        step.min(points_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset())))
+    }
+
+    /// A round shape and another convex one: the best axis held still, or the plane of the face or disc that decides. A
+    /// cloud stays clear as long as each of its points does.
+    fn round_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let ([a, b], [pose_a, pose_b]) = (self.shapes, now.poses);
+        let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
+        if matches!(a, Shape::Points(_)) || matches!(b, Shape::Points(_)) {
+            let mut step = f64::INFINITY;
+            gap::each(a, &pose_a, b, &pose_b, f64::INFINITY, |gap| {
+                let (hull_a, hull_b) = (only_point(a, hull_a, gap.a), only_point(b, hull_b, gap.b));
+                step = step.min(window.along_direction(gap.normal, &hull_a, &hull_b));
+            });
+            return step;
+        }
+        let Some(gap) = self.gap else { return 0.0 };
+        let step = window.along_direction(gap.normal, &hull_a, &hull_b);
+        let of_plane = |shape: &Shape, feature: SurfaceFeature| {
+            let SurfaceFeature::Face(_) = feature else { return None };
+            match Element::of(shape, feature, &Pose::IDENTITY)?.locus {
+                Locus::Plane(through, normal) => Some((normal, normal.dot(through))),
+                _ => None,
+            }
+        };
+        let (of, hull, plane) = match (of_plane(a, gap.a), of_plane(b, gap.b)) {
+            (Some(plane), _) => (Side::B, hull_b, plane),
+            (_, Some(plane)) => (Side::A, hull_a, plane),
+            _ => return step,
+        };
+        let circles = window.circles_above_plane(of, &hull, plane.0, plane.1);
+        step.max(circles.min(points_clear_of_plane(now, window, of, &hull, plane)))
+    }
+
+    /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) the
+    /// distance over the largest speed at which a point of one can move relative to the other.
+    fn ring_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let Some(gap) = self.gap else { return 0.0 };
+        let [a, b] = self.shapes;
+        let apart = (now.poses[0].translation - now.poses[1].translation).length();
+        let step = now.separation / window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
+        step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)))
     }
 
     /// From a moment at which the pair touches: see the module's description.

@@ -29,7 +29,15 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
             over = Some(nearest);
         }
     }
-    if plane.distance <= tolerance {
+    // A triangle as a flat polyhedron has two faces and is not bounded by their planes.
+    let flat = polyhedron.faces.len() == 2;
+    let inside = |nearest: &Nearest| match nearest.feature {
+        SurfaceFeature::Face(face) if flat => {
+            polyhedron.face(face as usize).is_some_and(|face| face_margin(polyhedron, &face, point) >= 0.0)
+        }
+        _ => true,
+    };
+    if plane.distance <= tolerance && inside(&plane) {
         return plane;
     }
     // Over a face that the point sees, no other feature of a convex body is nearer.

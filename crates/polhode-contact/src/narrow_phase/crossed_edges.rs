@@ -12,8 +12,7 @@
 //! separation that may be rounding.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::shape::polyhedron::Edge;
-use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Shape};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
@@ -35,24 +34,67 @@ pub(crate) struct CrossedEdges {
     origin_a: DVec3,
 }
 
+/// An edge in its body's frame.
+pub(crate) struct EdgeLine {
+    pub(crate) ends: [DVec3; 2],
+    pub(crate) direction: DVec3,
+    pub(crate) length: f64,
+    /// A direction out of the body.
+    pub(crate) outward: DVec3,
+}
+
+impl EdgeLine {
+    fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
+        let edge = polyhedron.edges.get(index as usize)?;
+        let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
+        Some(Self {
+            ends: edge.vertices.map(|v| polyhedron.vertices[v as usize]),
+            direction: edge.direction,
+            length: edge.length,
+            outward: outward(edge.direction, left, right),
+        })
+    }
+}
+
+impl Shape {
+    /// An edge by its number; nothing where the shape has none.
+    pub(crate) fn edge_line(&self, index: u32) -> Option<EdgeLine> {
+        match self {
+            Self::Convex(polyhedron) => EdgeLine::of_polyhedron(polyhedron, index),
+            Self::TriangleMesh(mesh) => mesh.edges.get(index as usize).map(|edge| EdgeLine {
+                ends: edge.vertices.map(|v| mesh.vertices[v as usize]),
+                direction: edge.direction,
+                length: edge.length,
+                outward: edge.outward,
+            }),
+            _ => None,
+        }
+    }
+}
+
 /// An edge in world axes, relative to its body's centre of mass.
 struct PlacedEdge {
     middle: DVec3,
     along: DVec3,
     half_length: f64,
-    /// Sum of the outward normals of its faces.
+    /// A direction out of the body.
     outward: DVec3,
 }
 
+/// A direction out of a body at an edge: the bisector of the normals of its faces by their sum, and by the sum of the
+/// directions out of the faces across the edge, which does not vanish where the faces are two sides of a plate.
+pub(crate) fn outward(direction: DVec3, left: DVec3, right: DVec3) -> DVec3 {
+    (left + right) + direction.cross(left - right)
+}
+
 impl PlacedEdge {
-    fn new(polyhedron: &ConvexPolyhedron, edge: &Edge, pose: &Pose) -> Self {
-        let [from, to] = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
-        let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
+    fn new(edge: &EdgeLine, pose: &Pose) -> Self {
+        let [from, to] = edge.ends;
         Self {
             middle: pose.rotation.rotate(0.5 * (from + to)),
             along: pose.rotation.rotate(edge.direction),
             half_length: 0.5 * edge.length,
-            outward: pose.rotation.rotate(left + right),
+            outward: pose.rotation.rotate(edge.outward),
         }
     }
 }
@@ -67,8 +109,12 @@ impl CrossedEdges {
         pose_b: &Pose,
         edge_b: u32,
     ) -> Option<Self> {
-        let a = PlacedEdge::new(a, a.edges.get(edge_a as usize)?, pose_a);
-        let b = PlacedEdge::new(b, b.edges.get(edge_b as usize)?, pose_b);
+        Self::between(&EdgeLine::of_polyhedron(a, edge_a)?, pose_a, &EdgeLine::of_polyhedron(b, edge_b)?, pose_b)
+    }
+
+    /// Nothing when the edges are parallel.
+    pub(crate) fn between(a: &EdgeLine, pose_a: &Pose, b: &EdgeLine, pose_b: &Pose) -> Option<Self> {
+        let (a, b) = (PlacedEdge::new(a, pose_a), PlacedEdge::new(b, pose_b));
         let cross = a.along.cross(b.along);
         let sine = cross.length();
         if sine.is_nan() || sine <= PARALLEL_SINE {

@@ -9,11 +9,18 @@
 //! where `u = v_V - v_E` and `a_V - a_E` are velocity and acceleration of the point relative to the place of E under
 //! it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to separations that are not zero.
 //! `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and `(1 - g g')/phi` for a vertex or a sphere.
-//! Edge against edge has a formula of its own (`crossed_edges.rs`).
+//! Edge against edge has a formula of its own (`crossed_edges.rs`), and so have capsules, cylinders, cones and tori
+//! (`round/stationary.rs`).
 
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::narrow_phase::mesh_feature;
+use crate::narrow_phase::part_feature::{Local, localized};
+use crate::narrow_phase::round::element::Element;
+use crate::narrow_phase::round::region;
+use crate::narrow_phase::round::stationary::Stationary;
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
+use crate::shape::round::is_round;
 use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
@@ -29,9 +36,13 @@ pub fn evaluate(
     shape_b: &Shape,
     pose_b: &Pose,
 ) -> Option<ContactGeometry> {
+    let Local { feature, shapes: [shape_a, shape_b], .. } = localized(feature, shape_a, shape_b)?;
     if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
-        let (Shape::Convex(a), Shape::Convex(b)) = (shape_a, shape_b) else { return None };
-        return CrossedEdges::new(a, pose_a, edge_a, b, pose_b, edge_b).map(|crossed| crossed.geometry());
+        let (a, b) = (shape_a.edge_line(edge_a)?, shape_b.edge_line(edge_b)?);
+        return CrossedEdges::between(&a, pose_a, &b, pose_b).map(|crossed| crossed.geometry());
+    }
+    if has_elements(shape_a) || has_elements(shape_b) {
+        return of_elements(feature, shape_a, pose_a, shape_b, pose_b).map(|e| e.geometry(pose_a.translation));
     }
     PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b).map(|contact| contact.geometry())
 }
@@ -49,10 +60,15 @@ pub fn kinematics(
     pose_b: &Pose,
     velocity_b: &Velocity,
 ) -> Option<ContactKinematics> {
+    let Local { feature, shapes: [shape_a, shape_b], .. } = localized(feature, shape_a, shape_b)?;
     if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
-        let (Shape::Convex(a), Shape::Convex(b)) = (shape_a, shape_b) else { return None };
-        let crossed = CrossedEdges::new(a, pose_a, edge_a, b, pose_b, edge_b)?;
+        let (a, b) = (shape_a.edge_line(edge_a)?, shape_b.edge_line(edge_b)?);
+        let crossed = CrossedEdges::between(&a, pose_a, &b, pose_b)?;
         return Some(crossed.kinematics(velocity_a, velocity_b));
+    }
+    if has_elements(shape_a) || has_elements(shape_b) {
+        let stationary = of_elements(feature, shape_a, pose_a, shape_b, pose_b)?;
+        return stationary.kinematics(pose_a.translation, velocity_a, velocity_b);
     }
     let contact = PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b)?;
     Some(match contact.center_of {
@@ -61,16 +77,36 @@ pub fn kinematics(
     })
 }
 
+/// Whether the contacts of a shape are found element by element (`round`).
+fn has_elements(shape: &Shape) -> bool {
+    is_round(shape) || matches!(shape, Shape::Torus(_))
+}
+
+/// The elements of a contact of a round shape, in world axes relative to A's centre of mass.
+fn of_elements(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+) -> Option<Stationary> {
+    let (part_a, part_b) = region::parts(feature, shape_a, shape_b)?;
+    let origin_b = pose_b.translation - pose_a.translation;
+    let a = Element::of(shape_a, part_a, &Pose::new(pose_a.rotation, DVec3::ZERO))?;
+    let b = Element::of(shape_b, part_b, &Pose::new(pose_b.rotation, origin_b))?;
+    Stationary::new(&a, &b, origin_b)
+}
+
 /// Distance of a point from a feature, in the frame of the feature's body.
-struct Distance {
+pub(crate) struct Distance {
     value: f64,
     /// Unit vector from the feature to the point.
     gradient: DVec3,
     /// `H` is `(1 - g g' - e e')` times this, 1/m.
     curvature: f64,
     /// `e`, zero for a vertex or a sphere.
-    along: DVec3,
-    margin: f64,
+    pub(crate) along: DVec3,
+    pub(crate) margin: f64,
 }
 
 /// A point of V against a feature of E, in world axes.
@@ -93,7 +129,9 @@ impl PointOnSurface {
             ContactFeature::VertexFace { vertex_of, vertex, face } => (vertex_of, vertex, SurfaceFeature::Face(face)),
             ContactFeature::Smooth { center_of, center, against } => (center_of, center, against),
             ContactFeature::SphereSphere => (Side::A, 0, SurfaceFeature::Sphere),
-            ContactFeature::EdgeEdge { .. } => return None,
+            ContactFeature::EdgeEdge { .. } | ContactFeature::Spheres { .. } | ContactFeature::Elements { .. } => {
+                return None;
+            }
         };
         let ((shape_v, pose_v), (shape_e, pose_e)) = match center_of {
             Side::A => ((shape_a, pose_a), (shape_b, pose_b)),
@@ -105,7 +143,9 @@ impl PointOnSurface {
         let offset = (pose_v.translation - pose_e.translation) + arm;
         let mut distance = distance(shape_e, against, pose_e.rotation.inverse_rotate(offset))?;
         distance.gradient = pose_e.rotation.rotate(distance.gradient);
-        distance.along = pose_e.rotation.rotate(distance.along);
+        if distance.along != DVec3::ZERO {
+            distance.along = pose_e.rotation.rotate(distance.along);
+        }
         let radius_of_surface =
             if let (Shape::Sphere(s), SurfaceFeature::Sphere) = (shape_e, against) { s.radius() } else { 0.0 };
         let origin = pose_v.translation;
@@ -150,6 +190,7 @@ fn distance(shape: &Shape, feature: SurfaceFeature, y: DVec3) -> Option<Distance
         }
         (Shape::Convex(p), SurfaceFeature::Edge(edge)) => from_edge(p, edge as usize, y),
         (Shape::Convex(p), SurfaceFeature::Vertex(vertex)) => from_vertex(p, vertex as usize, y),
+        (Shape::TriangleMesh(mesh), feature) => mesh_feature::distance_of(mesh, feature, y),
         (Shape::Sphere(s), SurfaceFeature::Sphere) => {
             from_point(y - s.center(), COINCIDENCE * s.radius(), f64::INFINITY)
         }
@@ -157,14 +198,23 @@ fn distance(shape: &Shape, feature: SurfaceFeature, y: DVec3) -> Option<Distance
     }
 }
 
-fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
+pub(crate) fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
     Distance { value, gradient: normal, curvature: 0.0, along: DVec3::ZERO, margin }
 }
 
 /// Signed distance of a place over a face from the face's border, m; positive inside.
 pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVec3) -> f64 {
-    let inward = |(vertex, side): (&u32, &DVec3)| side.dot(polyhedron.vertices[*vertex as usize] - y);
-    face.vertices.iter().zip(face.sides).map(inward).fold(f64::INFINITY, f64::min)
+    let mut least = f64::INFINITY;
+    for (vertex, side) in face.vertices.iter().zip(face.sides) {
+        let inward = side.dot(polyhedron.vertices[*vertex as usize] - y);
+        // The minimum, which has to be asked only of what compares as neither less nor greater.
+        if inward < least {
+            least = inward;
+        } else if inward == least || inward.is_nan() {
+            least = least.min(inward);
+        }
+    }
+    least
 }
 
 /// The Voronoi region of an edge ends at its two vertices and where either of its faces begins.
@@ -191,8 +241,15 @@ fn from_vertex(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<
     from_point(w, COINCIDENCE * polyhedron.size, margin)
 }
 
-/// Distance along `w` from a point or an edge; nothing when it is too short (`least`, m) to have a direction.
-fn from_point(w: DVec3, least: f64, margin: f64) -> Option<Distance> {
+/// Distance along `w` from a point or an edge; nothing when it is too short (`least`, m) to have a direction, or so long
+/// that its square overflows.
+pub(crate) fn from_point(w: DVec3, least: f64, margin: f64) -> Option<Distance> {
     let value = w.length();
-    (value > least).then(|| Distance { value, gradient: w / value, curvature: 1.0 / value, along: DVec3::ZERO, margin })
+    (value > least && value.is_finite()).then(|| Distance {
+        value,
+        gradient: w / value,
+        curvature: 1.0 / value,
+        along: DVec3::ZERO,
+        margin,
+    })
 }

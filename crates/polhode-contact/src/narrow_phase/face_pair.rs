@@ -11,8 +11,13 @@
 //!    of the upper body (the world's z, then y, then x component of the normal is positive towards it). The rule names
 //!    the bodies' own features and so follows the bodies as they turn, and does not ask which one is called A;
 //!  - edges along each other make no crossing; their ends are vertices on edges.
+//!
+//! Of faces with many vertices most are settled by a circle: a point nearer to the middle of a face than every side, both
+//! measured in the face's plane, is inside all sides by the difference; and a line that passes a circle round a face crosses
+//! none of its edges. Only what lies near the border of the other face is measured against single sides.
 
-use crate::narrow_phase::separating_axis::Workspace;
+use crate::narrow_phase::edge_axes::axis_slack;
+use crate::narrow_phase::separating_axis::{Workspace, plane_of_b};
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Side};
 use glam::DVec3;
@@ -20,17 +25,23 @@ use glam::DVec3;
 /// Two vertices are in one place within this many tolerances: each may stand off the other's edges by one.
 const VERTEX_PLACES: f64 = 4.0;
 
-/// A face of each body in A's frame, and distances between their features.
+/// A corner is deep inside the other face when it is inside every side by this many tolerances: too far for a crossing
+/// of an edge between two such corners, and for a vertex of the other face in the same place.
+const DEEP_PLACES: f64 = 16.0;
+
+/// Rounding of a distance from the middle of a face relative to the lengths that enter it, with room.
+const CIRCLE_SLACK: f64 = 1e-9;
+
+/// Faces with fewer pairs of vertices than this are measured outright, which is as fast.
+const FEW_PAIRS: usize = 32;
+
+/// A face of each body in A's frame, and where their corners lie.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Buffers {
     a: PlacedFace,
     b: PlacedFace,
-    /// Distance of vertex `i` of A's face outside side `j` of B's, at `i * count_b + j`, m.
-    a_outside_b: Vec<f64>,
-    /// Distance of vertex `j` of B's face outside side `i` of A's, at `j * count_a + i`, m.
-    b_outside_a: Vec<f64>,
-    kept_a: Vec<bool>,
-    kept_b: Vec<bool>,
+    /// Corners of B's face that may be in one place with one of A's.
+    near: Vec<usize>,
 }
 
 /// Corners and outward sides of a face.
@@ -38,16 +49,78 @@ pub(crate) struct Buffers {
 struct PlacedFace {
     corners: Vec<DVec3>,
     sides: Vec<DVec3>,
+    /// Whether each corner is far inside every side of the other face.
+    deep: Vec<bool>,
+    /// Whether each corner is a contact: outside no side of the other face.
+    kept: Vec<bool>,
+    /// Whether each side may be crossed by one of the other face.
+    crossable: Vec<bool>,
 }
 
-/// Adds the contacts of face `face_a` of A with face `face_b` of B to the workspace's features. B must have been placed.
-/// `upper` is the body that the last rule for vertices on vertices prefers.
+impl PlacedFace {
+    /// Distance of a point outside a side, m.
+    fn outside(&self, point: DVec3, side: usize) -> f64 {
+        self.sides[side].dot(point - self.corners[side])
+    }
+
+    /// Which corners and sides are settled by circles about the middle of the other face, whose unit normal is given.
+    fn settle_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
+        let (corners, sides) = (self.corners.len(), other.corners.len());
+        self.deep.clear();
+        self.crossable.clear();
+        if corners * sides < FEW_PAIRS {
+            self.deep.resize(corners, false);
+            self.crossable.resize(corners, true);
+            return;
+        }
+        let margin = DEEP_PLACES * tolerance;
+        let middle = other.corners.iter().sum::<DVec3>() / sides as f64;
+        let inner = (0..sides).map(|j| -other.outside(middle, j)).fold(f64::INFINITY, f64::min) - margin;
+        let outer = other.corners.iter().map(|c| c.distance_squared(middle)).fold(0.0, f64::max).sqrt() + margin;
+        let far_inside = |corner: &DVec3| {
+            let between = *corner - middle;
+            let above = normal.dot(between);
+            let square = between.length_squared();
+            inner > 0.0 && square - above * above < inner * inner - CIRCLE_SLACK * (square + inner * inner)
+        };
+        self.deep.extend(self.corners.iter().map(far_inside));
+        for i in 0..corners {
+            let between_deep = self.deep[i] && self.deep[following(i, corners)];
+            let beyond = self.outside(middle, i).abs() > outer * (1.0 + CIRCLE_SLACK);
+            self.crossable.push(!(between_deep || beyond));
+        }
+    }
+
+    /// Which corners are contacts.
+    fn keep_inside(&mut self, other: &Self, tolerance: f64) {
+        let sides = other.corners.len();
+        self.kept.clear();
+        // The side that shut out one corner often shuts out the next.
+        let mut last = 0;
+        for (&corner, &deep) in self.corners.iter().zip(&self.deep) {
+            let inside = |j: usize| other.outside(corner, j) <= tolerance;
+            let shut_out = if deep {
+                None
+            } else if inside(last) {
+                (0..sides).find(|&j| !inside(j))
+            } else {
+                Some(last)
+            };
+            last = shut_out.unwrap_or(last);
+            self.kept.push(shut_out.is_none());
+        }
+    }
+}
+
+/// Adds the contacts of face `face_a` of A with face `face_b` of B to the workspace's features; vertices that are clearly
+/// higher than `reach` (m) above the other face may be left out. B must have been placed. `upper` is the body that the last
+/// rule for vertices on vertices prefers.
 pub(crate) fn collect(
     workspace: &mut Workspace,
     a: &ConvexPolyhedron,
     b: &ConvexPolyhedron,
     (index_a, index_b): (u32, u32),
-    tolerance: f64,
+    (tolerance, reach): (f64, f64),
     upper: Side,
 ) {
     let (Some(face_a), Some(face_b)) = (a.face(index_a as usize), b.face(index_b as usize)) else { return };
@@ -60,17 +133,29 @@ pub(crate) fn collect(
     buffers.b.corners.extend(face_b.vertices.iter().map(|&v| workspace.vertices[v as usize]));
     buffers.b.sides.clear();
     buffers.b.sides.extend(sides_of_placed(b, &face_b, index_b, workspace));
-    measure(&mut buffers.a_outside_b, &buffers.a, &buffers.b);
-    measure(&mut buffers.b_outside_a, &buffers.b, &buffers.a);
-    keep_inside(&mut buffers.kept_a, &buffers.a_outside_b, face_b.vertices.len(), tolerance);
-    keep_inside(&mut buffers.kept_b, &buffers.b_outside_a, face_a.vertices.len(), tolerance);
+    let normal_b = workspace.normals[index_b as usize];
+    buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
+    buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
+    buffers.a.keep_inside(&buffers.b, tolerance);
+    buffers.b.keep_inside(&buffers.a, tolerance);
     drop_coincident(&mut buffers, &face_a, &face_b, (index_a, index_b), tolerance, upper);
-    let inside = |side, vertices: &[u32], kept: &[bool], face, out: &mut Vec<ContactFeature>| {
-        let kept = vertices.iter().zip(kept).filter(|(_, kept)| **kept);
-        out.extend(kept.map(|(&vertex, _)| ContactFeature::VertexFace { vertex_of: side, vertex, face }));
-    };
-    inside(Side::A, face_a.vertices, &buffers.kept_a, index_b, &mut workspace.features);
-    inside(Side::B, face_b.vertices, &buffers.kept_b, index_a, &mut workspace.features);
+    let highest = reach + axis_slack(a, b, &workspace.x_ab);
+    let plane_b = plane_of_b(b, index_b as usize, normal_b, &workspace.x_ab);
+    let features = &mut workspace.features;
+    for ((&vertex, corner), _) in
+        face_a.vertices.iter().zip(&buffers.a.corners).zip(&buffers.a.kept).filter(|(_, k)| **k)
+    {
+        if normal_b.dot(*corner) - plane_b <= highest {
+            features.push(ContactFeature::VertexFace { vertex_of: Side::A, vertex, face: index_b });
+        }
+    }
+    for ((&vertex, corner), _) in
+        face_b.vertices.iter().zip(&buffers.b.corners).zip(&buffers.b.kept).filter(|(_, k)| **k)
+    {
+        if face_a.normal.dot(*corner) - face_a.offset <= highest {
+            features.push(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: index_a });
+        }
+    }
     cross_edges(&buffers, &face_a, &face_b, tolerance, &mut workspace.features);
     workspace.face_pair = buffers;
 }
@@ -90,20 +175,6 @@ fn sides_of_placed<'a>(
     })
 }
 
-/// Distances of every corner of one face outside every side of the other.
-fn measure(distances: &mut Vec<f64>, corners: &PlacedFace, sides: &PlacedFace) {
-    distances.clear();
-    for &corner in &corners.corners {
-        distances.extend(sides.corners.iter().zip(&sides.sides).map(|(&start, side)| side.dot(corner - start)));
-    }
-}
-
-/// A corner is kept when it is outside no side.
-fn keep_inside(kept: &mut Vec<bool>, outside: &[f64], sides: usize, tolerance: f64) {
-    kept.clear();
-    kept.extend(outside.chunks(sides).map(|row| row.iter().all(|&d| d <= tolerance)));
-}
-
 /// Of two vertices in one place one is dropped.
 fn drop_coincident(
     buffers: &mut Buffers,
@@ -114,19 +185,23 @@ fn drop_coincident(
     upper: Side,
 ) {
     let normal = face_a.normal;
+    // In A's plane, where places are compared, a vertex far inside A's face is in one place with none of A's.
+    buffers.near.clear();
+    buffers.near.extend((0..face_b.vertices.len()).filter(|&j| buffers.b.kept[j] && !buffers.b.deep[j]));
     for (i, &vertex_a) in face_a.vertices.iter().enumerate() {
-        for (j, &vertex_b) in face_b.vertices.iter().enumerate() {
-            if !(buffers.kept_a[i] && buffers.kept_b[j]) {
+        for &j in &buffers.near {
+            if !(buffers.a.kept[i] && buffers.b.kept[j]) {
                 continue;
             }
+            let vertex_b = face_b.vertices[j];
             let between = buffers.a.corners[i] - buffers.b.corners[j];
             let lateral = between - normal * normal.dot(between);
             if lateral.length() <= VERTEX_PLACES * tolerance {
                 let order = (index_a, vertex_a).cmp(&(index_b, vertex_b));
                 match order.then(if upper == Side::A { std::cmp::Ordering::Greater } else { std::cmp::Ordering::Less })
                 {
-                    std::cmp::Ordering::Greater => buffers.kept_b[j] = false,
-                    _ => buffers.kept_a[i] = false,
+                    std::cmp::Ordering::Greater => buffers.b.kept[j] = false,
+                    _ => buffers.a.kept[i] = false,
                 }
             }
         }
@@ -141,19 +216,29 @@ fn cross_edges(
     tolerance: f64,
     features: &mut Vec<ContactFeature>,
 ) {
+    let (a, b) = (&buffers.a, &buffers.b);
     let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
     let opposite = |p: f64, q: f64| (p > tolerance && q < -tolerance) || (p < -tolerance && q > tolerance);
-    for i in 0..count_a {
-        let next_i = (i + 1) % count_a;
-        for j in 0..count_b {
-            let (start, end) = (buffers.a_outside_b[i * count_b + j], buffers.a_outside_b[next_i * count_b + j]);
-            if !opposite(start, end) {
+    for j in (0..count_b).filter(|&j| b.crossable[j]) {
+        let next_j = following(j, count_b);
+        let mut before = None;
+        for i in 0..count_a {
+            if !a.crossable[i] {
+                before = None;
                 continue;
             }
-            let next_j = (j + 1) % count_b;
-            if opposite(buffers.b_outside_a[j * count_a + i], buffers.b_outside_a[next_j * count_a + i]) {
+            let next_i = following(i, count_a);
+            let start = before.unwrap_or_else(|| b.outside(a.corners[i], j));
+            let end = b.outside(a.corners[next_i], j);
+            before = Some(end);
+            if opposite(start, end) && opposite(a.outside(b.corners[j], i), a.outside(b.corners[next_j], i)) {
                 features.push(ContactFeature::EdgeEdge { edge_a: face_a.edges[i], edge_b: face_b.edges[j] });
             }
         }
     }
+}
+
+/// The corner after a corner of a loop.
+fn following(corner: usize, count: usize) -> usize {
+    if corner + 1 == count { 0 } else { corner + 1 }
 }

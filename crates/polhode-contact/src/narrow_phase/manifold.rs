@@ -2,34 +2,44 @@
 //!
 //! Two polyhedra: the best separating axis ([`crate::separation()`]) names a face of one body, and the face of the other
 //! that lies most nearly against it; [`crate::evaluate()`] measures every contact of the two faces. When a pair of edges
-//! separates best, that crossing is the only contact, unless faces beside the two edges are almost parallel: then all
-//! contacts of those faces are given, so that a body that tips over an edge changes its contacts continuously.
-//! Other pairs: every vertex or point below the reach; the nearest features of a sphere.
+//! separates best, that crossing is the only contact, unless a face beside one of the edges is almost parallel to the
+//! other edge: then all contacts of the faces beside are given, so that a body that tips over an edge changes its
+//! contacts continuously.
+//! Capsules, cylinders, cones and tori: `round/region.rs`. Other pairs: every vertex or point below the reach; the nearest features of a sphere.
 
 use crate::clearance::place_tolerance;
+use crate::narrow_phase::composite::compound_manifold;
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::face_pair;
+use crate::narrow_phase::mesh_pair::mesh_manifold;
 use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::round::gap::{self, Gap};
+use crate::narrow_phase::round::region;
+use crate::narrow_phase::round::ring;
 use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace};
-use crate::narrow_phase::separation::{search_axes, separation_with};
+use crate::narrow_phase::separation::separation_with;
 use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::round::is_round;
 use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// Normals within this angle of each other belong to one contact region (cosine; 0.01 rad): bodies that lie on each
 /// other and rock, as opposed to bodies that touch at an angle.
-const ALIKE: f64 = 0.999_95;
+pub(crate) const ALIKE: f64 = 0.999_95;
 
 /// Directions whose components differ by less than this are the same when one of several equal axes is chosen.
 const SAME_DIRECTION: f64 = 1e-9;
 
+/// A crossing within so many tolerances of a vertex is that vertex' contact.
+const SAME_PLACES: f64 = 4.0;
+
 /// A shape at a pose.
 #[derive(Clone, Copy)]
-struct Placed<'a> {
-    shape: &'a Shape,
-    pose: &'a Pose,
+pub(crate) struct Placed<'a> {
+    pub(crate) shape: &'a Shape,
+    pub(crate) pose: &'a Pose,
 }
 
 /// All contacts of two shapes whose separation is at most `reach` (m).
@@ -46,13 +56,44 @@ pub fn manifold_with(
     pose_b: &Pose,
     reach: f64,
 ) -> Manifold {
+    let mut found = Manifold::default();
+    manifold_into(workspace, shape_a, pose_a, shape_b, pose_b, reach, &mut found);
+    found
+}
+
+/// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough.
+/// What stood in the result before is forgotten.
+pub fn manifold_into(
+    workspace: &mut Workspace,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    reach: f64,
+    found: &mut Manifold,
+) {
     if !(pose_a.is_finite() && pose_b.is_finite()) {
-        return Manifold::empty(f64::NAN, SeparatingAxis::None);
+        return found.set_empty(f64::NAN, SeparatingAxis::None);
+    }
+    if let Some(manifold) = compound_manifold(workspace, [shape_a, shape_b], [pose_a, pose_b], reach) {
+        *found = manifold;
+        return;
+    }
+    if let Some(manifold) = mesh_manifold(workspace, [shape_a, shape_b], [pose_a, pose_b], reach) {
+        *found = manifold;
+        return;
     }
     let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
     workspace.features.clear();
     if let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (shape_a, shape_b) {
-        return of_polyhedra(workspace, polyhedron_a, polyhedron_b, a, b, reach);
+        let x_ab = pose_a.relative(pose_b);
+        workspace.place(polyhedron_b, &x_ab);
+        let axes = workspace.search_deciding(polyhedron_a, polyhedron_b, &x_ab, reach);
+        return along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), &axes, reach, found);
+    }
+    let ring = |shape: &Shape| matches!(shape, Shape::Torus(_));
+    if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || ring(shape)) {
+        return of_round(workspace, a, b, reach, found);
     }
     let separation = separation_with(workspace, shape_a, pose_a, shape_b, pose_b);
     let axis = match (shape_a, shape_b) {
@@ -61,8 +102,9 @@ pub fn manifold_with(
         (_, Shape::HalfSpace(_)) => SeparatingAxis::FaceB(0),
         _ => SeparatingAxis::Nearest,
     };
+    found.set_empty(separation, axis);
     if separation.is_nan() || reach.is_nan() || separation > reach {
-        return Manifold::empty(separation, axis);
+        return;
     }
     match (shape_a, shape_b) {
         (Shape::HalfSpace(_), _) => against_surface(&mut workspace.features, a, b, Side::B),
@@ -73,18 +115,49 @@ pub fn manifold_with(
         (Shape::Sphere(_), _) => against_sphere(&mut workspace.features, shape_b, Side::B),
         _ => against_sphere(&mut workspace.features, shape_a, Side::A),
     }
-    Manifold { contacts: measured(&mut workspace.features, a, b, reach), separation, axis }
+    measure(&mut workspace.features, a, b, reach, &mut found.contacts);
 }
 
-/// The features with their geometry, as far as they are within reach, sorted.
-fn measured(features: &mut [ContactFeature], a: Placed<'_>, b: Placed<'_>, reach: f64) -> Vec<Contact> {
+/// Capsules, cylinders and cones: the region along the best axis; of a cloud the region of every point, of a ring that of
+/// every place at which it is nearest.
+fn of_round(workspace: &mut Workspace, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
+    let features = &mut workspace.features;
+    let (pair_a, pair_b) = ((a.shape, a.pose), (b.shape, b.pose));
+    found.set_empty(f64::INFINITY, SeparatingAxis::None);
+    let mut add = |gap: Gap| {
+        if gap.separation < found.separation {
+            found.separation = gap.separation;
+            found.axis = match (gap.a, gap.b) {
+                (SurfaceFeature::Face(face), _) => SeparatingAxis::FaceA(face),
+                (_, SurfaceFeature::Face(face)) => SeparatingAxis::FaceB(face),
+                _ => SeparatingAxis::Nearest,
+            };
+        }
+        if gap.separation <= reach {
+            found.contacts.extend(region::contacts(features, pair_a, pair_b, &gap, reach));
+        }
+    };
+    let half_space = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
+    if half_space(a.shape) || half_space(b.shape) {
+        add(gap::above_half_space(pair_a, pair_b));
+    } else if matches!(a.shape, Shape::Torus(_)) || matches!(b.shape, Shape::Torus(_)) {
+        ring::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+        found.contacts.sort_unstable_by_key(|contact| contact.feature);
+        found.contacts.dedup_by_key(|contact| contact.feature);
+    } else {
+        gap::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+    }
+    found.contacts.sort_unstable_by_key(|contact| contact.feature);
+}
+
+/// The features with their geometry, as far as they are within reach, sorted, instead of what the list held.
+fn measure(features: &mut [ContactFeature], a: Placed<'_>, b: Placed<'_>, reach: f64, contacts: &mut Vec<Contact>) {
     features.sort_unstable();
-    let mut contacts = Vec::with_capacity(features.len());
+    contacts.clear();
     for &feature in features.iter() {
         let geometry = evaluate(feature, a.shape, a.pose, b.shape, b.pose);
         contacts.extend(geometry.filter(|g| g.separation <= reach).map(|geometry| Contact { feature, geometry }));
     }
-    contacts
 }
 
 /// Every point of a cloud, vertex or centre of body `of`, against the nearest feature of a half-space or polyhedron.
@@ -117,15 +190,15 @@ fn against_sphere(features: &mut Vec<ContactFeature>, cloud: &Shape, of: Side) {
     }));
 }
 
-fn of_polyhedra(
+/// The contacts of two polyhedra whose best axes are known. B must have been placed.
+pub(crate) fn along_axes(
     workspace: &mut Workspace,
-    polyhedron_a: &ConvexPolyhedron,
-    polyhedron_b: &ConvexPolyhedron,
-    a: Placed<'_>,
-    b: Placed<'_>,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    axes: &Axes,
     reach: f64,
-) -> Manifold {
-    let axes = search_axes(workspace, polyhedron_a, a.pose, polyhedron_b, b.pose, reach);
+    found: &mut Manifold,
+) {
     let separation = axes.separation(polyhedron_a, a.pose, polyhedron_b, b.pose);
     let edges = axes.deciding_edges();
     let axis = match edges {
@@ -133,58 +206,85 @@ fn of_polyhedra(
         None if axes.face_a.separation >= axes.face_b.separation => SeparatingAxis::FaceA(axes.face_a.face),
         None => SeparatingAxis::FaceB(axes.face_b.face),
     };
+    found.set_empty(separation, axis);
     if separation.is_nan() || reach.is_nan() || separation > reach {
-        return Manifold::empty(separation, axis);
+        return;
     }
+    workspace.features.clear();
+    let contacts = &mut found.contacts;
     let pair = match edges {
         Some(edges) => faces_beside(workspace, (polyhedron_a, a.pose), (polyhedron_b, b.pose), edges),
-        None => Some(facing(workspace, polyhedron_a, polyhedron_b, &axes, a.pose)),
+        None => Some(facing(workspace, polyhedron_a, polyhedron_b, axes, a.pose)),
     };
-    let mut contacts;
     if let Some(pair) = pair {
         let toward_a = -a.pose.rotation.rotate(polyhedron_a.faces[pair.0 as usize].normal);
         let upper = if is_upward(toward_a) { Side::A } else { Side::B };
-        face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, axes.tolerance, upper);
-        contacts = measured(&mut workspace.features, a, b, reach);
+        face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, (axes.tolerance, reach), upper);
+        measure(&mut workspace.features, a, b, reach, contacts);
         // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
         // crossings of the two outlines do not keep the bodies apart.
-        let deciding = deciding_normals(workspace, polyhedron_a, &axes, pair, a.pose);
+        let crossing = edges.and_then(|EdgeAxis { edge_a, edge_b, .. }| {
+            CrossedEdges::new(polyhedron_a, a.pose, edge_a, polyhedron_b, b.pose, edge_b)
+        });
+        let deciding = deciding_normals(workspace, polyhedron_a, axes, pair, a.pose, crossing.map(|c| c.normal));
         contacts.retain(|c| deciding.iter().flatten().any(|normal| c.geometry.normal.dot(*normal) >= ALIKE));
+        if let (Some(edges), [None, Some(_)] | [Some(_), None]) = (edges, deciding) {
+            along_edge(contacts, edges, (a, b), axes.tolerance);
+        }
     } else {
         if let Some(EdgeAxis { edge_a, edge_b, .. }) = edges {
             workspace.features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
         }
-        contacts = measured(&mut workspace.features, a, b, reach);
+        measure(&mut workspace.features, a, b, reach, contacts);
         // Apart, the nearest places of the lines may lie beyond the ends of the edges.
         contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
     }
     if contacts.is_empty() && separation <= axes.tolerance {
         // Bodies that touch have a contact, also where tolerances left none.
         workspace.features.clear();
-        workspace.features.push(deciding_contact(workspace, polyhedron_a, &axes));
-        contacts = measured(&mut workspace.features, a, b, f64::INFINITY);
+        workspace.features.push(deciding_contact(workspace, polyhedron_a, axes));
+        measure(&mut workspace.features, a, b, f64::INFINITY, contacts);
     }
-    Manifold { contacts, separation, axis }
+}
+
+/// Contacts of an edge that lies almost in a face: the other face beside the edge stands at an angle, so that its outline,
+/// seen along the face's normal, is not where its own sides say when the bodies overlap deeply. Crossings beyond the ends
+/// of their edges are left out, and the deciding one is always there.
+fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, (a, b): (Placed<'_>, Placed<'_>), tolerance: f64) {
+    contacts.retain(|c| c.geometry.margin >= -tolerance);
+    let feature = ContactFeature::EdgeEdge { edge_a: edges.edge_a, edge_b: edges.edge_b };
+    let Some(geometry) = evaluate(feature, a.shape, a.pose, b.shape, b.pose) else { return };
+    let beside = |c: &Contact| c.geometry.point.distance(geometry.point) <= SAME_PLACES * tolerance;
+    if geometry.margin < -tolerance || contacts.iter().any(|c| c.feature == feature || beside(c)) {
+        return;
+    }
+    contacts.push(Contact { feature, geometry });
+    contacts.sort_by_key(|c| c.feature);
 }
 
 /// Unit normals of a contact region in the world, from B to A: that of the face of the pair that separates better, or
 /// both when they separate equally well (edges of two tilted bodies that meet: the places of the edge may lie under
-/// either face).
+/// either face). Where a crossing decides, only a face that is almost perpendicular to its normal counts.
 fn deciding_normals(
     workspace: &Workspace,
     a: &ConvexPolyhedron,
     axes: &Axes,
     (face_a, face_b): (u32, u32),
     pose_a: &Pose,
+    crossing: Option<DVec3>,
 ) -> [Option<DVec3>; 2] {
-    let (along_a, along_b) = (workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]);
-    let of_a = (along_a >= along_b - axes.tolerance).then(|| -a.faces[face_a as usize].normal);
-    let of_b = (along_b >= along_a - axes.tolerance).then(|| workspace.normals[face_b as usize]);
-    [of_a, of_b].map(|normal| normal.map(|normal| pose_a.rotation.rotate(normal)))
+    let along = [workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]];
+    let normals = [-a.faces[face_a as usize].normal, workspace.normals[face_b as usize]];
+    let normals = normals.map(|normal| pose_a.rotation.rotate(normal));
+    let counts = normals.map(|normal| crossing.is_none_or(|crossing| crossing.dot(normal) >= ALIKE));
+    [(0, 1), (1, 0)].map(|(own, other)| {
+        let separates = !counts[other] || along[own] >= along[other] - axes.tolerance;
+        (counts[own] && separates).then_some(normals[own])
+    })
 }
 
 /// Whether a direction points up: by z, or else y, or else x.
-fn is_upward(direction: DVec3) -> bool {
+pub(crate) fn is_upward(direction: DVec3) -> bool {
     [direction.z, direction.y, direction.x].into_iter().find(|c| c.abs() > SAME_DIRECTION).is_some_and(|c| c > 0.0)
 }
 
@@ -202,8 +302,9 @@ fn deciding_contact(workspace: &Workspace, a: &ConvexPolyhedron, axes: &Axes) ->
     ContactFeature::VertexFace { vertex_of, vertex: deepest.map_or(0, |(i, _)| i as u32), face }
 }
 
-/// The faces beside two crossing edges that lie most nearly against each other, when both are almost perpendicular to
-/// the normal of the crossing.
+/// The faces beside two crossing edges that lie most nearly against each other, when at least one of them is almost
+/// perpendicular to the normal of the crossing: then the other body's edge, which is perpendicular to that normal, lies
+/// almost in the face, and more of it than the crossing may touch.
 fn faces_beside(
     workspace: &Workspace,
     (a, pose_a): (&ConvexPolyhedron, &Pose),
@@ -213,13 +314,12 @@ fn faces_beside(
     let crossed = CrossedEdges::new(a, pose_a, edges.edge_a, b, pose_b, edges.edge_b)?;
     let normal = pose_a.rotation.inverse_rotate(crossed.normal);
     let best = |faces: [u32; 2], along: &dyn Fn(u32) -> f64| {
-        let [first, second] = faces;
-        let best = if along(second) > along(first) { second } else { first };
-        (along(best) >= ALIKE).then_some(best)
+        let [first, second] = faces.map(|face| (face, along(face)));
+        if second.1 > first.1 { second } else { first }
     };
-    let face_a = best(a.edges[edges.edge_a as usize].faces, &|f| -normal.dot(a.faces[f as usize].normal))?;
-    let face_b = best(b.edges[edges.edge_b as usize].faces, &|f| normal.dot(workspace.normals[f as usize]))?;
-    Some((face_a, face_b))
+    let face_a = best(a.edges[edges.edge_a as usize].faces, &|f| -normal.dot(a.faces[f as usize].normal));
+    let face_b = best(b.edges[edges.edge_b as usize].faces, &|f| normal.dot(workspace.normals[f as usize]));
+    (face_a.1.max(face_b.1) >= ALIKE).then_some((face_a.0, face_b.0))
 }
 
 /// The deciding face and the face of the other body that lies against it.

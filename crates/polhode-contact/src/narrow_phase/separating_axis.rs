@@ -6,31 +6,29 @@
 //! the unit sphere): only those support the difference of the bodies. Sources: docs/REFERENCES.md, Gottschalk 1996,
 //! Gregorius 2013.
 
-use crate::clearance::{PARALLEL_SINE, place_tolerance};
+use crate::ContactFeature;
+use crate::clearance::place_tolerance;
 use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::narrow_phase::edge_axes::EdgeBuffers;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Rounding of the separation along an edge axis, in units of epsilon times the lever over the sine of the angle
-/// between the edges: the direction of their cross product is uncertain by that much.
-const AXIS_ULPS: f64 = 8.0;
-
 /// Buffers that a caller may keep from call to call, so that the narrow phase allocates nothing but its results.
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
+    /// Pose of B in A's frame.
+    pub(crate) x_ab: Pose,
     /// Vertices, face normals and edge directions of B in A's frame.
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
     pub(crate) directions: Vec<DVec3>,
-    /// Sine of the angle of each edge to each face of the other body, `direction . normal`.
-    edges_a_faces_b: Vec<f64>,
-    edges_b_faces_a: Vec<f64>,
+    pub(crate) edges: EdgeBuffers,
     /// Separation along the normal of each face of A and of B, m.
     pub(crate) along_faces_a: Vec<f64>,
     pub(crate) along_faces_b: Vec<f64>,
     pub(crate) face_pair: crate::narrow_phase::face_pair::Buffers,
-    pub(crate) features: Vec<crate::ContactFeature>,
+    pub(crate) features: Vec<ContactFeature>,
     pub(crate) bounds: [Vec<crate::impact::quadratic_bound::Quadratic>; 2],
 }
 
@@ -60,7 +58,24 @@ pub(crate) struct Axes {
     pub(crate) tolerance: f64,
 }
 
+impl FaceAxis {
+    const NONE: Self = Self { separation: f64::NEG_INFINITY, face: 0 };
+
+    /// Takes a face that separates better; of equal ones the first stays.
+    pub(crate) fn take(&mut self, separation: f64, face: usize) {
+        if separation > self.separation {
+            *self = Self { separation, face: face as u32 };
+        }
+    }
+}
+
 impl Axes {
+    /// Nothing found yet.
+    pub(crate) fn none(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
+        let tolerance = place_tolerance(a.size, b.size, x_ab.translation);
+        Self { face_a: FaceAxis::NONE, face_b: FaceAxis::NONE, edges: None, tolerance }
+    }
+
     /// Largest separation over the faces.
     pub(crate) fn face_separation(&self) -> f64 {
         self.face_a.separation.max(self.face_b.separation)
@@ -84,6 +99,7 @@ impl Axes {
 impl Workspace {
     /// Brings B into A's frame.
     pub(crate) fn place(&mut self, b: &ConvexPolyhedron, x_ab: &Pose) {
+        self.x_ab = *x_ab;
         let rotation = x_ab.rotation.to_matrix();
         self.vertices.clear();
         self.vertices.extend(b.vertices.iter().map(|&v| x_ab.transform_point(v)));
@@ -93,98 +109,77 @@ impl Workspace {
         self.directions.extend(b.edges.iter().map(|e| rotation * e.direction));
     }
 
-    /// Best axes of the pair. The search ends early, with what it has, when an axis separates by more than `stop`.
-    /// B must have been placed.
+    /// Best axes of the pair. The search ends early, with what it has, when an axis separates by more than `stop`; pairs
+    /// of edges along which the bodies overlap, and no less than along the best face, may be left out. B must have been
+    /// placed.
     pub(crate) fn search(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, stop: f64) -> Axes {
-        let mut axes = Axes {
-            face_a: FaceAxis { separation: f64::NEG_INFINITY, face: 0 },
-            face_b: FaceAxis { separation: f64::NEG_INFINITY, face: 0 },
-            edges: None,
-            tolerance: place_tolerance(a.size, b.size, x_ab.translation),
-        };
+        self.search_faces(a, b, x_ab, stop).unwrap_or_else(|mut axes| {
+            self.select_edges(a, b, x_ab, axes.edge_limits(a, b, x_ab, [0.0; 2]));
+            axes.edges = self.best_edges(a, b, axes.edge_threshold(stop), stop, axes.tolerance);
+            axes
+        })
+    }
+
+    /// As [`Self::search`], with edges only where they separate better than the faces do.
+    pub(crate) fn search_deciding(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        stop: f64,
+    ) -> Axes {
+        self.search_faces(a, b, x_ab, stop).unwrap_or_else(|mut axes| {
+            self.select_edges(a, b, x_ab, axes.edge_limits(a, b, x_ab, [0.0; 2]));
+            axes.edges = self.deciding_edges(a, b, x_ab, &axes, stop);
+            axes
+        })
+    }
+
+    /// The best face of each body: `Ok` when one separates by more than `stop`, `Err` when the edges have to be asked.
+    pub(crate) fn search_faces(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        stop: f64,
+    ) -> Result<Axes, Axes> {
+        let mut axes = Axes::none(a, b, x_ab);
         self.along_faces_a.clear();
         self.along_faces_b.clear();
+        self.edges.heights_a.clear();
+        self.edges.heights_b.clear();
         for (index, face) in a.faces.iter().enumerate() {
-            let separation = lowest(&self.vertices, face.normal) - face.offset;
+            let separation = lowest_of(&mut self.edges.heights_a, &self.vertices, face.normal) - face.offset;
             self.along_faces_a.push(separation);
-            if separation > axes.face_a.separation {
-                axes.face_a = FaceAxis { separation, face: index as u32 };
-            }
+            axes.face_a.take(separation, index);
         }
         if axes.face_a.separation > stop {
-            return axes;
+            return Ok(axes);
         }
-        for (index, face) in b.faces.iter().enumerate() {
-            let normal = self.normals[index];
-            // The plane's offset in A's frame, from the origins' difference rather than from a rotated vertex.
-            let separation = lowest(&a.vertices, normal) - (normal.dot(x_ab.translation) + face.offset);
+        for (index, normal) in self.normals.iter().enumerate() {
+            let lowest = lowest_of(&mut self.edges.heights_b, &a.vertices, *normal);
+            let separation = lowest - plane_of_b(b, index, *normal, x_ab);
             self.along_faces_b.push(separation);
-            if separation > axes.face_b.separation {
-                axes.face_b = FaceAxis { separation, face: index as u32 };
-            }
+            axes.face_b.take(separation, index);
         }
-        if axes.face_b.separation > stop {
-            return axes;
-        }
-        axes.edges = self.best_edges(a, b, stop);
-        axes
-    }
-
-    /// The pair of edges with the largest separation among those whose arcs cross.
-    fn best_edges(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, stop: f64) -> Option<EdgeAxis> {
-        self.edges_a_faces_b.clear();
-        for edge in &a.edges {
-            self.edges_a_faces_b.extend(self.normals.iter().map(|n| n.dot(edge.direction)));
-        }
-        self.edges_b_faces_a.clear();
-        for direction in &self.directions {
-            self.edges_b_faces_a.extend(a.faces.iter().map(|f| f.normal.dot(*direction)));
-        }
-        let (faces_a, faces_b) = (a.faces.len(), b.faces.len());
-        let mut best: Option<EdgeAxis> = None;
-        for (i, edge_a) in a.edges.iter().enumerate() {
-            let against_b = &self.edges_a_faces_b[i * faces_b..(i + 1) * faces_b];
-            for (j, edge_b) in b.edges.iter().enumerate() {
-                // With B's normals turned round, the arcs (n1, n2) and (-m1, -m2) cross when m1 and m2 lie on opposite
-                // sides of A's arc, n1 and n2 on opposite sides of B's, and both arcs on one hemisphere.
-                let (x, y) = (against_b[edge_b.faces[0] as usize], against_b[edge_b.faces[1] as usize]);
-                if x * y >= 0.0 {
-                    continue;
-                }
-                let against_a = &self.edges_b_faces_a[j * faces_a..(j + 1) * faces_a];
-                let (z, w) = (-against_a[edge_a.faces[0] as usize], -against_a[edge_a.faces[1] as usize]);
-                if z * w >= 0.0 || x * w <= 0.0 {
-                    continue;
-                }
-                let Some(separation) = self.along_edges(a, b, i, j) else { continue };
-                if best.is_none_or(|best| separation > best.separation) {
-                    best = Some(EdgeAxis { separation, edge_a: i as u32, edge_b: j as u32 });
-                }
-                if separation > stop {
-                    return best;
-                }
-            }
-        }
-        best
-    }
-
-    /// Separation along the common perpendicular of two edges less its rounding, m; nothing when they are parallel.
-    fn along_edges(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, i: usize, j: usize) -> Option<f64> {
-        let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
-        let cross = edge_a.direction.cross(self.directions[j]);
-        let sine = cross.length();
-        if sine.is_nan() || sine <= PARALLEL_SINE {
-            return None;
-        }
-        let outward = a.faces[edge_a.faces[0] as usize].normal + a.faces[edge_a.faces[1] as usize].normal;
-        let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
-        let along = between.dot(cross) / sine;
-        let rounding = AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
-        Some(if cross.dot(outward) >= 0.0 { along - rounding } else { -along - rounding })
+        if axes.face_b.separation > stop { Ok(axes) } else { Err(axes) }
     }
 }
 
+/// Offset in A's frame of the plane of a face of B with this normal there, m: from the difference of the origins rather
+/// than from a turned vertex.
+pub(crate) fn plane_of_b(b: &ConvexPolyhedron, face: usize, normal: DVec3, x_ab: &Pose) -> f64 {
+    normal.dot(x_ab.translation) + b.faces[face].offset
+}
+
+/// Least coordinate of some points along a direction; the coordinates of all are added to a list.
+fn lowest_of(heights: &mut Vec<f64>, points: &[DVec3], direction: DVec3) -> f64 {
+    let first = heights.len();
+    heights.extend(points.iter().map(|p| p.dot(direction)));
+    heights[first..].iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 /// Least coordinate of some points along a direction.
-fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
+pub(crate) fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
     points.iter().map(|p| p.dot(direction)).fold(f64::INFINITY, f64::min)
 }

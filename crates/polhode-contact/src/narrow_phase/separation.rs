@@ -1,9 +1,13 @@
 //! Signed separation of two shapes.
 
 use crate::clearance::place_tolerance;
+use crate::narrow_phase::composite::compound_separation;
+use crate::narrow_phase::mesh_pair::mesh_separation;
 use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::round;
 use crate::narrow_phase::separating_axis::{Axes, Workspace};
 use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::round::{is_round, support};
 use crate::{HalfSpace, Shape};
 use polhode_spatial::Pose;
 
@@ -25,12 +29,24 @@ pub fn separation_with(
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return f64::NAN;
     }
+    if let Some(separation) = compound_separation(workspace, [shape_a, shape_b], [pose_a, pose_b]) {
+        return separation;
+    }
+    if let Some(separation) = mesh_separation(workspace, [shape_a, shape_b], [pose_a, pose_b]) {
+        return separation;
+    }
     match (shape_a, shape_b) {
         (Shape::Convex(a), Shape::Convex(b)) => {
             search_axes(workspace, a, pose_a, b, pose_b, f64::INFINITY).separation(a, pose_a, b, pose_b)
         }
         (Shape::HalfSpace(h), other) => above_half_space(h, pose_a, other, pose_b),
         (other, Shape::HalfSpace(h)) => above_half_space(h, pose_b, other, pose_a),
+        (Shape::Torus(_), _) | (_, Shape::Torus(_)) => {
+            round::ring::least(shape_a, pose_a, shape_b, pose_b).map_or(f64::INFINITY, |gap| gap.separation)
+        }
+        (a, b) if is_round(a) || is_round(b) => {
+            round::gap::between(a, pose_a, b, pose_b, f64::INFINITY).map_or(f64::INFINITY, |gap| gap.separation)
+        }
         (Shape::Convex(p), other) => from_polyhedron(p, pose_a, other, pose_b),
         (other, Shape::Convex(p)) => from_polyhedron(p, pose_b, other, pose_a),
         (Shape::Points(_), Shape::Points(_)) => f64::INFINITY,
@@ -54,12 +70,11 @@ pub(crate) fn search_axes(
 
 /// Least height of a shape above a half-space; infinite for another half-space.
 fn above_half_space(half_space: &HalfSpace, pose: &Pose, shape: &Shape, pose_of_shape: &Pose) -> f64 {
-    let (centers, radius) = shape.centers();
     let normal = pose.rotation.rotate(half_space.normal);
     let base = normal.dot(pose_of_shape.translation - pose.translation) - half_space.offset;
     // Directions are turned into the shape's frame once, instead of every point into the world.
     let normal = pose_of_shape.rotation.inverse_rotate(normal);
-    centers.iter().map(|c| normal.dot(*c)).fold(f64::INFINITY, f64::min) + base - radius
+    base - support(shape, -normal)
 }
 
 /// Distance of a sphere or of the nearest point of a cloud from a polyhedron.

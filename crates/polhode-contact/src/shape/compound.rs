@@ -1,21 +1,43 @@
 //! Compounds: bodies of several parts that are fixed to each other.
 
 use super::Shape;
+use super::box_tree::{Bounds, BoxTree};
 use super::error::ShapeError;
+use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Parts that are fixed to each other and may touch or overlap. Their vertices, edges and faces are numbered part after
-/// part, so that a feature of the compound names its part too.
+/// Numbers that a curved part takes of each kind of element: more than any such shape has.
+const CURVED_ELEMENTS: usize = 2 * crate::shape::round::RIM_POINTS as usize;
+
+/// Up to this many balls of parts the size is found over all pairs; beyond it the diagonal of the bounding box stands
+/// in, which is at most sqrt(3) times too large.
+const EXACT_SIZE_LIMIT: usize = 1024;
+
+/// Numbers of the first vertex (or centre), edge and face of a part among all of the compound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct FirstElements {
+    pub(crate) vertex: u32,
+    pub(crate) edge: u32,
+    pub(crate) face: u32,
+}
+
+/// Parts that are fixed to each other and may touch or overlap. Their vertices (centres, points), edges and faces are
+/// numbered part after part, so that a feature of the compound names its part too.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Compound {
     pub(crate) parts: Vec<Shape>,
+    /// Of every part, and one past the last.
+    pub(crate) first: Vec<FirstElements>,
+    pub(crate) tree: BoxTree,
+    size: f64,
 }
 
 impl Compound {
     /// From parts, each in the body's frame; a compound among them gives its own parts.
     ///
     /// # Errors
-    /// When there is no part, or one is a half-space or a triangle mesh, which stand alone.
+    /// When there is no part, one is a half-space or a triangle mesh, which stand alone, or there are more than 2^32 - 1
+    /// vertices.
     pub fn new(parts: Vec<Shape>) -> Result<Self, ShapeError> {
         let mut flat = Vec::with_capacity(parts.len());
         for part in parts {
@@ -29,7 +51,10 @@ impl Compound {
         if flat.is_empty() {
             return Err(ShapeError::NoPart { what: "parts" });
         }
-        Ok(Self { parts: flat })
+        let first = numbered(&flat)?;
+        let boxes: Vec<Bounds> = flat.iter().map(|part| part.bounds_at(&Pose::IDENTITY)).collect();
+        let size = size_of(&flat);
+        Ok(Self { parts: flat, first, tree: BoxTree::new(&boxes), size })
     }
 
     /// The parts, in the body's frame.
@@ -38,13 +63,61 @@ impl Compound {
     }
 
     pub(super) fn placed(&self, pose: &Pose) -> Result<Self, ShapeError> {
-        let parts = self.parts.iter().map(|part| part.placed(pose)).collect::<Result<_, _>>()?;
-        Ok(Self { parts })
+        Self::new(self.parts.iter().map(|part| part.placed(pose)).collect::<Result<_, _>>()?)
     }
 
-    /// An upper bound of the size, m: the diameter of a ball about the frame's origin, or of the parts' own when less.
-    pub(super) fn size(&self) -> f64 {
-        let reach = self.parts.iter().map(Shape::radius).fold(0.0, f64::max);
-        if let [only] = self.parts.as_slice() { only.size() } else { 2.0 * reach }
+    /// The largest distance between two points, m; of two curved parts, of balls around them.
+    pub(super) const fn size(&self) -> f64 {
+        self.size
     }
+
+    /// The part that owns an element, by the element's number and which of the numbers counts.
+    pub(crate) fn owner(&self, number: u32, of: impl Fn(&FirstElements) -> u32) -> Option<(usize, &Shape, u32)> {
+        // Parts without such an element share their first number with the next part, which owns it.
+        let part = self.first.partition_point(|first| of(first) <= number).checked_sub(1)?;
+        Some((part, self.parts.get(part)?, number - of(&self.first[part])))
+    }
+}
+
+/// Elements of every kind, one part after the other.
+fn numbered(parts: &[Shape]) -> Result<Vec<FirstElements>, ShapeError> {
+    let mut totals = [0_usize; 3];
+    let mut first = Vec::with_capacity(parts.len() + 1);
+    for part in parts.iter().map(Some).chain([None]) {
+        let [vertex, edge, face] = totals;
+        let limit = u32::MAX as usize;
+        if vertex.max(edge).max(face) >= limit {
+            return Err(ShapeError::TooManyPoints { count: vertex.max(edge).max(face), limit });
+        }
+        first.push(FirstElements { vertex: vertex as u32, edge: edge as u32, face: face as u32 });
+        let counts = match part {
+            None => [0; 3],
+            Some(Shape::Convex(p)) => [p.vertices().len(), p.edges().len(), p.face_count()],
+            Some(Shape::Sphere(_)) => [1, 0, 0],
+            Some(Shape::Points(c)) => [c.points().len(), 0, 0],
+            Some(_) => [CURVED_ELEMENTS; 3],
+        };
+        totals = [totals[0] + counts[0], totals[1] + counts[1], totals[2] + counts[2]];
+    }
+    Ok(first)
+}
+
+fn size_of(parts: &[Shape]) -> f64 {
+    let mut balls: Vec<(DVec3, f64, usize)> = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        part.for_each_ball(&mut |center, radius| balls.push((center, radius, index)));
+    }
+    let mut largest = parts.iter().map(Shape::size).fold(0.0, f64::max);
+    if balls.len() > EXACT_SIZE_LIMIT {
+        let bounds = balls.iter().fold(Bounds::EMPTY, |b, &(c, r, _)| b.union(Bounds { min: c - r, max: c + r }));
+        return largest.max((bounds.max - bounds.min).length());
+    }
+    for (i, &(center, radius, part)) in balls.iter().enumerate() {
+        for &(other, other_radius, other_part) in &balls[i + 1..] {
+            if part != other_part {
+                largest = largest.max(center.distance(other) + radius + other_radius);
+            }
+        }
+    }
+    largest
 }

@@ -113,6 +113,27 @@ pub enum ShapeError {
         /// How many there are.
         vertices: usize,
     },
+    /// A triangle without area.
+    #[error(
+        "triangle {triangle} has no area: its height is {height:e} m over a side of {longest:e} m (counted from 0); \
+         leave it out"
+    )]
+    NoArea {
+        /// The triangle.
+        triangle: usize,
+        /// Its least height, m.
+        height: f64,
+        /// Its longest side, m.
+        longest: f64,
+    },
+    /// A triangle that is given twice.
+    #[error("triangle {triangle} has the same corners as triangle {of} (counted from 0); leave one out")]
+    Double {
+        /// The triangle.
+        triangle: usize,
+        /// The earlier one.
+        of: usize,
+    },
     /// A shape that cannot be a part of a compound.
     #[error("{what} cannot be a part of a compound: give it a body of its own")]
     NotAPart {

@@ -4,6 +4,7 @@
 //! motion needs to know of shapes. A point x has the image `x - 2 (n.x - d) n` in the plane `n.x = d`.
 
 use crate::Shape;
+use crate::shape::round::{Circle, circles};
 use glam::DVec3;
 use polhode_spatial::UnitVector;
 
@@ -20,7 +21,43 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
         let along = half_space.normal().dot(n).abs();
         return if along <= PERPENDICULAR { 0.0 } else { f64::INFINITY };
     }
-    let points = shape.centers().0;
-    let distance = |x: DVec3| points.iter().map(|p| (*p - x).length()).fold(f64::INFINITY, f64::min);
-    points.iter().map(|&p| distance(image(p))).fold(0.0, f64::max)
+    if let Shape::TriangleMesh(mesh) = shape {
+        return mesh
+            .joined
+            .iter()
+            .flatten()
+            .map(|&v| mesh.vertices[v as usize])
+            .map(|p| mesh.distance_to_vertex(image(p)))
+            .fold(0.0, f64::max);
+    }
+    let rings = circles(shape);
+    if !rings.is_empty() {
+        return rings_defect(shape, &rings, n, image);
+    }
+    // Parts have their images among the parts: balls that hold them stand for curved ones.
+    let mut balls: Vec<(DVec3, f64)> = Vec::new();
+    shape.for_each_ball(&mut |center, radius| balls.push((center, radius)));
+    let distance = |x: DVec3, radius: f64| {
+        let apart = |&(p, r): &(DVec3, f64)| (p - x).length().max((r - radius).abs());
+        balls.iter().map(apart).fold(f64::INFINITY, f64::min)
+    };
+    balls.iter().map(|&(p, radius)| distance(image(p), radius)).fold(0.0, f64::max)
+}
+
+/// The same for a shape with circles: the image of each must be a circle of the shape. Of a rim the axis points outwards,
+/// which a ring's does not.
+fn rings_defect(shape: &Shape, rings: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
+    let turned = |a: DVec3| if n.dot(a).abs() <= PERPENDICULAR { a } else { a - n * (2.0 * n.dot(a)) };
+    let two_sided = matches!(shape, Shape::Torus(_));
+    let distance = |circle: &Circle, axis: DVec3| {
+        let aligned = (circle.axis - axis).length();
+        let aligned = if two_sided { aligned.min((circle.axis + axis).length()) } else { aligned };
+        if aligned <= PERPENDICULAR { 0.0 } else { circle.radius * aligned }
+    };
+    let defect = |circle: &Circle| {
+        let (center, axis) = (image(circle.center), turned(circle.axis));
+        let nearest = rings.iter().map(|other| (other.center - center).length() + distance(other, axis));
+        nearest.fold(f64::INFINITY, f64::min)
+    };
+    rings.iter().map(defect).fold(0.0, f64::max)
 }

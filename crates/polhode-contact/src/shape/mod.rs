@@ -5,21 +5,25 @@
 //! algorithms meet only finite, closed and convex shapes.
 
 pub mod approximate_decomposition;
+mod box_tree;
 mod capsule;
 mod compound;
 mod cone;
 mod cylinder;
 mod error;
+pub(crate) mod extent;
 mod half_space;
 pub(crate) mod hull;
 pub mod mirror;
 mod point_cloud;
 pub mod polyhedron;
+pub mod round;
 mod solid;
 mod sphere;
+pub(crate) mod support;
 pub(crate) mod topology;
 mod torus;
-mod triangle_mesh;
+pub(crate) mod triangle_mesh;
 
 pub use capsule::Capsule;
 pub use compound::Compound;
@@ -32,6 +36,8 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle_mesh::TriangleMesh;
 
+pub(crate) use box_tree::Bounds;
+pub(crate) use compound::FirstElements;
 pub(crate) use error::{check_length, check_point};
 pub(crate) use point_cloud::largest_distance;
 
@@ -213,6 +219,7 @@ impl Shape {
             Self::Cone(c) => (c.base.length() + c.radius).max(c.apex().length()),
             Self::Torus(t) => t.center.length() + 0.5 * t.size(),
             Self::Compound(c) => c.parts.iter().map(Self::radius).fold(0.0, f64::max),
+            Self::TriangleMesh(m) => m.reach(),
             _ => {
                 let (centers, rounding) = self.centers();
                 centers.iter().map(|c| c.length()).fold(0.0, f64::max) + rounding

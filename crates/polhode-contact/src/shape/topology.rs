@@ -43,6 +43,33 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
     Ok(polyhedron)
 }
 
+/// A triangle as a polyhedron without thickness: face 0 with the given unit normal, face 1 turned the other way.
+pub(crate) fn flat_triangle(corners: [DVec3; 3], normal: DVec3) -> ConvexPolyhedron {
+    let [a, b, c] = corners;
+    let edge = |from: usize, to: usize| {
+        let along = corners[to] - corners[from];
+        let length = along.length();
+        Edge { vertices: [from as u32, to as u32], faces: [0, 1], direction: along / length, length }
+    };
+    let offset = (normal.dot(a) + normal.dot(b) + normal.dot(c)) / 3.0;
+    let mut polyhedron = ConvexPolyhedron {
+        vertices: corners.to_vec(),
+        edges: vec![edge(0, 1), edge(1, 2), edge(2, 0)],
+        faces: vec![
+            FaceRecord { first: 0, count: 3, normal, offset },
+            FaceRecord { first: 3, count: 3, normal: -normal, offset: -offset },
+        ],
+        corner_vertices: vec![0, 1, 2, 0, 2, 1],
+        corner_edges: vec![0, 1, 2, 2, 1, 0],
+        corner_sides: Vec::new(),
+        faces_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 1, 0, 1, 0, 1] },
+        edges_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 2, 0, 1, 1, 2] },
+        size: (b - a).length().max((c - b).length()).max((a - c).length()),
+    };
+    polyhedron.corner_sides = sides_of(&polyhedron);
+    polyhedron
+}
+
 /// Edges in the order in which the loops first run along them.
 struct JoinedEdges {
     endpoints: Vec<[u32; 2]>,

@@ -1,30 +1,117 @@
 //! Triangle meshes as ground: surfaces, open or closed, of a body that does not move.
+//!
+//! The surface is thin and has two sides: a body is kept on the side on which less of it overlaps, which is the side it
+//! comes from. A closed mesh is hollow: a body inside it touches the inner side. Triangles anticlockwise seen from
+//! outside have face `2 p`, and seen from inside face `2 p + 1`, where `p` numbers the flat patches: neighbouring
+//! triangles that lie in one plane are one face, so that a body which slides over them keeps its contact. Vertices in
+//! one place (equal coordinates) are joined and bear the lowest of their numbers; edges are numbered in the order in
+//! which the triangles first run along them.
 
-use super::error::{ShapeError, check_point};
+use super::Shape;
+use super::box_tree::{Bounds, BoxTree};
+use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
+use super::topology;
 use glam::DVec3;
 use polhode_spatial::Pose;
+use std::collections::BTreeMap;
 
-/// A surface of triangles. Vertices, triangles (as faces) and edges are numbered as given and found.
+/// How far the vertices of a patch may lie off its plane, relative to the mesh's size: as features in one place.
+const FLAT: f64 = crate::clearance::COINCIDENCE;
+
+/// Least height of a triangle relative to its longest side: below it rounding decides where its normal points.
+pub(crate) const LEAST_HEIGHT: f64 = 1e-12;
+
+/// A plane part of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Patch {
+    /// Outward unit normal.
+    pub(crate) normal: DVec3,
+    /// `normal . x` of its points, m.
+    pub(crate) offset: f64,
+}
+
+/// An edge of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MeshEdge {
+    pub(crate) vertices: [u32; 2],
+    pub(crate) direction: DVec3,
+    pub(crate) length: f64,
+    /// Sum of the unit vectors out of its triangles, in their planes: the axis of the normals that the edge may have.
+    pub(crate) outward: DVec3,
+    /// Whether it lies within a patch.
+    pub(crate) flat: bool,
+}
+
+/// A surface of triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TriangleMesh {
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
+    /// As the triangles, with vertices in one place joined.
+    pub(crate) joined: Vec<[u32; 3]>,
+    pub(crate) patches: Vec<Patch>,
+    /// Patch of every triangle.
+    pub(crate) patch_of: Vec<u32>,
+    pub(crate) edges: Vec<MeshEdge>,
+    /// Edges of every triangle: the k-th runs from corner k to the next.
+    pub(crate) edges_of: Vec<[u32; 3]>,
+    /// Unit vectors out of every triangle across its edges, in its plane.
+    pub(crate) sides: Vec<[DVec3; 3]>,
+    /// Triangles at every edge.
+    pub(crate) at_edge: Lists,
+    /// Triangles at every vertex.
+    pub(crate) at_vertex: Lists,
+    pub(crate) tree: BoxTree,
     size: f64,
+    reach: f64,
+}
+
+/// Lists of unequal length, one after the other.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Lists {
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Lists {
+    fn new(count: usize, keys: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
+        let mut starts = vec![0_u32; count + 1];
+        for (key, _) in keys.clone() {
+            starts[key as usize + 1] += 1;
+        }
+        for i in 0..count {
+            starts[i + 1] += starts[i];
+        }
+        let mut next = starts.clone();
+        let mut items = vec![0; starts[count] as usize];
+        for (key, item) in keys {
+            items[next[key as usize] as usize] = item;
+            next[key as usize] += 1;
+        }
+        Self { starts, items }
+    }
+
+    pub(crate) fn of(&self, key: u32) -> &[u32] {
+        let bound = |k: u32| self.starts.get(k as usize).map_or(self.items.len(), |&s| s as usize);
+        self.items.get(bound(key)..bound(key.saturating_add(1))).unwrap_or(&[])
+    }
 }
 
 impl TriangleMesh {
     /// From vertices in the body's frame (m) and triangles, anticlockwise seen from outside.
     ///
     /// # Errors
-    /// When there is no triangle, one names a vertex that does not exist, or a coordinate is not finite.
+    /// When there is no triangle, one names a vertex that does not exist or has no area (its height is below 1e-12 of its
+    /// longest side), two are the same, or a coordinate is not finite.
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, ShapeError> {
         if triangles.is_empty() {
             return Err(ShapeError::NoPart { what: "triangles" });
         }
-        let most = vertices.len().max(triangles.len());
-        if u32::try_from(most).is_err() {
-            return Err(ShapeError::TooManyPoints { count: most, limit: u32::MAX as usize });
+        // Three edges and two faces for each triangle have to be numbered.
+        let (most, limit) = (vertices.len().max(triangles.len()), u32::MAX as usize / 3);
+        if most > limit {
+            return Err(ShapeError::TooManyPoints { count: most, limit });
         }
         vertices.iter().try_for_each(|&vertex| check_point("vertex", vertex))?;
         for (triangle, corners) in triangles.iter().enumerate() {
@@ -32,8 +119,43 @@ impl TriangleMesh {
                 return Err(ShapeError::NoSuchVertex { triangle, vertex, vertices: vertices.len() });
             }
         }
+        let joined = joined(&vertices, &triangles);
+        let normals = normals(&vertices, &joined)?;
         let size = largest_distance(&vertices);
-        Ok(Self { vertices, triangles, size })
+        let (mut edges, edges_of) = edges_of(&vertices, &joined);
+        let sides_of = |(t, n): (&[u32; 3], &DVec3)| [0, 1, 2].map(|k| side_of(&vertices, t, *n, k));
+        let sides: Vec<[DVec3; 3]> = joined.iter().zip(&normals).map(sides_of).collect();
+        let at_edge = Lists::new(edges.len(), items_of(&edges_of));
+        let (patches, patch_of) = patches(&vertices, &joined, &normals, &edges_of, &at_edge, FLAT * size);
+        for (index, edge) in edges.iter_mut().enumerate() {
+            let around = at_edge.of(index as u32);
+            edge.flat = matches!(around, [t, u] if patch_of[*t as usize] == patch_of[*u as usize]);
+            let outward = around.iter().map(|&t| {
+                let k = edges_of[t as usize].iter().position(|&e| e as usize == index).unwrap_or(0);
+                sides[t as usize][k]
+            });
+            edge.outward = outward.sum();
+        }
+        let corners = |t: &[u32; 3]| Bounds::of_points(t.iter().map(|&v| vertices[v as usize]));
+        let boxes: Vec<Bounds> = joined.iter().map(corners).collect();
+        let at_vertex = Lists::new(vertices.len(), items_of(&joined));
+        let reach = joined.iter().flatten().map(|&v| vertices[v as usize].length()).fold(0.0, f64::max);
+        let tree = BoxTree::new(&boxes);
+        Ok(Self {
+            vertices,
+            triangles,
+            joined,
+            patches,
+            patch_of,
+            edges,
+            edges_of,
+            sides,
+            at_edge,
+            at_vertex,
+            tree,
+            size,
+            reach,
+        })
     }
 
     /// Vertices in the body's frame, m.
@@ -46,6 +168,11 @@ impl TriangleMesh {
         &self.triangles
     }
 
+    /// The flat patch of a triangle: its outer side is face `2 p`, its inner side face `2 p + 1`.
+    pub fn patch(&self, triangle: usize) -> Option<u32> {
+        self.patch_of.get(triangle).copied()
+    }
+
     pub(super) fn placed(&self, pose: &Pose) -> Result<Self, ShapeError> {
         let vertices = self.vertices.iter().map(|&vertex| pose.transform_point(vertex)).collect();
         Self::new(vertices, self.triangles.clone())
@@ -54,4 +181,157 @@ impl TriangleMesh {
     pub(super) const fn size(&self) -> f64 {
         self.size
     }
+
+    pub(crate) fn bounds(&self) -> Bounds {
+        self.tree.bounds()
+    }
+
+    /// Largest distance of a triangle from the frame's origin, m.
+    pub(crate) const fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    pub(crate) fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
+        self.joined.get(triangle as usize).map(|t| t.map(|v| self.vertices[v as usize]))
+    }
+
+    /// Distance of a place from the nearest vertex of a triangle, m.
+    pub(crate) fn distance_to_vertex(&self, x: DVec3) -> f64 {
+        let here = Bounds { min: x, max: x };
+        self.tree.least(f64::INFINITY, 0.0, &|bounds: &Bounds| bounds.distance(&here), &mut |triangle, _| {
+            self.corners(triangle)
+                .map_or(f64::INFINITY, |corners| corners.iter().map(|c| c.distance(x)).fold(f64::INFINITY, f64::min))
+        })
+    }
+
+    /// The plane of a face: of a patch seen from one side.
+    pub(crate) fn face_plane(&self, face: u32) -> Option<Patch> {
+        let patch = *self.patches.get(face as usize / 2)?;
+        Some(if face.is_multiple_of(2) { patch } else { Patch { normal: -patch.normal, offset: -patch.offset } })
+    }
+
+    /// A triangle as a polyhedron of two faces and no thickness, with the normals of its patch.
+    pub(crate) fn triangle_shape(&self, triangle: u32) -> Option<Shape> {
+        let corners = self.corners(triangle)?;
+        let patch = self.patches[self.patch_of[triangle as usize] as usize];
+        Some(Shape::Convex(topology::flat_triangle(corners, patch.normal)))
+    }
+}
+
+fn items_of(of: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
+    of.iter().enumerate().flat_map(|(t, keys)| keys.iter().map(move |&key| (key, t as u32)))
+}
+
+/// The triangles with the lowest of the vertices in each place.
+fn joined(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let mut places = BTreeMap::new();
+    // Adding zero makes -0 and 0 one place.
+    let key = |p: DVec3| (p + 0.0).to_array().map(f64::to_bits);
+    let first: Vec<u32> =
+        vertices.iter().enumerate().map(|(i, &p)| *places.entry(key(p)).or_insert(i as u32)).collect();
+    triangles.iter().map(|t| t.map(|v| first[v as usize])).collect()
+}
+
+/// Outward unit normals; an error for a triangle that has none, or that is another one's double.
+fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, ShapeError> {
+    let mut seen = BTreeMap::new();
+    let mut normals = Vec::with_capacity(triangles.len());
+    for (triangle, corners) in triangles.iter().enumerate() {
+        let mut sorted = *corners;
+        sorted.sort_unstable();
+        let [a, b, c] = corners.map(|v| vertices[v as usize]);
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        // Scaled, so that no square leaves the range.
+        let area = ((b - a) / longest).cross((c - a) / longest);
+        let height = area.length() * longest;
+        if !(longest <= LARGEST_LENGTH && height > LEAST_HEIGHT * longest) {
+            return Err(ShapeError::NoArea { triangle, height, longest });
+        }
+        if let Some(&double) = seen.get(&sorted) {
+            return Err(ShapeError::Double { triangle, of: double });
+        }
+        seen.insert(sorted, triangle);
+        normals.push(area / area.length());
+    }
+    Ok(normals)
+}
+
+/// Unit vector out of a triangle across its k-th side, in its plane.
+fn side_of(vertices: &[DVec3], triangle: &[u32; 3], normal: DVec3, k: usize) -> DVec3 {
+    let at = |k: usize| vertices[triangle[k % 3] as usize];
+    (at(k + 1) - at(k)).cross(normal).normalize_or_zero()
+}
+
+/// Edges in the order in which the triangles first run along them, and those of every triangle.
+fn edges_of(vertices: &[DVec3], triangles: &[[u32; 3]]) -> (Vec<MeshEdge>, Vec<[u32; 3]>) {
+    let mut numbers = BTreeMap::new();
+    let mut edges = Vec::new();
+    let mut of = Vec::with_capacity(triangles.len());
+    for triangle in triangles {
+        let mut own = [0; 3];
+        for (k, own) in own.iter_mut().enumerate() {
+            let (from, to) = (triangle[k], triangle[(k + 1) % 3]);
+            *own = *numbers.entry((from.min(to), from.max(to))).or_insert_with(|| {
+                let along = vertices[to as usize] - vertices[from as usize];
+                let length = along.length();
+                let (direction, outward) = (along / length, DVec3::ZERO);
+                edges.push(MeshEdge { vertices: [from, to], direction, length, outward, flat: false });
+                edges.len() as u32 - 1
+            });
+        }
+        of.push(own);
+    }
+    (edges, of)
+}
+
+/// Patches grow from the lowest triangle over neighbours (two at an edge, turned the same way) whose vertices lie in its
+/// plane. The plane of a patch is that of all its triangles, weighed by their areas, and halves the spread of its
+/// vertices.
+fn patches(
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
+    normals: &[DVec3],
+    edges_of: &[[u32; 3]],
+    at_edge: &Lists,
+    tolerance: f64,
+) -> (Vec<Patch>, Vec<u32>) {
+    let corners = |t: u32| triangles[t as usize].map(|v| vertices[v as usize]);
+    let mut patch_of = vec![u32::MAX; triangles.len()];
+    let mut patches = Vec::new();
+    let mut members: Vec<u32> = Vec::new();
+    for seed in 0..triangles.len() as u32 {
+        if patch_of[seed as usize] != u32::MAX {
+            continue;
+        }
+        let (number, normal, origin) = (patches.len() as u32, normals[seed as usize], corners(seed)[0]);
+        patch_of[seed as usize] = number;
+        members.clear();
+        members.push(seed);
+        let mut next = 0;
+        while let Some(&triangle) = members.get(next) {
+            next += 1;
+            for &edge in &edges_of[triangle as usize] {
+                let [t, u] = *at_edge.of(edge) else { continue };
+                let other = if t == triangle { u } else { t };
+                let plane = corners(other).iter().all(|&v| normal.dot(v - origin).abs() <= tolerance);
+                if patch_of[other as usize] == u32::MAX && plane && normal.dot(normals[other as usize]) > 0.0 {
+                    patch_of[other as usize] = number;
+                    members.push(other);
+                }
+            }
+        }
+        let area = |&t: &u32| {
+            let [a, b, c] = corners(t);
+            (b - a).cross(c - a)
+        };
+        let whole: DVec3 = members.iter().map(area).sum();
+        let normal = if members.len() > 1 { whole.try_normalize().unwrap_or(normal) } else { normal };
+        let (low, high) = members
+            .iter()
+            .flat_map(|&t| corners(t))
+            .map(|v| normal.dot(v))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
+        patches.push(Patch { normal, offset: 0.5 * (low + high) });
+    }
+    (patches, patch_of)
 }

@@ -7,33 +7,46 @@ use polhode_spatial::{DVec3, Motion, Pose, UnitVector};
 
 /// What a batch of shots found.
 #[derive(Debug, Default)]
-struct Tally {
-    hits: u32,
-    misses: u32,
+pub(crate) struct Tally {
+    pub(crate) hits: u32,
+    pub(crate) misses: u32,
     evaluations: u32,
     most: u32,
 }
 
-/// One shot over `[0, 1]` s: the time found has no separation left, and no sample before it (of `samples`) overlaps; when
+/// One shot over `[0, 1]` s.
+pub(crate) fn shoot(tally: &mut Tally, a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, samples: u32) {
+    shoot_within(tally, a, motion_a, b, motion_b, 1.0, samples);
+}
+
+/// One shot over `[0, t1]` s: the time found has no separation left, and no sample before it (of `samples`) overlaps; when
 /// nothing is found, no sample overlaps at all.
-fn shoot(tally: &mut Tally, a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, samples: u32) {
+pub(crate) fn shoot_within(
+    tally: &mut Tally,
+    a: &Shape,
+    motion_a: &Flight,
+    b: &Shape,
+    motion_b: &Flight,
+    t1: f64,
+    samples: u32,
+) {
     let settings = ImpactSearch::default();
     let gap = |t: f64| separation(a, &motion_a.pose(t), b, &motion_b.pose(t));
     if gap(0.0) <= 1e-9 {
         return;
     }
-    let report = find_impact(a, motion_a, b, motion_b, 0.0, 1.0, &settings).expect("an answer");
+    let report = find_impact(a, motion_a, b, motion_b, 0.0, t1, &settings).expect("an answer");
     let speed = 1.0 + motion_a.velocity.linear.length() + motion_b.velocity.linear.length();
     let end = if let Some(t) = report.time {
         tally.hits += 1;
-        assert!(t > 0.0 && t <= 1.0);
+        assert!(t > 0.0 && t <= t1);
         assert!(gap(t).abs() <= 4e-15 * (4.0 + speed), "{} {}", gap(t), report.separation);
         assert_contact(a, motion_a, b, motion_b, t);
         t
     } else {
         tally.misses += 1;
-        assert!(gap(1.0) > 0.0);
-        1.0
+        assert!(gap(t1) > 0.0);
+        t1
     };
     for i in 0..samples {
         let t = end * f64::from(i) / f64::from(samples);
@@ -58,7 +71,7 @@ fn assert_contact(a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, t:
     assert!(rates.iter().any(|rate| *rate < 0.0), "{rates:?} {result:?}");
 }
 
-fn shooter(random: &mut Random, distance: f64, speed: f64, spin: f64) -> Flight {
+pub(crate) fn shooter(random: &mut Random, distance: f64, speed: f64, spin: f64) -> Flight {
     let start = random.direction() * distance;
     let aim = random.vector() * 0.8 - start;
     let angular = random.direction() * random.between(0.0, spin);

@@ -1,15 +1,31 @@
 //! Integration tests of polhode-contact: one binary.
 
 mod approximate_decomposition;
+mod bounding_volumes;
 mod broad_phase;
+mod broad_phase_methods;
+mod compounds;
 mod derivatives;
+mod distances;
 mod face_contacts;
 mod general_poses;
 mod hostile_input;
 mod impact_closed_forms;
 
 mod impact_random;
+mod line_contacts;
+mod mesh_impacts;
+mod meshes;
+mod persistent;
 mod polyhedra;
+mod rays;
+mod rings;
+mod round_bounds;
+mod round_contacts;
+mod round_derivatives;
+mod round_gaps;
+mod round_impacts;
+mod scenes;
 mod smooth_shapes;
 mod stacking;
 mod support;

@@ -4,7 +4,8 @@ use super::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName,
+    BroadPhaseName, ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName,
+    RotationRateName, TierName,
 };
 use polhode::SceneError;
 use polhode::scene::{ContactMethod, ImpactLaw, Method, Orientation, RotationRate, Tier};
@@ -27,6 +28,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         rotation_rate: entry.rotation_rate.map(rotation_rate),
         impact: entry.impact.map(impact),
         contact: entry.contact.map(contact),
+        broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
         max_events_per_step: entry.max_events_per_step,
     };

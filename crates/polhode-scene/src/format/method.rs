@@ -1,5 +1,6 @@
 //! The method: one tier and the knobs behind it.
 
+use super::broad_phase::BroadPhaseName;
 use super::integrator::IntegratorName;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -23,6 +24,8 @@ pub struct MethodEntry {
     pub impact: Option<ImpactName>,
     /// How the forces of resting contacts are found.
     pub contact: Option<ContactName>,
+    /// How pairs that may touch are found; a choice of time alone.
+    pub broad_phase: Option<BroadPhaseName>,
     /// How bodies in contact act on each other.
     pub response: Option<ResponseName>,
     /// Local error per step of contact phases, relative to size and speed of each body.

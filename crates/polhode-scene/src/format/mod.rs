@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
-//! | `integrator` | [`IntegratorName`] |
+//! | `integrator`, `broad_phase` | [`IntegratorName`], [`BroadPhaseName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `force` | [`ForceEntry`] and the kinds of force |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
@@ -16,6 +16,7 @@
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
 
 mod body;
+mod broad_phase;
 mod exactly;
 mod force;
 mod integrator;
@@ -28,6 +29,7 @@ pub use body::{
     BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PartEntry, PointsEntry,
     RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
 };
+pub use broad_phase::BroadPhaseName;
 pub use exactly::{Exactly, Vector};
 pub use force::{
     AppliedForceEntry, AppliedTorqueEntry, DragEntry, DragLawName, ForceEntry, ForceKind, FrameName,

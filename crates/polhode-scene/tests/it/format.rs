@@ -1,7 +1,9 @@
 //! What is accepted, and what absent keys mean.
 
 use crate::{BASE, scene};
-use polhode::scene::{ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, RotationRate, Tier};
+use polhode::scene::{
+    BroadPhaseMethod, ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, RotationRate, Tier,
+};
 use polhode::spatial::{DVec3, Rotation};
 use polhode_scene::names;
 
@@ -26,7 +28,7 @@ fn method() {
     let text = BASE.replace(
         "name = \"base\"",
         "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"matrix\", \
-         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", tolerance = 1e-9, \
+         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", broad_phase = \"kd-tree\", tolerance = 1e-9, \
          max_events_per_step = 77 }",
     );
     let method = scene(&text).method().clone();
@@ -37,6 +39,7 @@ fn method() {
     assert_eq!(method.rotation_rate, Some(RotationRate::AngularVelocity));
     assert_eq!(method.impact, Some(ImpactLaw::Simultaneous));
     assert_eq!(method.contact, Some(ContactMethod::LeastForce));
+    assert_eq!(method.broad_phase, Some(BroadPhaseMethod::KdTree));
     assert_eq!(method.tolerance, Some(1e-9));
     assert_eq!(method.max_events_per_step, Some(77));
 }

@@ -69,6 +69,7 @@ fn numbers_of_the_scene() {
         ("output.interval = 0", "output.interval", "positive"),
         ("method.step = -0.1", "method.step", "positive"),
         ("method.tolerance = 0.5", "method.tolerance", "(0, 0.1]"),
+        ("method.broad_phase = \"grid\"", "method.broad_phase", "sweep-and-prune"),
         ("method.max_events_per_step = 0", "method.max_events_per_step", "at least 1"),
         ("method.max_events_per_step = -3", "method.max_events_per_step", "whole number"),
     ];

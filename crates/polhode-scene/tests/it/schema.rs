@@ -34,7 +34,7 @@ fn lists_what_is_accepted() {
     let mut words = Vec::new();
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval friction \
-        restitution tier step integrator orientation rotation_rate impact contact response tolerance max_events_per_step fixed shape \
+        restitution tier step integrator orientation rotation_rate impact contact response broad_phase tolerance max_events_per_step fixed shape \
         mass density inertia hollow position rotation_vector velocity angular_velocity material pivot box sphere half_space \
         points convex mesh size radius normal positions file thesis accurate quaternion \
         quaternion-unnormalized quaternion-three-numbers matrix matrix-unorthogonalized euler-angles angular-momentum \

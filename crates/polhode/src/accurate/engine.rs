@@ -13,7 +13,7 @@ use crate::observer::Observer;
 use crate::settings::Settings;
 use crate::world::World;
 use crate::{Acceleration, Certificate, Effects, Energy, Event, RunReport, SimulationError};
-use polhode_contact::Bvh;
+use polhode_contact::BroadPhase;
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverReport, SolverStatus};
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,7 +56,9 @@ pub(crate) struct Engine {
     /// Contacts that touch at `t`, sorted by identity.
     pub(super) touches: Vec<Touch>,
     pub(super) solver: ComplementaritySolver,
-    pub(super) broad_phase: Bvh,
+    pub(super) broad_phase: Box<dyn BroadPhase>,
+    /// Pairs whose boxes meet, as the broad phase left them.
+    pub(super) box_pairs: Vec<(u32, u32)>,
     pub(super) books: Books,
     pub(super) certificate: Certificate,
     warnings: Vec<String>,
@@ -106,7 +108,8 @@ impl Engine {
             modes,
             touches: Vec::new(),
             solver: ComplementaritySolver::default(),
-            broad_phase: Bvh::default(),
+            broad_phase: settings.broad_phase.build(),
+            box_pairs: Vec::new(),
             books,
             certificate: Certificate::default(),
             warnings: Vec::new(),
@@ -134,6 +137,11 @@ impl Engine {
         pairs.len()
     }
 
+    /// The bodies and their present states.
+    pub(crate) fn bodies(&self) -> (&World, &[BodyState]) {
+        (&self.world, &self.states)
+    }
+
     /// Time reached, s.
     pub(crate) fn time(&self) -> f64 {
         self.t
@@ -153,7 +161,7 @@ impl Engine {
         let trial = self.integrate()?;
         let contact_change = self.locate_contact_change(&trial)?;
         let limit = contact_change.unwrap_or(trial.end());
-        let near = self.near_pairs(&trial);
+        let near = self.near_pairs(&trial)?;
         let impact = self.first_impact(&trial, &near, limit)?;
         let t_next = impact.map_or(limit, |impact| impact.min(limit));
         if t_next < limit {

@@ -7,7 +7,7 @@ use super::engine::{Engine, Mode};
 use super::trial::Trial;
 use crate::SimulationError;
 use crate::interaction::contact_set::Hold;
-use polhode_contact::{Aabb, BroadPhase, ImpactSearch, Shape, swept_aabb, time_of_impact};
+use polhode_contact::{Aabb, ImpactSearch, Shape, swept_aabb, time_of_impact};
 use polhode_spatial::Motion;
 use std::collections::BTreeSet;
 
@@ -53,7 +53,10 @@ impl Engine {
     }
 
     /// Pairs that may collide, of which one moves and whose boxes, swept over the step, meet; ascending.
-    pub(super) fn near_pairs(&mut self, trial: &Trial) -> Vec<(usize, usize)> {
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(super) fn near_pairs(&mut self, trial: &Trial) -> Result<Vec<(usize, usize)>, SimulationError> {
         let colliders: Vec<usize> =
             (0..self.world.bodies.len()).filter(|&body| self.world.bodies[body].shape.is_some()).collect();
         let motions: Vec<Box<dyn Motion>> = colliders.iter().map(|&body| self.motion_within(trial, body)).collect();
@@ -67,14 +70,15 @@ impl Engine {
             })
             .collect();
         let moves = |body: usize| matches!(self.modes[body], Mode::Flight(_) | Mode::Constrained | Mode::Stepped);
-        self.broad_phase
-            .pairs(&boxes)
-            .into_iter()
-            .flatten()
-            .map(|(i, j)| (colliders[i as usize], colliders[j as usize]))
+        self.broad_phase.pairs(&boxes, &mut self.box_pairs).map_err(SimulationError::BroadPhase)?;
+        let near = self
+            .box_pairs
+            .iter()
+            .map(|&(i, j)| (colliders[i as usize], colliders[j as usize]))
             .map(|(a, b)| (a.min(b), a.max(b)))
             .filter(|&(a, b)| (moves(a) || moves(b)) && self.world.scene.may_collide(a, b))
-            .collect()
+            .collect();
+        Ok(near)
     }
 }
 

@@ -8,7 +8,6 @@ use crate::interaction::contact_set::{Hold, Touch};
 use crate::interaction::groups::groups;
 use crate::scene::SceneError;
 use crate::world::INITIAL_OVERLAP_RELATIVE;
-use polhode_contact::BroadPhase;
 use polhode_spatial::Still;
 
 impl Engine {
@@ -23,7 +22,7 @@ impl Engine {
             let gravity_speed = (self.world.gravity().length() * self.world.bodies[body].size).sqrt();
             self.speed_scale = self.speed_scale.max(gravity_speed);
         }
-        for (a, b) in self.initial_pairs() {
+        for (a, b) in self.initial_pairs()? {
             let touch_distance = self.world.touch_distance(&self.states, a, b);
             let contacts = self.world.contacts_of_pair(&self.states, a, b, touch_distance);
             self.check_overlap(a, b, &contacts)?;
@@ -41,7 +40,7 @@ impl Engine {
     }
 
     /// Pairs whose boxes meet, within the overlap that counts as touch.
-    fn initial_pairs(&mut self) -> Vec<(usize, usize)> {
+    fn initial_pairs(&mut self) -> Result<Vec<(usize, usize)>, SimulationError> {
         let mut colliders = Vec::new();
         let mut boxes = Vec::new();
         for (body, (world_body, state)) in self.world.bodies.iter().zip(&self.states).enumerate() {
@@ -51,15 +50,16 @@ impl Engine {
                 boxes.push(swept_box(shape, &Still(state.pose), (0.0, 0.0), margin));
             }
         }
-        let pairs = self.broad_phase.pairs(&boxes).unwrap_or_default();
-        let mut pairs: Vec<_> = pairs
-            .into_iter()
-            .map(|(i, j)| (colliders[i as usize], colliders[j as usize]))
+        self.broad_phase.pairs(&boxes, &mut self.box_pairs).map_err(SimulationError::BroadPhase)?;
+        let mut pairs: Vec<_> = self
+            .box_pairs
+            .iter()
+            .map(|&(i, j)| (colliders[i as usize], colliders[j as usize]))
             .map(|(a, b)| (a.min(b), a.max(b)))
             .filter(|&(a, b)| self.world.scene.may_collide(a, b))
             .collect();
         pairs.sort_unstable();
-        pairs
+        Ok(pairs)
     }
 
     fn check_overlap(&self, a: usize, b: usize, contacts: &[Touch]) -> Result<(), SimulationError> {

@@ -86,9 +86,16 @@ impl World {
         (height.abs() > distance).then(|| plane.normal() * height)
     }
 
-    /// Whether a contact point stands for itself in planar motion, and not its mirror image for it.
-    fn is_counted(&self, point: DVec3, distance: f64) -> bool {
-        self.plane.is_none_or(|plane| plane.height(point) >= -distance)
+    /// Whether a contact point stands for itself in planar motion, and not its mirror image among `points` for it. Where
+    /// two images separate equally well, collision detection may name one of them alone, on either side.
+    fn is_counted(&self, point: DVec3, points: &[DVec3], distance: f64) -> bool {
+        let Some(plane) = &self.plane else { return true };
+        let height = plane.height(point);
+        if height >= -distance {
+            return true;
+        }
+        let image = point - plane.normal() * (2.0 * height);
+        points.iter().all(|other| (*other - image).length() > distance / COUNTERPART_FRACTION)
     }
 
     /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
@@ -103,9 +110,11 @@ impl World {
         }
         features.sort_unstable();
         features.dedup();
+        let point = |&feature: &_| Some(self.kinematics_in_space(states, ContactId { a, b, feature })?.geometry.point);
+        let points: Vec<DVec3> = features.iter().filter_map(point).collect();
         let touch = |feature| {
             let id = ContactId { a, b, feature };
-            if !self.is_counted(self.kinematics_in_space(states, id)?.geometry.point, distance) {
+            if !self.is_counted(point(&feature)?, &points, distance) {
                 return None;
             }
             let kinematics = self.kinematics(states, id)?;

@@ -4,6 +4,7 @@
 //! here, so that it cannot be asked for.
 
 use super::SceneError;
+pub use polhode_contact::BroadPhaseMethod;
 pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
 
 /// A set of methods with one promise.
@@ -52,6 +53,8 @@ pub struct Method {
     pub impact: Option<ImpactLaw>,
     /// Contact forces.
     pub contact: Option<ContactMethod>,
+    /// How pairs that may touch are found; a choice of time alone, the results are the same bits.
+    pub broad_phase: Option<BroadPhaseMethod>,
     /// Local error per step of contact phases, relative to size and speed of each body.
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.

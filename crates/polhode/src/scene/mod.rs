@@ -18,7 +18,7 @@ pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
-pub use method::{ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+pub use method::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 
 use polhode_spatial::DVec3;

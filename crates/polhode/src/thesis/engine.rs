@@ -13,7 +13,7 @@ use crate::scene::ContactMethod;
 use crate::settings::Settings;
 use crate::world::World;
 use crate::{Acceleration, Certificate, Event, Momentum, RunReport, SimulationError};
-use polhode_contact::{Aabb, BroadPhase, Bvh, swept_aabb};
+use polhode_contact::{Aabb, BroadPhase, swept_aabb};
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::Integrator;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -53,7 +53,9 @@ pub(crate) struct ThesisEngine {
     /// What acts during the present step.
     loaded: LoadedBodies,
     solver: ComplementaritySolver,
-    broad_phase: Bvh,
+    broad_phase: Box<dyn BroadPhase>,
+    /// Pairs whose boxes meet, as the broad phase left them.
+    box_pairs: Vec<(u32, u32)>,
     books: Books,
     certificate: Certificate,
     warnings: Vec<String>,
@@ -77,7 +79,8 @@ impl ThesisEngine {
             integrator: stepped::build(&settings),
             loaded: LoadedBodies::default(),
             solver: ComplementaritySolver::default(),
-            broad_phase: Bvh::default(),
+            broad_phase: settings.broad_phase.build(),
+            box_pairs: Vec::new(),
             books,
             certificate: Certificate::default(),
             warnings: Vec::new(),
@@ -85,6 +88,11 @@ impl ThesisEngine {
             steps: 0,
             next_sample: 0,
         }
+    }
+
+    /// The bodies and their present states.
+    pub(crate) fn bodies(&self) -> (&World, &[BodyState]) {
+        (&self.world, &self.states)
     }
 
     /// Time reached, s.
@@ -104,7 +112,7 @@ impl ThesisEngine {
             self.emit_sample(0.0, &self.states, observer);
             self.next_sample = 1;
         }
-        let touches = self.detect();
+        let touches = self.detect()?;
         self.apply_impulses(&touches, observer)?;
         let resting = self.resting_forces()?;
         let loads = self.loads(&resting);
@@ -127,7 +135,10 @@ impl ThesisEngine {
     }
 
     /// Penetrations: every contact point of every pair that touches or overlaps.
-    fn detect(&mut self) -> Vec<Touch> {
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    fn detect(&mut self) -> Result<Vec<Touch>, SimulationError> {
         let mut colliders = Vec::new();
         let mut boxes = Vec::new();
         for (body, (world_body, state)) in self.world.bodies.iter().zip(&self.states).enumerate() {
@@ -137,12 +148,11 @@ impl ThesisEngine {
                 boxes.push(aabb.unwrap_or(Aabb::UNBOUNDED));
             }
         }
+        self.broad_phase.pairs(&boxes, &mut self.box_pairs).map_err(SimulationError::BroadPhase)?;
         let mut pairs: Vec<_> = self
-            .broad_phase
-            .pairs(&boxes)
-            .unwrap_or_default()
-            .into_iter()
-            .map(|(i, j)| (colliders[i as usize], colliders[j as usize]))
+            .box_pairs
+            .iter()
+            .map(|&(i, j)| (colliders[i as usize], colliders[j as usize]))
             .filter(|&(a, b)| self.world.scene.may_collide(a, b))
             .collect();
         pairs.sort_unstable();
@@ -151,7 +161,7 @@ impl ThesisEngine {
             let reach = self.world.rounding(&self.states, a, b);
             touches.extend(self.world.contacts_of_pair(&self.states, a, b, reach));
         }
-        touches
+        Ok(touches)
     }
 
     /// Impulses, one contact after the other, until nothing approaches.
@@ -184,7 +194,7 @@ impl ThesisEngine {
     /// Contacts at rest and their forces.
     fn resting_forces(&mut self) -> Result<RestingForces, SimulationError> {
         let slow = RESTING_STEPS * self.world.gravity().length() * self.settings.step_s;
-        let mut touches = self.detect();
+        let mut touches = self.detect()?;
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let mut forces = vec![0.0; touches.len()];
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
@@ -304,7 +314,7 @@ impl ThesisEngine {
         if !energy.final_j.is_finite() {
             return Err(SimulationError::EnergyOverflow { t: self.t });
         }
-        for touch in self.detect() {
+        for touch in self.detect()? {
             let depth = -touch.kinematics.geometry.separation;
             self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(depth);
         }

@@ -2,7 +2,7 @@
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::support::{accurate, elastic, run};
-use polhode::contact::Shape;
+use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Decision, Effect, Effects, RunReport, Scene, SceneBuilder};
 
@@ -118,4 +118,61 @@ fn several_bodies_in_one_plane_move_as_in_space() {
     }
     assert_closes(&planned);
     assert_closes(&all);
+}
+
+/// A regular tetrahedron, edge 1 m, on its base.
+fn pyramid() -> ConvexPolyhedron {
+    let (apex, base) = (0.375_f64.sqrt(), -(1.0_f64 / 24.0).sqrt());
+    let (inner, outer) = ((1.0_f64 / 12.0).sqrt(), (1.0_f64 / 3.0).sqrt());
+    let vertices = vec![
+        DVec3::new(-0.5, inner, base),
+        DVec3::new(0.5, inner, base),
+        DVec3::new(0.0, -outer, base),
+        DVec3::new(0.0, 0.0, apex),
+    ];
+    let faces = vec![vec![0, 1, 2], vec![1, 0, 3], vec![2, 1, 3], vec![0, 2, 3]];
+    ConvexPolyhedron::from_faces(vertices, faces).unwrap()
+}
+
+/// A pyramid that falls on the tip of another, tips over it and comes to lie along one of its edges with the corner of
+/// its base, in the plane of motion. Two edges meet at that corner, images of each other, and either may be named as the
+/// one that is nearest: neither may let the corner through.
+#[test]
+fn a_corner_in_the_plane_of_motion_lands_as_in_space() {
+    let properties = polhode::mesh::solid_box(DVec3::ONE, polhode::spatial::Mass::new(1.0).unwrap()).unwrap();
+    for mirrored in [1.0, -1.0] {
+        let half_turn =
+            Rotation::from_rotation_vector(DVec3::Z * if mirrored > 0.0 { 0.0 } else { std::f64::consts::PI });
+        let offset = DVec3::new(0.0, -0.1, 0.5) * DVec3::new(1.0, mirrored, 1.0);
+        let scene = Scene::builder("pyramids")
+            .method(accurate())
+            .gravity(DVec3::NEG_Z * 9.8)
+            .duration_s(1.0)
+            .body(
+                Body::fixed("below")
+                    .geometry(Shape::convex(pyramid()).into())
+                    .pose(Pose::new(half_turn, DVec3::Z * -0.5)),
+            )
+            .body(
+                Body::movable("above", properties)
+                    .geometry(Shape::convex(pyramid()).into())
+                    .pose(Pose::new(half_turn, offset)),
+            )
+            .build()
+            .unwrap();
+        let (planned, found) = run(&scene, Effects::Planned);
+        let (all, reference) = run(&scene, Effects::All);
+        assert!(is_planar(&planned) && !is_planar(&all), "{:?}", planned.plan.effects);
+        let impacts = |events: &[polhode::Event]| -> Vec<f64> {
+            events.iter().filter(|event| event.kind == polhode::EventKind::Impact).map(|event| event.t).collect()
+        };
+        let (impacts, expected) = (impacts(&found.events), impacts(&reference.events));
+        assert!(expected.len() >= 2, "{expected:?}");
+        assert!((impacts[1] - expected[1]).abs() < 1e-11, "{impacts:?}, in space {expected:?}");
+        let shape = Shape::convex(pyramid());
+        for sample in &found.samples {
+            let separation = polhode::contact::separation(&shape, &sample[0].pose, &shape, &sample[1].pose);
+            assert!(separation > -2e-12, "{separation:e}");
+        }
+    }
 }

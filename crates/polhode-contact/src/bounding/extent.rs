@@ -1,0 +1,25 @@
+//! How far a shape reaches along a direction: what every bounding volume is made from.
+
+use crate::Shape;
+use glam::DVec3;
+
+/// Largest `d . x` over the points of the shape, m, for a unit vector d in the shape's frame; infinite for a half-space
+/// but along its normal. For polyhedra and points this is a maximum over vertices; a circle of radius r about the axis
+/// a reaches `r |d x a|`.
+pub(crate) fn extent(shape: &Shape, direction: DVec3) -> f64 {
+    let across = |axis: DVec3| direction.cross(axis).length();
+    match shape {
+        Shape::Cylinder(c) => {
+            direction.dot(c.center) + c.radius * across(c.axis) + c.half_height * direction.dot(c.axis).abs()
+        }
+        Shape::Cone(c) => (direction.dot(c.base) + c.radius * across(c.axis)).max(direction.dot(c.apex())),
+        Shape::Torus(t) => direction.dot(t.center) + t.major * across(t.axis) + t.minor,
+        Shape::HalfSpace(h) if direction == h.normal => h.offset,
+        Shape::HalfSpace(_) => f64::INFINITY,
+        Shape::Compound(c) => c.parts.iter().map(|part| extent(part, direction)).fold(f64::NEG_INFINITY, f64::max),
+        Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_) | Shape::Capsule(_) | Shape::TriangleMesh(_) => {
+            let (centers, rounding) = shape.centers();
+            centers.iter().map(|&center| direction.dot(center)).fold(f64::NEG_INFINITY, f64::max) + rounding
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! A hierarchy of bounding boxes, parry3d's, refitted from call to call.
+//!
+//! A binary tree whose leaves are the boxes and whose inner nodes bound their children; it is walked against itself,
+//! and a pair of nodes that do not overlap ends the walk. From call to call the leaves are moved, a part of the tree is
+//! built anew by the surface-area heuristic, and inner nodes are fitted to their children (all as rapier3d does). A
+//! changed number of boxes builds the tree anew.
+
+use super::far_boxes::{self, FarBoxes};
+use super::pair_collector::PairCollector;
+use super::{AllPairs, BroadPhase, BroadPhaseError, begin};
+use crate::Aabb;
+use crate::backend::AabbTree;
+
+/// Up to so many boxes, all are compared, without a tree: at most 496 comparisons.
+const FEW: usize = 32;
+
+/// A bounding-volume hierarchy. The pairs depend on the boxes alone, not on the tree's history: leaves are the boxes
+/// themselves, and the result is sorted.
+#[derive(Default, Clone)]
+pub struct Bvh {
+    tree: AabbTree,
+    boxes: FarBoxes,
+    found: PairCollector,
+}
+
+impl std::fmt::Debug for Bvh {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Bvh")
+            .field("near", &self.boxes.near.len())
+            .field("far", &self.boxes.far_count())
+            .finish_non_exhaustive()
+    }
+}
+
+impl BroadPhase for Bvh {
+    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
+        begin(boxes, pairs)?;
+        if boxes.len() <= FEW {
+            return AllPairs.pairs(boxes, pairs);
+        }
+        self.found.clear();
+        if far_boxes::are_near(boxes) {
+            let found = &mut self.found;
+            self.tree.set(boxes);
+            self.tree.overlaps(&mut |i, j| found.push(i, j));
+        } else {
+            self.boxes.set(boxes);
+            self.boxes.pairs(boxes, &mut self.found);
+            if self.boxes.near.len() > 1 {
+                let (index, found) = (&self.boxes.index, &mut self.found);
+                self.tree.set(&self.boxes.near);
+                self.tree.overlaps(&mut |i, j| found.push(index[i as usize], index[j as usize]));
+            }
+        }
+        self.found.sort_into(boxes.len(), pairs);
+        Ok(())
+    }
+}

@@ -1,0 +1,170 @@
+//! A uniform grid of cubic cells in a hash table.
+//!
+//! A box is entered in every cell that it reaches into; boxes that share a cell are tested. Two boxes may share several
+//! cells: their pair belongs to the cell that holds the lowest corner of what they share. The width of a cell follows
+//! the median of the boxes' largest edges, which neither a few large boxes nor a few small ones change. A box that
+//! would be entered in more than a few cells is compared with all others instead. So the grid suits boxes of similar
+//! sizes; with a wide spread of sizes its time tends to that of comparing all (docs/REFERENCES.md, Teschner et al. 2003).
+//! Libraries of spatial hashing keep points, or tie boxes to their own storage.
+
+use super::pair_collector::PairCollector;
+use super::{BroadPhase, BroadPhaseError, begin};
+use crate::Aabb;
+use glam::DVec3;
+
+/// Edge of a cell in units of the boxes' typical edge: a typical box reaches into one to eight cells.
+const CELL_OVER_EDGE: f64 = 2.0;
+
+/// A box that reaches into more cells than this is compared with all boxes.
+const MOST_CELLS: f64 = 64.0;
+
+/// Coordinates of cells are cut at plus and minus this number. Cutting keeps their order, so that boxes which share a
+/// point still share a cell.
+const FARTHEST_CELL: f64 = 1e9;
+
+/// Cells narrower than this (m) would make their inverse infinite.
+const NARROWEST_CELL: f64 = 1e-300;
+
+/// Odd numbers near 2^64 divided by the golden ratio and two other irrational ones, which spread neighbouring cells.
+const HASH: [u64; 3] = [0x9E37_79B9_7F4A_7C15, 0xC2B2_AE3D_27D4_EB4F, 0x1656_67B1_9E37_79F9];
+
+type Cell = [i32; 3];
+
+/// A box in one of its cells.
+#[derive(Debug, Clone, Copy, Default)]
+struct Entry {
+    cell: Cell,
+    /// The cell of the box's lowest corner.
+    first: Cell,
+    number: u32,
+}
+
+/// A uniform grid of cells in a hash table.
+#[derive(Debug, Clone, Default)]
+pub struct VoxelGrid {
+    entries: Vec<Entry>,
+    edges: Vec<f64>,
+    /// Entries by bucket of the table.
+    table: Vec<Entry>,
+    /// Where each bucket ends in the table.
+    ends: Vec<usize>,
+    /// Boxes of many cells.
+    wide: Vec<u32>,
+    is_wide: Vec<bool>,
+    found: PairCollector,
+}
+
+impl BroadPhase for VoxelGrid {
+    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
+        begin(boxes, pairs)?;
+        self.enter(boxes);
+        self.fill_table();
+        self.found.clear();
+        self.wide_pairs(boxes);
+        self.cell_pairs(boxes);
+        self.found.sort_into(boxes.len(), pairs);
+        Ok(())
+    }
+}
+
+impl VoxelGrid {
+    /// Enters every box in its cells.
+    fn enter(&mut self, boxes: &[Aabb]) {
+        let per_cell = 1.0 / self.cell_width(boxes);
+        self.entries.clear();
+        self.wide.clear();
+        self.is_wide.clear();
+        for (number, aabb) in boxes.iter().enumerate() {
+            let (low, high) = (cell(aabb.min() * per_cell), cell(aabb.max() * per_cell));
+            let spans: f64 = (0..3).map(|k| f64::from(high[k]) - f64::from(low[k]) + 1.0).product();
+            let number = number as u32;
+            self.is_wide.push(spans > MOST_CELLS);
+            if spans > MOST_CELLS {
+                self.wide.push(number);
+                continue;
+            }
+            for x in low[0]..=high[0] {
+                for y in low[1]..=high[1] {
+                    for z in low[2]..=high[2] {
+                        self.entries.push(Entry { cell: [x, y, z], first: low, number });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Width of a cell, m: from the median of the largest edges of boxes that have one.
+    fn cell_width(&mut self, boxes: &[Aabb]) -> f64 {
+        let edges = boxes.iter().map(|aabb| (aabb.max() - aabb.min()).max_element());
+        self.edges.clear();
+        self.edges.extend(edges.filter(|edge| edge.is_finite() && *edge > NARROWEST_CELL));
+        if self.edges.is_empty() {
+            return 1.0;
+        }
+        let half = self.edges.len() / 2;
+        CELL_OVER_EDGE * *self.edges.select_nth_unstable_by(half, f64::total_cmp).1
+    }
+
+    /// Distributes the entries over a table of about twice as many buckets.
+    fn fill_table(&mut self) {
+        let buckets = (2 * self.entries.len()).next_power_of_two();
+        self.ends.clear();
+        self.ends.resize(buckets, 0);
+        for entry in &self.entries {
+            self.ends[bucket(entry.cell, buckets)] += 1;
+        }
+        let mut start = 0;
+        for end in &mut self.ends {
+            // First the start of the bucket; every entry that is put in moves it towards the end.
+            start += std::mem::replace(end, start);
+        }
+        self.table.clear();
+        self.table.resize(self.entries.len(), Entry::default());
+        for entry in &self.entries {
+            let place = &mut self.ends[bucket(entry.cell, buckets)];
+            self.table[*place] = *entry;
+            *place += 1;
+        }
+    }
+
+    fn wide_pairs(&mut self, boxes: &[Aabb]) {
+        for &i in &self.wide {
+            for (j, other) in boxes.iter().enumerate() {
+                // Of two wide boxes the one with the lower number looks for the other.
+                let is_mine = !self.is_wide[j] || i < j as u32;
+                if is_mine && boxes[i as usize].overlaps(other) {
+                    self.found.push(i, j as u32);
+                }
+            }
+        }
+    }
+
+    fn cell_pairs(&mut self, boxes: &[Aabb]) {
+        let mut start = 0;
+        for &end in &self.ends {
+            let bucket = &self.table[start..end];
+            start = end;
+            for (k, a) in bucket.iter().enumerate() {
+                for b in &bucket[k + 1..] {
+                    let owns =
+                        |axis: usize| a.cell[axis] == b.cell[axis] && a.cell[axis] == a.first[axis].max(b.first[axis]);
+                    if owns(0) && owns(1) && owns(2) && boxes[a.number as usize].overlaps(&boxes[b.number as usize]) {
+                        self.found.push(a.number, b.number);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The cell of a point given in widths of a cell.
+fn cell(point: DVec3) -> Cell {
+    let cut = |x: f64| x.floor().clamp(-FARTHEST_CELL, FARTHEST_CELL) as i32;
+    [cut(point.x), cut(point.y), cut(point.z)]
+}
+
+fn bucket(cell: Cell, buckets: usize) -> usize {
+    let mixed = (0..3).fold(0u64, |hash, k| hash ^ (cell[k] as u64).wrapping_mul(HASH[k]));
+    // The high bits are mixed best.
+    ((mixed ^ (mixed >> 32)).wrapping_mul(HASH[0]) >> 32) as usize & (buckets - 1)
+}

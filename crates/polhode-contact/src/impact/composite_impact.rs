@@ -1,0 +1,217 @@
+//! Time of impact of compounds and triangle meshes: the earliest over their parts.
+//!
+//! Every pair of parts (a triangle is a part of a mesh) that the swept boxes let meet is searched by itself, up to the
+//! earliest time found so far. An interval in which many parts could meet is cut into windows, and the parts are taken
+//! up window by window: a part that is first met in a later window was clear before it. A part is searched from its
+//! first window to the end, so that the cuts are no new starts.
+//!
+//! A pair that touches at the start may come to touch with further parts without an impact: a body that slides over the
+//! seam of two parts or from triangle to triangle. A closing counts then only when a contact of the whole pair
+//! approaches; otherwise the search of this part goes on from there as one of a pair that touches.
+
+use crate::Shape;
+use crate::bounding::aabb::{Aabb, swept_aabb};
+use crate::clearance::touch_tolerance;
+use crate::impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_in_parts};
+use crate::narrow_phase::evaluate::kinematics;
+use crate::narrow_phase::manifold::manifold_with;
+use crate::narrow_phase::separating_axis::Workspace;
+use crate::narrow_phase::separation::separation_with;
+use crate::shape::extent::turned;
+use crate::shape::{Bounds, TriangleMesh};
+use polhode_spatial::{Motion, Pose, Velocity};
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+/// An interval in which more pairs of parts could meet is cut into twice as many windows.
+const MANY_PAIRS: usize = 64;
+
+/// Most windows.
+const MOST_WINDOWS: u32 = 64;
+
+/// A contact approaches when its rate of separation is below minus this times the speeds that make it up: above the
+/// rounding of a sliding contact's rate.
+const APPROACHING: f64 = 1e-10;
+
+/// After so many closings without approach of one pair of parts the next one counts.
+const MOST_SLIDES: u32 = 4096;
+
+/// The pair of whole bodies.
+struct Pair<'a> {
+    shapes: [&'a Shape; 2],
+    motions: [&'a dyn Motion; 2],
+    settings: &'a ImpactSearch,
+    /// Distance up to which the bodies touch at the start, m.
+    touch: f64,
+    starts_in_touch: bool,
+}
+
+/// Whether a shape is searched part by part.
+pub(crate) const fn is_composite(shape: &Shape) -> bool {
+    matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_))
+}
+
+/// The earliest impact of two bodies of which one at least is a compound or a mesh.
+pub(crate) fn find_composite(
+    shapes: [&Shape; 2],
+    motions: [&dyn Motion; 2],
+    (t0, t1): (f64, f64),
+    settings: &ImpactSearch,
+) -> Result<ImpactReport, ImpactError> {
+    let mut workspace = Workspace::default();
+    let poses = [motions[0].pose(t0), motions[1].pose(t0)];
+    let separation = separation_with(&mut workspace, shapes[0], &poses[0], shapes[1], &poses[1]);
+    if separation.is_nan() {
+        return Err(ImpactError::NotFinite { t: t0 });
+    }
+    let touch = touch_tolerance(shapes[0], &poses[0], shapes[1], &poses[1], settings.touch_relative);
+    let pair = Pair { shapes, motions, settings, touch, starts_in_touch: separation <= touch };
+    let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 1 };
+    let mut candidates = Vec::new();
+    let mut windows = 1;
+    pair.candidates(t0, t1, &mut candidates)?;
+    while candidates.len() > MANY_PAIRS && windows < MOST_WINDOWS {
+        windows *= 2;
+        pair.candidates(t0, t0 + (t1 - t0) / f64::from(windows), &mut candidates)?;
+    }
+    let mut seen = BTreeSet::new();
+    for window in 0..windows {
+        let at = |k: u32| if k == windows { t1 } else { t0 + (t1 - t0) * (f64::from(k) / f64::from(windows)) };
+        let (start, end) = (at(window), at(window + 1));
+        let limit = best.time.unwrap_or(t1);
+        if start >= limit && window > 0 {
+            break;
+        }
+        pair.candidates(start, end.min(limit), &mut candidates)?;
+        for &parts in &candidates {
+            if seen.insert(parts) {
+                pair.search(&mut workspace, parts, start, t1, &mut best)?;
+            }
+        }
+    }
+    if best.time.is_none() {
+        let end = [motions[0].pose(t1), motions[1].pose(t1)];
+        best.separation = separation_with(&mut workspace, shapes[0], &end[0], shapes[1], &end[1]);
+        best.evaluations = best.evaluations.saturating_add(1);
+    }
+    Ok(best)
+}
+
+impl Pair<'_> {
+    /// The pairs of parts whose swept boxes meet in a window of time (s), sorted.
+    fn candidates(&self, start: f64, end: f64, found: &mut Vec<[u32; 2]>) -> Result<(), ImpactError> {
+        found.clear();
+        let fail = |_| ImpactError::NotFinite { t: start };
+        let swept = |at: usize, part: &Shape| -> Result<Aabb, ImpactError> {
+            swept_aabb(part, self.motions[at], start, end).and_then(|b| b.inflated(2.0 * self.touch)).map_err(fail)
+        };
+        match self.shapes {
+            // Grounds do not meet each other.
+            [Shape::TriangleMesh(_), Shape::TriangleMesh(_) | Shape::HalfSpace(_)]
+            | [Shape::HalfSpace(_), Shape::TriangleMesh(_)] => return Ok(()),
+            [Shape::TriangleMesh(mesh), other] => {
+                for (i, part) in parts_of(other).iter().enumerate() {
+                    let bounds = self.in_frame_of_mesh(0, mesh, &swept(1, part)?, start, end);
+                    mesh.tree.overlaps(&bounds, &mut |triangle| found.push([triangle, i as u32]));
+                }
+            }
+            [other, Shape::TriangleMesh(mesh)] => {
+                for (i, part) in parts_of(other).iter().enumerate() {
+                    let bounds = self.in_frame_of_mesh(1, mesh, &swept(0, part)?, start, end);
+                    mesh.tree.overlaps(&bounds, &mut |triangle| found.push([i as u32, triangle]));
+                }
+            }
+            [a, b] => {
+                let boxes = |at: usize, shape: &Shape| -> Result<Vec<Aabb>, ImpactError> {
+                    parts_of(shape).iter().map(|part| swept(at, part)).collect()
+                };
+                let (boxes_a, boxes_b) = (boxes(0, a)?, boxes(1, b)?);
+                for (i, box_a) in boxes_a.iter().enumerate() {
+                    let meeting = boxes_b.iter().enumerate().filter(|(_, box_b)| box_a.overlaps(box_b));
+                    found.extend(meeting.map(|(j, _)| [i as u32, j as u32]));
+                }
+            }
+        }
+        found.sort_unstable();
+        Ok(())
+    }
+
+    /// A box of the world as the mesh, body `at`, sees it during a window.
+    fn in_frame_of_mesh(&self, at: usize, mesh: &TriangleMesh, swept: &Aabb, start: f64, end: f64) -> Bounds {
+        let motion = self.motions[at];
+        let (pose, bounds) = (motion.pose(start), motion.bounds(start, end));
+        let length = end - start;
+        let turning = if bounds.angular_speed > 0.0 { bounds.angular_speed * length * mesh.reach() } else { 0.0 };
+        let stray = bounds.speed * length + turning;
+        if !(stray.is_finite() && swept.is_finite()) {
+            return Bounds::ALL;
+        }
+        let near = Bounds { min: swept.min() - pose.translation, max: swept.max() - pose.translation };
+        let frame = Pose { rotation: pose.rotation.inverse(), translation: glam::DVec3::ZERO };
+        turned(near, &frame).inflated(stray)
+    }
+
+    /// Searches one pair of parts from a time at which it is clear, or from the start.
+    fn search(
+        &self,
+        workspace: &mut Workspace,
+        parts: [u32; 2],
+        start: f64,
+        t1: f64,
+        best: &mut ImpactReport,
+    ) -> Result<(), ImpactError> {
+        let (Some(a), Some(b)) = (part(self.shapes[0], parts[0]), part(self.shapes[1], parts[1])) else {
+            return Ok(());
+        };
+        let mut from = start;
+        for slides in 0..=MOST_SLIDES {
+            let limit = best.time.unwrap_or(t1);
+            if from >= limit && from > start {
+                break;
+            }
+            let found =
+                find_in_parts([a.as_ref(), b.as_ref()], self.shapes, self.motions, (from, limit), self.settings)?;
+            best.evaluations = best.evaluations.saturating_add(found.evaluations);
+            let Some(t) = found.time else { break };
+            if !self.starts_in_touch || slides == MOST_SLIDES || t <= from || self.approaches(workspace, t) {
+                best.time = Some(t);
+                best.separation = found.separation;
+                break;
+            }
+            from = t;
+        }
+        Ok(())
+    }
+
+    /// Whether at a time a contact of the whole pair closes.
+    fn approaches(&self, workspace: &mut Workspace, t: f64) -> bool {
+        let [shape_a, shape_b] = self.shapes;
+        let poses = self.motions.map(|motion| motion.pose(t));
+        let velocities = self.motions.map(|motion| motion.velocity(t));
+        let touching = manifold_with(workspace, shape_a, &poses[0], shape_b, &poses[1], self.touch);
+        touching.contacts.iter().any(|contact| {
+            let [va, vb] = &velocities;
+            let found = kinematics(contact.feature, shape_a, &poses[0], va, shape_b, &poses[1], vb);
+            let speed = |pose: &Pose, v: &Velocity| {
+                v.linear.length() + v.angular.cross(contact.geometry.point - pose.translation).length()
+            };
+            let scale = speed(&poses[0], va) + speed(&poses[1], vb);
+            found.is_none_or(|k| k.separation_rate < -APPROACHING * scale)
+        })
+    }
+}
+
+fn parts_of(shape: &Shape) -> &[Shape] {
+    match shape {
+        Shape::Compound(compound) => compound.parts(),
+        other => std::slice::from_ref(other),
+    }
+}
+
+/// A part of a body: of a mesh, a triangle as a flat polyhedron.
+fn part(shape: &Shape, index: u32) -> Option<Cow<'_, Shape>> {
+    match shape {
+        Shape::TriangleMesh(mesh) => mesh.triangle_shape(index).map(Cow::Owned),
+        other => parts_of(other).get(index as usize).map(Cow::Borrowed),
+    }
+}

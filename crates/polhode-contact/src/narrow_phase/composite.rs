@@ -1,0 +1,235 @@
+//! Compounds and triangle meshes: what their parts give, put together.
+//!
+//! The separation is the least over the pairs of parts that can be nearest by their boxes. A manifold takes the contacts
+//! of every pair of parts within reach, leaves out those that are none of the whole body (`compound_surface.rs`), and
+//! keeps one for each place and normal: a vertex on a face before others, then the higher face, vertex and edge number,
+//! then the upper body's, a rule that follows the bodies and not their names. All of it is computed about A's origin, so
+//! that a pair far away loses nothing; the geometry of the contacts that stay is [`evaluate`]'s at the poses given.
+
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::compound_surface::on_whole;
+use crate::narrow_phase::evaluate::evaluate;
+use crate::narrow_phase::manifold::{is_upward, manifold_with};
+use crate::narrow_phase::part_feature::globalized;
+use crate::narrow_phase::separating_axis::Workspace;
+use crate::narrow_phase::separation::separation_with;
+use crate::shape::Bounds;
+use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
+use polhode_spatial::Pose;
+use std::cmp::Ordering;
+
+/// Places nearer than this many place tolerances are one: each of two features may stand off by some.
+const SAME_PLACE: f64 = 8.0;
+
+/// Normals that differ by less (length of the difference) are one: that of two flush faces of a decomposition.
+const SAME_NORMAL: f64 = 1e-9;
+
+/// A contact of one part of each body.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidate<'a> {
+    /// With numbers within the parts.
+    pub(crate) feature: ContactFeature,
+    pub(crate) shapes: [&'a Shape; 2],
+    pub(crate) parts: [usize; 2],
+    /// About A's origin.
+    pub(crate) geometry: ContactGeometry,
+    /// A vertex that has taken the place of one of the other body.
+    pub(crate) replaced: bool,
+}
+
+/// The separation of a pair of which one is a compound; nothing for other pairs.
+pub(crate) fn compound_separation(workspace: &mut Workspace, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
+    let at = shapes.iter().position(|shape| matches!(shape, Shape::Compound(_)))?;
+    let Shape::Compound(compound) = shapes[at] else { return None };
+    let other = 1 - at;
+    let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
+    let unbounded = matches!(shapes[other], Shape::HalfSpace(_));
+    let near = |of: &Bounds| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
+    let mut measure = |part: u32, _: f64| {
+        let mut pair = shapes;
+        pair[at] = &compound.parts[part as usize];
+        separation_with(workspace, pair[0], poses[0], pair[1], poses[1])
+    };
+    Some(compound.tree.least(f64::INFINITY, 0.0, &near, &mut measure))
+}
+
+/// All contacts of a pair of which one is a compound; nothing for other pairs.
+pub(crate) fn compound_manifold(
+    workspace: &mut Workspace,
+    shapes: [&Shape; 2],
+    poses: [&Pose; 2],
+    reach: f64,
+) -> Option<Manifold> {
+    if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
+        return None;
+    }
+    // About A's origin.
+    let near_a = Pose { translation: glam::DVec3::ZERO, ..*poses[0] };
+    let near_b = Pose { translation: poses[1].translation - poses[0].translation, ..*poses[1] };
+    let near = [&near_a, &near_b];
+    let tolerance = place_tolerance(least_part(shapes[0]), least_part(shapes[1]), near_b.translation);
+    let mut found = Found { candidates: Vec::new(), separation: f64::INFINITY, axis: SeparatingAxis::None };
+    let mut pairs = Vec::new();
+    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, &mut pairs);
+    for parts in pairs {
+        let pair = [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
+        let manifold = manifold_with(workspace, pair[0], near[0], pair[1], near[1], reach);
+        found.add(&manifold, shapes, pair, parts);
+    }
+    if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
+        let separation = separation_with(workspace, shapes[0], poses[0], shapes[1], poses[1]);
+        let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
+        return Some(Manifold::empty(separation, axis));
+    }
+    let kept = found.candidates.iter().filter_map(|&candidate| {
+        let kept = match shapes[0] {
+            Shape::Compound(c) => on_whole(candidate, c, Side::A, near, tolerance)?,
+            _ => candidate,
+        };
+        match shapes[1] {
+            Shape::Compound(c) => on_whole(kept, c, Side::B, near, tolerance),
+            _ => Some(kept),
+        }
+    });
+    let mut kept: Vec<Candidate<'_>> = kept.collect();
+    if kept.is_empty() && found.separation <= tolerance {
+        // Bodies that touch have a contact, also where the parts hide it: they overlap more than a part is thick.
+        kept.extend(found.candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
+    }
+    let mut named: Vec<Contact> = kept
+        .iter()
+        .map(|c| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry })
+        .collect();
+    keep_one_each(&mut named, SAME_PLACE * tolerance);
+    let contacts = named.iter().filter_map(|contact| {
+        let feature = contact.feature;
+        let geometry = evaluate(feature, shapes[0], poses[0], shapes[1], poses[1])?;
+        Some(Contact { feature, geometry })
+    });
+    Some(Manifold { contacts: contacts.collect(), separation: found.separation, axis: found.axis })
+}
+
+/// What the pairs of parts gave.
+struct Found<'a> {
+    candidates: Vec<Candidate<'a>>,
+    separation: f64,
+    axis: SeparatingAxis,
+}
+
+impl<'a> Found<'a> {
+    fn add(&mut self, manifold: &Manifold, shapes: [&Shape; 2], pair: [&'a Shape; 2], parts: [usize; 2]) {
+        if manifold.separation < self.separation || manifold.separation.is_nan() {
+            self.separation = manifold.separation;
+            self.axis = axis_of_whole(manifold.axis, shapes, parts);
+        }
+        self.candidates.extend(manifold.contacts.iter().map(|contact| Candidate {
+            feature: contact.feature,
+            shapes: pair,
+            parts,
+            geometry: contact.geometry,
+            replaced: false,
+        }));
+    }
+}
+
+/// An axis with the numbers of the whole bodies.
+fn axis_of_whole(axis: SeparatingAxis, shapes: [&Shape; 2], parts: [usize; 2]) -> SeparatingAxis {
+    let first = |at: usize| match shapes[at] {
+        Shape::Compound(c) => c.first.get(parts[at]).copied().unwrap_or_default(),
+        _ => crate::shape::FirstElements::default(),
+    };
+    match axis {
+        SeparatingAxis::FaceA(face) => SeparatingAxis::FaceA(first(0).face + face),
+        SeparatingAxis::FaceB(face) => SeparatingAxis::FaceB(first(1).face + face),
+        SeparatingAxis::Edges(a, b) => SeparatingAxis::Edges(first(0).edge + a, first(1).edge + b),
+        SeparatingAxis::Nearest | SeparatingAxis::None => axis,
+    }
+}
+
+/// The size of a body's smallest part: it says how finely features must be told apart.
+fn least_part(shape: &Shape) -> f64 {
+    match shape {
+        Shape::Compound(c) => c.parts.iter().map(Shape::size).filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min),
+        other => other.size(),
+    }
+}
+
+fn part_of(shape: &Shape, part: usize) -> &Shape {
+    match shape {
+        Shape::Compound(c) => c.parts.get(part).unwrap_or(shape),
+        other => other,
+    }
+}
+
+/// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
+pub(crate) fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut Vec<[usize; 2]>) {
+    let all = match shapes[0] {
+        Shape::Compound(a) => a.parts.as_slice(),
+        other => std::slice::from_ref(other),
+    };
+    let x_ba = poses[1].relative(poses[0]);
+    let whole = shapes[1].bounds_at(&Pose::IDENTITY).inflated(reach);
+    for (i, part) in all.iter().enumerate() {
+        // A half-space has no box: it may meet anything.
+        let unbounded = matches!(part, Shape::HalfSpace(_)) || matches!(shapes[1], Shape::HalfSpace(_));
+        let bounds = if unbounded { Bounds::ALL } else { part.bounds_at(&x_ba).inflated(reach) };
+        match shapes[1] {
+            Shape::Compound(b) => b.tree.overlaps(&bounds, &mut |j| pairs.push([i, j as usize])),
+            _ if unbounded || bounds.overlaps(&whole) => pairs.push([i, 0]),
+            _ => {}
+        }
+    }
+    pairs.sort_unstable();
+}
+
+/// Keeps one contact for each place and normal, in the order of features.
+pub(crate) fn keep_one_each(contacts: &mut Vec<Contact>, tolerance: f64) {
+    contacts.sort_unstable_by_key(|contact| contact.feature);
+    contacts.dedup_by_key(|contact| contact.feature);
+    let mut order: Vec<usize> = (0..contacts.len()).collect();
+    order.sort_by(|&i, &j| contacts[i].geometry.point.x.total_cmp(&contacts[j].geometry.point.x).then(i.cmp(&j)));
+    let mut dropped = vec![false; contacts.len()];
+    for (k, &i) in order.iter().enumerate() {
+        let first = contacts[i];
+        for &j in &order[k + 1..] {
+            let second = contacts[j];
+            if second.geometry.point.x - first.geometry.point.x > tolerance {
+                break;
+            }
+            let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_NORMAL;
+            if alike && !dropped[i] && !dropped[j] && first.geometry.point.distance(second.geometry.point) <= tolerance
+            {
+                dropped[if goes_before(&first, &second) { j } else { i }] = true;
+            }
+        }
+    }
+    let mut index = 0;
+    contacts.retain(|_| {
+        index += 1;
+        !dropped[index - 1]
+    });
+}
+
+/// Whether the first of two contacts in one place stays.
+fn goes_before(first: &Contact, second: &Contact) -> bool {
+    let upper = |contact: &Contact| if is_upward(contact.geometry.normal) { Side::A } else { Side::B };
+    let rank = |contact: &Contact| match contact.feature {
+        ContactFeature::VertexFace { vertex_of, vertex, face } => (3, face, vertex, vertex_of == upper(contact)),
+        ContactFeature::Smooth { center_of, center, against } => {
+            let (kind, number) = match against {
+                crate::SurfaceFeature::Face(face) => (2, face),
+                crate::SurfaceFeature::Edge(edge) => (1, edge),
+                crate::SurfaceFeature::Vertex(vertex) => (0, vertex),
+                _ => (0, 0),
+            };
+            (kind, number, center, center_of == upper(contact))
+        }
+        ContactFeature::EdgeEdge { edge_a, edge_b }
+        | ContactFeature::Spheres { center_a: edge_a, center_b: edge_b } => {
+            let turned = upper(contact) == Side::A;
+            (0, edge_a.max(edge_b), edge_a.min(edge_b), (edge_a > edge_b) == turned)
+        }
+        ContactFeature::SphereSphere | ContactFeature::Elements { .. } => (0, 0, 0, true),
+    };
+    rank(first).cmp(&rank(second)) != Ordering::Less
+}

@@ -1,0 +1,296 @@
+//! The pair of edges of two convex polyhedra whose common perpendicular separates them best.
+//!
+//! Only pairs whose arcs cross on the Gauss map count (`separating_axis.rs`), and most edges are left out before: when a
+//! point `q` of the other body lies below the planes of both faces of an edge by more than `t > 0`, the separation along
+//! every direction of the edge's arc is below `-t`. The directions `u` with `u . (q - p) < -t` (`p` a vertex of the edge)
+//! form a cap smaller than a hemisphere, which contains the whole arc when it contains its ends, and no direction separates
+//! better than its height over one point. Such an edge cannot beat a face that separates by `-t` or more.
+//!
+//! The edges of the deciding face itself drop out when the lowest point `q` above it, at height `s`, stands over the face.
+//! On the arc from its normal `n` to that of a neighbour, `u = n cos phi + t sin phi` with `t` the outward side of the edge,
+//! and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when `t . (q - p) <= 0`; for `s < 0`
+//! it is when `q` is no higher above the neighbour than above the face, again because of the cap.
+
+use crate::clearance::PARALLEL_SINE;
+use crate::narrow_phase::crossed_edges::outward;
+use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace, plane_of_b};
+use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Rounding of the separation along an edge axis, in units of epsilon times the lever over the sine of the angle
+/// between the edges: the direction of their cross product is uncertain by that much.
+pub(crate) const AXIS_ULPS: f64 = 8.0;
+
+/// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
+/// are only just not parallel ([`PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
+pub(crate) const AXIS_SLACK: f64 = 1e-8;
+
+/// Rounding of a square of a sum of products, relative to it, with room.
+const SQUARE_SLACK: f64 = 1e-9;
+
+/// What the search for edges keeps from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EdgeBuffers {
+    /// `normal . vertex` of every vertex of the other body for each face of A, then of B, m.
+    pub(crate) heights_a: Vec<f64>,
+    pub(crate) heights_b: Vec<f64>,
+    /// The edges that are searched, ascending.
+    pub(crate) of_a: Vec<u32>,
+    pub(crate) of_b: Vec<u32>,
+    /// Sine of the angle of each of these edges to each face of the other body, `direction . normal`.
+    a_to_faces_b: Vec<f64>,
+    b_to_faces_a: Vec<f64>,
+}
+
+impl Axes {
+    /// Pairs of edges that separate by no more than this need not be found: faces do better, or the bodies touch anyway.
+    pub(crate) fn edge_threshold(&self, stop: f64) -> f64 {
+        (self.face_separation() + self.tolerance).min(0.0).min(stop)
+    }
+
+    /// Separations below which edges of A and of B are left out, m: those of the best face, or touch, less a margin.
+    pub(crate) fn edge_limits(
+        &self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        margins: [f64; 2],
+    ) -> [f64; 2] {
+        let best = self.face_separation().min(0.0) - axis_slack(a, b, x_ab);
+        margins.map(|margin| best - margin)
+    }
+}
+
+/// Rounding of a separation along any axis of the pair, m.
+pub(crate) fn axis_slack(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> f64 {
+    AXIS_SLACK * (a.size + b.size + x_ab.translation.length())
+}
+
+impl Workspace {
+    /// Chooses the edges whose arcs may hold a direction that separates by at least the limit of their body (negative).
+    /// The faces must have been searched.
+    pub(crate) fn select_edges(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        [limit_a, limit_b]: [f64; 2],
+    ) {
+        let EdgeBuffers { heights_a, heights_b, of_a, of_b, .. } = &mut self.edges;
+        let normals = &self.normals;
+        let row = |face: usize| heights_a.chunks_exact(b.vertices.len()).nth(face).unwrap_or(&[]);
+        select(of_a, &a.edges, limit_a, &self.along_faces_a, |face| (row(face), a.faces[face].offset));
+        let row = |face: usize| heights_b.chunks_exact(a.vertices.len()).nth(face).unwrap_or(&[]);
+        let plane = |face: usize| plane_of_b(b, face, normals[face], x_ab);
+        select(of_b, &b.edges, limit_b, &self.along_faces_b, |face| (row(face), plane(face)));
+    }
+
+    /// The pair of chosen edges that separates better than the faces do, if there is one.
+    pub(crate) fn deciding_edges(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        axes: &Axes,
+        stop: f64,
+    ) -> Option<EdgeAxis> {
+        self.leave_edges_under_a(a, axes);
+        if self.edges.of_a.is_empty() {
+            return None;
+        }
+        self.leave_edges_under_b(a, b, x_ab, axes);
+        if self.edges.of_b.is_empty() {
+            return None;
+        }
+        self.best_edges(a, b, axes.edge_threshold(stop), stop, axes.tolerance)
+    }
+
+    /// Leaves out the edges of A's best face inside which the lowest vertex above this face stands: none of them separates
+    /// better than the face.
+    fn leave_edges_under_a(&mut self, a: &ConvexPolyhedron, axes: &Axes) {
+        let of_a = &mut self.edges.of_a;
+        let best_a = axes.face_a.face as usize;
+        let height = |point: DVec3, face: usize| a.faces[face].normal.dot(point) - a.faces[face].offset;
+        if let Some(point) = lowest_point(&self.vertices, a.faces[best_a].normal) {
+            of_a.retain(|&index| {
+                let edge = &a.edges[index as usize];
+                let Some((turn, beside)) = sides_of(edge, best_a) else { return true };
+                let out = edge.direction.cross(a.faces[best_a].normal) * turn;
+                let outside = out.dot(point - a.vertices[edge.vertices[0] as usize]);
+                !is_over(outside, height(point, beside), axes.face_a.separation, axes.tolerance)
+            });
+        }
+    }
+
+    /// As [`Self::leave_edges_under_a`], for B's best face.
+    fn leave_edges_under_b(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) {
+        let of_b = &mut self.edges.of_b;
+        let best_b = axes.face_b.face as usize;
+        let (normals, directions) = (&self.normals, &self.directions);
+        let height = |point: DVec3, face: usize| normals[face].dot(point) - plane_of_b(b, face, normals[face], x_ab);
+        if let Some(point) = lowest_point(&a.vertices, normals[best_b]) {
+            of_b.retain(|&index| {
+                let edge = &b.edges[index as usize];
+                let Some((turn, beside)) = sides_of(edge, best_b) else { return true };
+                let out = directions[index as usize].cross(normals[best_b]) * turn;
+                let outside = out.dot(point - self.vertices[edge.vertices[0] as usize]);
+                !is_over(outside, height(point, beside), axes.face_b.separation, axes.tolerance)
+            });
+        }
+    }
+
+    /// The pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
+    /// than `threshold` (at most `stop`) may be left out.
+    pub(crate) fn best_edges(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        threshold: f64,
+        stop: f64,
+        tolerance: f64,
+    ) -> Option<EdgeAxis> {
+        let mut edges = std::mem::take(&mut self.edges);
+        edges.a_to_faces_b.clear();
+        for &i in &edges.of_a {
+            let direction = a.edges[i as usize].direction;
+            edges.a_to_faces_b.extend(self.normals.iter().map(|n| n.dot(direction)));
+        }
+        edges.b_to_faces_a.clear();
+        for &j in &edges.of_b {
+            let direction = self.directions[j as usize];
+            edges.b_to_faces_a.extend(a.faces.iter().map(|f| f.normal.dot(direction)));
+        }
+        let best = self.best_of(&edges, a, b, (threshold, stop), tolerance);
+        self.edges = edges;
+        best
+    }
+
+    fn best_of(
+        &self,
+        edges: &EdgeBuffers,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        (threshold, stop): (f64, f64),
+        tolerance: f64,
+    ) -> Option<EdgeAxis> {
+        let mut best: Option<EdgeAxis> = None;
+        for (&i, against_b) in edges.of_a.iter().zip(edges.a_to_faces_b.chunks_exact(b.faces.len())) {
+            let edge_a = &a.edges[i as usize];
+            for (&j, against_a) in edges.of_b.iter().zip(edges.b_to_faces_a.chunks_exact(a.faces.len())) {
+                let edge_b = &b.edges[j as usize];
+                // With B's normals turned round, the arcs (n1, n2) and (-m1, -m2) cross when m1 and m2 lie on opposite
+                // sides of A's arc, n1 and n2 on opposite sides of B's, and both arcs on one hemisphere.
+                let (x, y) = (against_b[edge_b.faces[0] as usize], against_b[edge_b.faces[1] as usize]);
+                if x * y >= 0.0 {
+                    continue;
+                }
+                let (z, w) = (-against_a[edge_a.faces[0] as usize], -against_a[edge_a.faces[1] as usize]);
+                if z * w >= 0.0 || x * w <= 0.0 {
+                    continue;
+                }
+                let Some(separation) = self.along_edges(a, b, [i as usize, j as usize], threshold) else { continue };
+                if best.is_none_or(|best| separation > best.separation) {
+                    if !self.are_outermost(a, b, [i as usize, j as usize], tolerance) {
+                        continue;
+                    }
+                    best = Some(EdgeAxis { separation, edge_a: i, edge_b: j });
+                }
+                if separation > stop {
+                    return best;
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether two edges are the outermost of their bodies along their common perpendicular. Where an edge of one body is
+    /// parallel to a face of the other, rounding decides the signs by which arcs cross, and an edge on the far side of a
+    /// body could pass for one that faces the other body.
+    fn are_outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, [i, j]: [usize; 2], tolerance: f64) -> bool {
+        let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
+        let cross = edge_a.direction.cross(self.directions[j]);
+        let [left, right] = edge_a.faces.map(|f| a.faces[f as usize].normal);
+        let sign = if cross.dot(outward(edge_a.direction, left, right)) >= 0.0 { 1.0 } else { -1.0 };
+        let v = cross * (sign / cross.length());
+        let highest = a.vertices[edge_a.vertices[0] as usize].dot(v) + tolerance;
+        let lowest = self.vertices[edge_b.vertices[0] as usize].dot(v) - tolerance;
+        a.vertices.iter().all(|p| p.dot(v) <= highest) && self.vertices.iter().all(|p| p.dot(v) >= lowest)
+    }
+
+    /// Separation along the common perpendicular of two edges less its rounding, m; nothing when they are parallel, and
+    /// often when it is no more than `threshold` (at most 0).
+    fn along_edges(
+        &self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        [i, j]: [usize; 2],
+        threshold: f64,
+    ) -> Option<f64> {
+        let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
+        let cross = edge_a.direction.cross(self.directions[j]);
+        let [left, right] = edge_a.faces.map(|f| a.faces[f as usize].normal);
+        let outward = outward(edge_a.direction, left, right);
+        let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
+        let upward = cross.dot(outward) >= 0.0;
+        // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.
+        let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
+        if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SQUARE_SLACK) {
+            return None;
+        }
+        let sine = cross.length();
+        if sine.is_nan() || sine <= PARALLEL_SINE {
+            return None;
+        }
+        let along = between.dot(cross) / sine;
+        let rounding = AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
+        Some(if upward { along - rounding } else { -along - rounding })
+    }
+}
+
+/// Whether a point at a signed distance outside an edge of a face, and heights above the neighbour across the edge and
+/// above the face itself (`separation`), is clearly over the face, m.
+fn is_over(outside: f64, height: f64, separation: f64, tolerance: f64) -> bool {
+    outside <= -tolerance && (separation >= 0.0 || height <= separation - tolerance)
+}
+
+/// Of an edge of a face: 1 when the face's loop runs along it and -1 when against it, and the face across it.
+fn sides_of(edge: &Edge, face: usize) -> Option<(f64, usize)> {
+    let [first, second] = edge.faces.map(|f| f as usize);
+    if first == face { Some((1.0, second)) } else { (second == face).then_some((-1.0, first)) }
+}
+
+/// The first of the lowest points along a direction.
+fn lowest_point(points: &[DVec3], direction: DVec3) -> Option<DVec3> {
+    let mut best: Option<(f64, DVec3)> = None;
+    for &point in points {
+        let height = point.dot(direction);
+        if best.is_none_or(|(lowest, _)| height < lowest) {
+            best = Some((height, point));
+        }
+    }
+    best.map(|(_, point)| point)
+}
+
+/// The edges that no point of the other body lies below both of whose faces by more than the limit. `heights_over` gives
+/// the coordinates of these points along a face's normal, and the offset of its plane.
+fn select<'a>(
+    chosen: &mut Vec<u32>,
+    edges: &[Edge],
+    limit: f64,
+    along_faces: &[f64],
+    heights_over: impl Fn(usize) -> (&'a [f64], f64),
+) {
+    chosen.clear();
+    for (index, edge) in edges.iter().enumerate() {
+        let [left, right] = edge.faces.map(|face| face as usize);
+        let below = along_faces[left] < limit && along_faces[right] < limit && {
+            let ((over_left, plane_left), (over_right, plane_right)) = (heights_over(left), heights_over(right));
+            let mut points = over_left.iter().zip(over_right);
+            points.any(|(l, r)| l - plane_left < limit && r - plane_right < limit)
+        };
+        if !below {
+            chosen.push(index as u32);
+        }
+    }
+}

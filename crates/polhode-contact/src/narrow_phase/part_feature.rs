@@ -1,0 +1,140 @@
+//! Features of compounds: numbers among all parts, and the same numbers within one part.
+
+use crate::shape::Compound;
+use crate::{ContactFeature, Shape, Side, SurfaceFeature};
+
+/// A feature of one part of each body.
+pub(crate) struct Local<'a> {
+    pub(crate) feature: ContactFeature,
+    pub(crate) shapes: [&'a Shape; 2],
+    /// The parts; zero where a body is no compound.
+    pub(crate) parts: [usize; 2],
+}
+
+/// The parts of a pair that a feature names, and the feature with its numbers within them; nothing when it names none.
+/// Shapes that are no compounds come back as they are.
+pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape) -> Option<Local<'a>> {
+    let shapes = [a, b];
+    if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
+        return Some(Local { feature, shapes, parts: [0; 2] });
+    }
+    let index = |side: Side| usize::from(side == Side::B);
+    let mut local = Local { feature, shapes, parts: [0; 2] };
+    let mut take = |side: Side, kind: Kind, number: u32| -> Option<u32> {
+        let at = index(side);
+        let Shape::Compound(compound) = shapes[at] else { return Some(number) };
+        let (part, shape, number) = compound.owner(number, |first| kind.of(first))?;
+        local.parts[at] = part;
+        local.shapes[at] = shape;
+        Some(number)
+    };
+    let feature = match feature {
+        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
+            vertex_of,
+            vertex: take(vertex_of, Kind::Vertex, vertex)?,
+            face: take(vertex_of.other(), Kind::Face, face)?,
+        },
+        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
+            edge_a: take(Side::A, Kind::Edge, edge_a)?,
+            edge_b: take(Side::B, Kind::Edge, edge_b)?,
+        },
+        ContactFeature::Smooth { center_of, center, against } => {
+            let center = take(center_of, Kind::Vertex, center)?;
+            let side = center_of.other();
+            let against = surface(against, |kind, number| take(side, kind, number))?;
+            // The sphere of a part bears the number of its centre.
+            let sphere = matches!(local.shapes[index(side)], Shape::Sphere(_));
+            let against = if sphere { SurfaceFeature::Sphere } else { against };
+            ContactFeature::Smooth { center_of, center, against }
+        }
+        ContactFeature::Spheres { center_a, center_b } => {
+            take(Side::A, Kind::Vertex, center_a)?;
+            take(Side::B, Kind::Vertex, center_b)?;
+            ContactFeature::SphereSphere
+        }
+        ContactFeature::Elements { a, b } => ContactFeature::Elements {
+            a: surface(a, |kind, number| take(Side::A, kind, number))?,
+            b: surface(b, |kind, number| take(Side::B, kind, number))?,
+        },
+        ContactFeature::SphereSphere => return None,
+    };
+    local.feature = feature;
+    Some(local)
+}
+
+/// The feature of two bodies that a feature of one part of each is.
+pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [usize; 2]) -> ContactFeature {
+    if !bodies.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
+        return feature;
+    }
+    let compound = |side: Side| -> Option<(&Compound, usize)> {
+        let at = usize::from(side == Side::B);
+        if let Shape::Compound(c) = bodies[at] { Some((c, parts[at])) } else { None }
+    };
+    let number = |side: Side, kind: Kind, number: u32| {
+        compound(side).and_then(|(c, part)| c.first.get(part)).map_or(number, |first| kind.of(first) + number)
+    };
+    let global = |side: Side, feature: SurfaceFeature| {
+        surface(feature, |kind, n| Some(number(side, kind, n))).unwrap_or(feature)
+    };
+    match feature {
+        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
+            vertex_of,
+            vertex: number(vertex_of, Kind::Vertex, vertex),
+            face: number(vertex_of.other(), Kind::Face, face),
+        },
+        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
+            edge_a: number(Side::A, Kind::Edge, edge_a),
+            edge_b: number(Side::B, Kind::Edge, edge_b),
+        },
+        ContactFeature::Smooth { center_of, center, against } => {
+            let side = center_of.other();
+            let against = match against {
+                SurfaceFeature::Sphere if compound(side).is_some() => {
+                    SurfaceFeature::Vertex(number(side, Kind::Vertex, 0))
+                }
+                against => global(side, against),
+            };
+            ContactFeature::Smooth { center_of, center: number(center_of, Kind::Vertex, center), against }
+        }
+        ContactFeature::Elements { a, b } => ContactFeature::Elements { a: global(Side::A, a), b: global(Side::B, b) },
+        ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => ContactFeature::Spheres {
+            center_a: number(Side::A, Kind::Vertex, 0),
+            center_b: number(Side::B, Kind::Vertex, 0),
+        },
+    }
+}
+
+/// A part of a surface with its number replaced; nothing when there is none.
+fn surface(feature: SurfaceFeature, mut number: impl FnMut(Kind, u32) -> Option<u32>) -> Option<SurfaceFeature> {
+    Some(match feature {
+        SurfaceFeature::Face(n) => SurfaceFeature::Face(number(Kind::Face, n)?),
+        SurfaceFeature::Edge(n) => SurfaceFeature::Edge(number(Kind::Edge, n)?),
+        SurfaceFeature::Vertex(n) => SurfaceFeature::Vertex(number(Kind::Vertex, n)?),
+        SurfaceFeature::Cap(n) => SurfaceFeature::Cap(number(Kind::Vertex, n)?),
+        SurfaceFeature::Side(n) => SurfaceFeature::Side(number(Kind::Edge, n)?),
+        SurfaceFeature::Rim(n) => SurfaceFeature::Rim(number(Kind::Edge, n)?),
+        SurfaceFeature::RimExit(n) => SurfaceFeature::RimExit(number(Kind::Edge, n)?),
+        SurfaceFeature::RimEntry(n) => SurfaceFeature::RimEntry(number(Kind::Edge, n)?),
+        SurfaceFeature::Sphere => SurfaceFeature::Sphere,
+    })
+}
+
+/// Kinds of elements, each numbered by itself. Centres, points and caps are vertices; sides and rims share the numbers of
+/// edges, for no shape has both.
+#[derive(Clone, Copy)]
+enum Kind {
+    Vertex,
+    Edge,
+    Face,
+}
+
+impl Kind {
+    const fn of(self, first: &crate::shape::FirstElements) -> u32 {
+        match self {
+            Self::Vertex => first.vertex,
+            Self::Edge => first.edge,
+            Self::Face => first.face,
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Common normals of a circle and a line, and of two circles, at which their distance is least.
+//!
+//! Seen along the line, the circle is an ellipse with half axes `R` and `b = R |a.e|` and the line a point `(p, q)`:
+//! `G(u) = |(R cos u, b sin u) - (p, q)|^2/2` has at most one minimum on either side of the long axis. For a disc that lies
+//! almost flat along the line (small `b`) these two are the places where the line crosses the rim; they stay distinct
+//! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
+//!
+//! Two circles: one is sampled, the other's nearest point is a closed form; every minimum of the samples is polished by
+//! Newton's method in both angles on `|F|^2/2`, whose matrix is regular at crossings.
+
+use super::pairs::{Place, Places, nearest_on};
+use crate::shape::round::Circle;
+use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// Parts into which each half of the circle is divided to find the minima of its distance from a line.
+const LINE_SAMPLES: usize = 16;
+
+/// How far each half reaches beyond the end of the long axis, rad: far above rounding, far below a sample.
+const OVERLAP: f64 = 1e-6;
+
+/// Places of one circle at which the distance from another is sampled.
+const CIRCLE_SAMPLES: usize = 64;
+
+/// Steps that halve a sample's angle to rounding, with room.
+const MOST_STEPS: usize = 64;
+
+/// Newton's steps for two circles; convergence is quadratic from a sample.
+const NEWTON_STEPS: usize = 30;
+
+/// Newton's method ends when both angles change by less than this, rad: the square of it is far below rounding.
+const ANGLE_CONVERGED: f64 = 1e-14;
+
+/// Largest change of an angle in one step, rad.
+const LONGEST_TURN: f64 = 0.3;
+
+/// Part of the circle's radius below which a line is parallel to its axis or the component is rounding.
+const PARALLEL_PART: f64 = 1e-9;
+
+/// Root of a function that is positive at `left` and not at `right`: regula falsi with halving.
+pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64, most: usize) -> f64 {
+    let (mut left, mut right) = (left, right);
+    let (mut value_left, mut value_right) = (f(left), f(right));
+    for step in 0..most {
+        let width = right - left;
+        let secant = left + width * (value_left / (value_left - value_right));
+        let middle = 0.5 * (left + right);
+        let at = if step % 3 == 2 || !(secant > left && secant < right) { middle } else { secant };
+        if at <= left || at >= right {
+            break;
+        }
+        let value = f(at);
+        if value > 0.0 {
+            (left, value_left) = (at, value);
+            value_right *= 0.5;
+        } else if value < 0.0 {
+            (right, value_right) = (at, value);
+            value_left *= 0.5;
+        } else {
+            return at;
+        }
+    }
+    0.5 * (left + right)
+}
+
+/// A line (point and direction) as A and a circle as B.
+pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Places {
+    let Circle { center, axis, radius } = *circle;
+    let long = axis.cross(along);
+    let sine = long.length();
+    let long = if sine > PARALLEL_PART { long / sine } else { axis.any_orthonormal_vector() };
+    let short = axis.cross(long);
+    // Components along the line do not count.
+    let across = |v: DVec3| v - along * along.dot(v);
+    let (line, long_seen, short_seen) = (across(point - center), across(long), across(short));
+    let slope_at = |(sine, cosine): (f64, f64)| {
+        let to = long_seen * (radius * cosine) + short_seen * (radius * sine) - line;
+        to.dot(short_seen * cosine - long_seen * sine)
+    };
+    let slope = |u: f64| slope_at(libm::sincos(u));
+    // Where a line just dips into a thin ellipse its two places lie close together about an end of the long axis: samples
+    // between them and that end keep them apart.
+    let tip = libm::acos((line.dot(long) / radius).clamp(-1.0, 1.0));
+    let step = PI / LINE_SAMPLES as f64;
+    let mut found = Places::none();
+    for half in [1.0, -1.0] {
+        let directed = |u: f64| half * slope(half * u);
+        let mut last = 0.0;
+        let mut before = directed(0.0);
+        let mut visit = |u: f64| {
+            let value = directed(u);
+            // A minimum: the slope rises through zero.
+            if before <= 0.0 && value > 0.0 {
+                let angle = -falling_root(-u, -last, |u| directed(-u), MOST_STEPS);
+                push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
+            }
+            (last, before) = (u, value);
+        };
+        if tip < step {
+            visit(0.5 * tip);
+        }
+        (1..LINE_SAMPLES).for_each(|k| visit(step * k as f64));
+        if PI - tip < step {
+            visit(PI - 0.5 * (PI - tip));
+        }
+        // A little farther than the other end, so that a minimum right there lies between two samples.
+        visit(PI + OVERLAP);
+    }
+    // A slope that is zero all round belongs to a line through the centre along the axis: any place is nearest.
+    if found.is_empty() && line == DVec3::ZERO && sine <= PARALLEL_PART {
+        push_crossing(&mut found, (point, along), circle, 0.0, (long, short));
+    }
+    found
+}
+
+fn push_crossing(
+    found: &mut Places,
+    (point, along): (DVec3, DVec3),
+    circle: &Circle,
+    angle: f64,
+    (long, short): (DVec3, DVec3),
+) {
+    let (sine, cosine) = libm::sincos(angle);
+    let on_b = circle.center + (long * cosine + short * sine) * circle.radius;
+    let tangent = short * cosine - long * sine;
+    let on_a = point + along * along.dot(on_b - point);
+    found.push(Place { normal: common_normal(on_a - on_b, along, tangent, circle.radius), on_a, on_b });
+}
+
+/// The unit vector along `f` that is perpendicular to two tangents: from their cross product or from `f`, whichever is
+/// known better; it points along `f`. `scale` is the length whose rounding `f` bears, m.
+fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
+    let cross = first.cross(second);
+    let (sine, length) = (cross.length(), f.length());
+    if sine * (scale + length) >= length {
+        let normal = cross / sine;
+        return if normal.dot(f) < 0.0 { -normal } else { normal };
+    }
+    f / length
+}
+
+/// Two circles. Each is sampled against the other: of two minima close together one may see both, the other not, and the
+/// answer must not depend on which circle is named first.
+pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
+    let mut found = Places::none();
+    sampled_minima(first, second, |on_first, on_second| {
+        if let Some(place) = polished(first, second, on_first, on_second) {
+            found.push(place);
+        }
+    });
+    sampled_minima(second, first, |on_second, on_first| {
+        if let Some(place) = polished(first, second, on_first, on_second) {
+            found.push(place);
+        }
+    });
+    found
+}
+
+/// Calls `visit` with the places of every minimum of the samples of the first circle.
+fn sampled_minima(first: &Circle, second: &Circle, mut visit: impl FnMut(DVec3, DVec3)) {
+    let east = first.axis.any_orthonormal_vector();
+    let north = first.axis.cross(east);
+    let step = TAU / CIRCLE_SAMPLES as f64;
+    let point = |k: usize| {
+        let (sine, cosine) = libm::sincos(step * (k % CIRCLE_SAMPLES) as f64);
+        first.center + (east * cosine + north * sine) * first.radius
+    };
+    let distance = |k: usize| {
+        let p = point(k);
+        p.distance_squared(nearest_on(second, p))
+    };
+    let (mut before, mut here) = (distance(CIRCLE_SAMPLES - 1), distance(0));
+    for k in 0..CIRCLE_SAMPLES {
+        let after = distance(k + 1);
+        if here <= before && here < after {
+            let start = point(k);
+            visit(start, nearest_on(second, start));
+        }
+        (before, here) = (here, after);
+    }
+}
+
+/// Newton's method on `|F|^2/2` in the two angles.
+fn polished(first: &Circle, second: &Circle, on_a: DVec3, on_b: DVec3) -> Option<Place> {
+    let (mut on_a, mut on_b) = (on_a, on_b);
+    for _ in 0..NEWTON_STEPS {
+        let (radial_a, radial_b) = (on_a - first.center, on_b - second.center);
+        let (tangent_a, tangent_b) = (first.axis.cross(radial_a), second.axis.cross(radial_b));
+        let f = on_a - on_b;
+        let (g_a, g_b) = (f.dot(tangent_a), -f.dot(tangent_b));
+        let mut h_aa = tangent_a.length_squared() - f.dot(radial_a);
+        let mut h_bb = tangent_b.length_squared() + f.dot(radial_b);
+        let h_ab = -tangent_a.dot(tangent_b);
+        // Away from a minimum the curvature is made positive, so that the step goes downhill.
+        if h_aa <= 0.0 || h_aa * h_bb - h_ab * h_ab <= 0.0 {
+            h_aa = h_aa.abs() + h_ab.abs() + tangent_a.length_squared();
+            h_bb = h_bb.abs() + h_ab.abs() + tangent_b.length_squared();
+        }
+        let determinant = h_aa * h_bb - h_ab * h_ab;
+        let turn_a = ((h_ab * g_b - h_bb * g_a) / determinant).clamp(-LONGEST_TURN, LONGEST_TURN);
+        let turn_b = ((h_ab * g_a - h_aa * g_b) / determinant).clamp(-LONGEST_TURN, LONGEST_TURN);
+        if !(turn_a.is_finite() && turn_b.is_finite()) {
+            return None;
+        }
+        on_a = turned(first, radial_a, tangent_a, turn_a);
+        on_b = turned(second, radial_b, tangent_b, turn_b);
+        if turn_a.abs().max(turn_b.abs()) <= ANGLE_CONVERGED {
+            break;
+        }
+    }
+    let tangent_a = first.axis.cross(on_a - first.center) / first.radius;
+    let tangent_b = second.axis.cross(on_b - second.center) / second.radius;
+    let normal = common_normal(on_a - on_b, tangent_a, tangent_b, first.radius.min(second.radius));
+    Some(Place { normal, on_a, on_b })
+}
+
+/// The point of a circle an angle further on.
+fn turned(circle: &Circle, radial: DVec3, tangent: DVec3, angle: f64) -> DVec3 {
+    let (sine, cosine) = libm::sincos(angle);
+    let radial = radial * cosine + tangent * sine;
+    let radial = radial - circle.axis * circle.axis.dot(radial);
+    circle.center + radial * (circle.radius / radial.length())
+}

@@ -1,0 +1,21 @@
+//! Capsules, cylinders, cones and tori against everything: gaps and contacts element by element.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `element` | the parts of surfaces that touch |
+//! | `pairs` | places where two elements stand over each other: closed forms |
+//! | `curves` | the same for a circle and a line, and for two circles |
+//! | `stationary` | separation and its time derivatives at such a place |
+//! | `gap` | the separating axis of two convex bodies |
+//! | `sieve` | which elements of a polyhedron can decide |
+//! | `region` | all contacts of the region in which they touch |
+//! | `ring` | tori |
+
+pub(crate) mod curves;
+pub(crate) mod element;
+pub(crate) mod gap;
+pub(crate) mod pairs;
+pub(crate) mod region;
+pub(crate) mod ring;
+pub(crate) mod sieve;
+pub(crate) mod stationary;

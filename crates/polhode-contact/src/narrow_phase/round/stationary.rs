@@ -1,0 +1,252 @@
+//! Separation of two elements at a common normal, and its first two time derivatives.
+//!
+//! `chi = n.F - rho_A - rho_B` with `F = x_A - x_B` between places on the two loci, and `x` a function of parameters `z` of its
+//! locus (arc length on a line or circle, two lengths on a plane, the height on a cone's axis). At a common normal chi is
+//! stationary with respect to the normal and to all parameters: `F = (n.F) n`, `n.dx/dz` constant. Hence, with `v(x)` the
+//! velocity of the material point at the place,
+//!
+//! `chi' = n.(v_A(x_A) - v_B(x_B))`,
+//! `chi'' = n.(a_A(x_A) - a_B(x_B)) + n'.(v_A(x_A) - v_B(x_B)) + sum_i s_i z_i' n.(w_i x t_i)`,
+//!
+//! `a(x)` the acceleration of the material point, `t_i = dx/dz_i`, `s_i = +1` on A and `-1` on B. The rates follow from the
+//! stationarity conditions, differentiated: along two vectors `T` perpendicular to n
+//!
+//! `T.((n.F) n' - v_A(x_A) + v_B(x_B) - sum_i s_i t_i z_i') = 0`,  `n'.t_i + n.(w_i x t_i) + n.k_i z_i' = 0`,
+//!
+//! `k_i = d2x/dz_i^2` (a circle's only). Regular at `chi = 0` wherever the contact is not degenerate. It contains point on
+//! surface and crossed edges (thesis 3.4, equation (18) with erratum E18) as special cases, and is exact at any separation.
+
+use super::element::{Branch, Element, Locus};
+use super::pairs::{Place, places};
+use crate::clearance::COINCIDENCE;
+use crate::{ContactGeometry, ContactKinematics, Side};
+use glam::DVec3;
+use polhode_spatial::Velocity;
+
+/// Unknowns of the linear system: two of the normal's rate, up to three parameters.
+const MOST: usize = 5;
+
+/// A pivot below this part of the largest is zero: the contact is degenerate.
+const SMALLEST_PIVOT: f64 = 1e-13;
+
+/// A parameter of one body's place.
+#[derive(Debug, Clone, Copy)]
+struct Parameter {
+    of: Side,
+    /// `dx/dz`.
+    along: DVec3,
+    /// `d2x/dz2`, 1/m.
+    bend: DVec3,
+}
+
+/// A common normal of an element of A and one of B, both relative to A's centre of mass.
+#[derive(Debug)]
+pub(crate) struct Stationary {
+    place: Place,
+    separation: f64,
+    /// From A's centre of mass to the middle of the gap.
+    middle: DVec3,
+    margin: f64,
+    /// Centre of mass of B, relative to A's.
+    origin_b: DVec3,
+    parameters: [Parameter; 3],
+    count: usize,
+}
+
+impl Stationary {
+    /// The place at which two elements touch, or nearly; nothing when they have no common normal.
+    pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3) -> Option<Self> {
+        let place = chosen(a, b)?;
+        let separation = place.separation(a, b);
+        let mut stationary = Self {
+            place,
+            separation,
+            middle: place.on_a - place.normal * (a.radius_at(place.on_a) + 0.5 * separation),
+            margin: margin(&place, a, b),
+            origin_b,
+            parameters: [Parameter { of: Side::A, along: DVec3::ZERO, bend: DVec3::ZERO }; 3],
+            count: 0,
+        };
+        stationary.describe(Side::A, a, place.on_a);
+        stationary.describe(Side::B, b, place.on_b);
+        Some(stationary)
+    }
+
+    /// Lists the parameters of an element at a place.
+    fn describe(&mut self, of: Side, element: &Element<'_>, place: DVec3) {
+        let mut push = |along: DVec3, bend: DVec3| {
+            if let Some(free) = self.parameters.get_mut(self.count) {
+                *free = Parameter { of, along, bend };
+                self.count += 1;
+            }
+        };
+        match element.locus {
+            Locus::Point(_) => {}
+            Locus::Line(_, along) => push(along, DVec3::ZERO),
+            Locus::Cone(side) => push(side.axis, DVec3::ZERO),
+            Locus::Circle(circle) => {
+                let out = (place - circle.center) / circle.radius;
+                push(circle.axis.cross(out), -out / circle.radius);
+            }
+            Locus::Plane(_, normal) => {
+                let first = normal.any_orthonormal_vector();
+                push(first, DVec3::ZERO);
+                push(normal.cross(first), DVec3::ZERO);
+            }
+        }
+    }
+
+    /// `origin_a` is A's centre of mass in the world.
+    pub(crate) fn geometry(&self, origin_a: DVec3) -> ContactGeometry {
+        ContactGeometry {
+            point: origin_a + self.middle,
+            normal: self.place.normal,
+            separation: self.separation,
+            margin: self.margin,
+        }
+    }
+
+    /// Nothing when the contact is degenerate: a normal that any motion would turn at once.
+    pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
+        let n = self.place.normal;
+        let (arm_a, arm_b) = (self.place.on_a, self.place.on_b - self.origin_b);
+        let velocity = (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b));
+        let rates = self.rates(velocity, a, b)?;
+        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        let mut bias = n.dot(centripetal) + rates.normal.dot(velocity);
+        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
+            let (sign, spin) = if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) };
+            bias += sign * rate * n.dot(spin.cross(parameter.along));
+        }
+        Some(ContactKinematics {
+            geometry: self.geometry(origin_a),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: bias,
+        })
+    }
+
+    /// `n'` and `z'`. Rows and columns are scaled by a length, so that all entries are numbers without unit.
+    fn rates(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<Rates> {
+        let n = self.place.normal;
+        let first = n.any_orthonormal_vector();
+        let tangents = [first, n.cross(first)];
+        let apart = n.dot(self.place.on_a - self.place.on_b);
+        let bend = |p: &Parameter| p.bend.length();
+        let length = self.parameters[..self.count].iter().map(bend).filter(|k| *k > 0.0).map(f64::recip);
+        let length = length.fold(apart.abs(), f64::max);
+        let length = if length > 0.0 { length } else { 1.0 };
+        let size = 2 + self.count;
+        let (mut matrix, mut right) = ([[0.0; MOST]; MOST], [0.0; MOST]);
+        for (row, tangent) in tangents.iter().enumerate() {
+            matrix[row][row] = apart / length;
+            right[row] = tangent.dot(velocity);
+        }
+        for (index, parameter) in self.parameters[..self.count].iter().enumerate() {
+            let (sign, spin) = if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) };
+            let row = 2 + index;
+            for (column, tangent) in tangents.iter().enumerate() {
+                matrix[column][row] = -sign * tangent.dot(parameter.along);
+                matrix[row][column] = tangent.dot(parameter.along);
+            }
+            matrix[row][row] = length * n.dot(parameter.bend);
+            right[row] = -length * n.dot(spin.cross(parameter.along));
+        }
+        let solution = solve(matrix, right, size)?;
+        Some(Rates {
+            normal: (tangents[0] * solution[0] + tangents[1] * solution[1]) / length,
+            parameters: [solution[2], solution[3], solution[4]],
+        })
+    }
+}
+
+struct Rates {
+    normal: DVec3,
+    parameters: [f64; 3],
+}
+
+/// Gaussian elimination with exchange of rows; nothing when a pivot is zero to rounding.
+fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -> Option<[f64; MOST]> {
+    let largest = matrix.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    for column in 0..size {
+        let pivot = (column..size).max_by(|&i, &j| matrix[i][column].abs().total_cmp(&matrix[j][column].abs()))?;
+        matrix.swap(column, pivot);
+        right.swap(column, pivot);
+        let pivot = matrix[column][column];
+        if pivot.is_nan() || pivot.abs() <= SMALLEST_PIVOT * largest {
+            return None;
+        }
+        for row in column + 1..size {
+            let factor = matrix[row][column] / pivot;
+            for k in column..size {
+                matrix[row][k] -= factor * matrix[column][k];
+            }
+            right[row] -= factor * right[column];
+        }
+    }
+    let mut solution = [0.0; MOST];
+    for row in (0..size).rev() {
+        let known: f64 = (row + 1..size).map(|k| matrix[row][k] * solution[k]).sum();
+        solution[row] = (right[row] - known) / matrix[row][row];
+    }
+    Some(solution)
+}
+
+/// The common normal that makes a contact: on the named branch, within the borders of both elements if there is such a
+/// place, and of these the nearest places of two loci, or on a cone those that separate best; of a ring those whose
+/// middle line is nearest to the surface.
+pub(crate) fn chosen(a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
+    let cones = matches!(a.locus, Locus::Cone(_)) || matches!(b.locus, Locus::Cone(_));
+    let ring = |e: &Element<'_>| e.ball > 0.0 && matches!(e.locus, Locus::Circle(_));
+    let score = |place: &Place| {
+        if ring(a) || ring(b) {
+            -(place.separation(a, b) + a.ball + b.ball).abs()
+        } else if cones {
+            place.separation(a, b)
+        } else {
+            -place.on_a.distance_squared(place.on_b)
+        }
+    };
+    let border = |place: &Place| COINCIDENCE * (place.on_a.length() + place.on_b.length());
+    let within = |place: &Place| margin(place, a, b) >= -border(place);
+    let all = places(a, b);
+    let fitting = all.iter().filter(|place| on_branch(place, a, b)).map(|place| oriented(*place, a, b));
+    fitting.max_by(|p, q| within(p).cmp(&within(q)).then(score(p).total_cmp(&score(q))))
+}
+
+/// Distance from the border of either element, m.
+fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
+    let reach = place.on_a.distance(place.on_b);
+    a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
+}
+
+/// Whether a place lies on the branch that the elements name.
+fn on_branch(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool {
+    let leaving = match (a.locus, b.locus) {
+        (Locus::Circle(first), Locus::Circle(second)) => {
+            first.axis.cross(place.on_a - first.center).dot(place.on_b - second.center)
+        }
+        (Locus::Circle(circle), Locus::Line(_, along)) => along.dot(place.on_a - circle.center),
+        (Locus::Line(_, along), Locus::Circle(circle)) => along.dot(place.on_b - circle.center),
+        _ => return true,
+    };
+    match if a.branch == Branch::Nearest { b.branch } else { a.branch } {
+        Branch::Nearest => true,
+        Branch::Exit => leaving >= 0.0,
+        Branch::Entry => leaving < 0.0,
+    }
+}
+
+/// Two curves may have passed each other: the side to which the normal points is decided by what is outside. Axes and rings
+/// have no outside; there it points along `F`.
+fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
+    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
+    if !(curve(a) && curve(b)) {
+        return place;
+    }
+    let outward = |element: &Element<'_>, at: DVec3| match element.locus {
+        Locus::Circle(circle) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,
+        _ => element.outward,
+    };
+    let toward_a = outward(b, place.on_b) - outward(a, place.on_a);
+    if place.normal.dot(toward_a) < 0.0 { place.turned_round() } else { place }
+}

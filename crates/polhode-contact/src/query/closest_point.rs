@@ -1,0 +1,83 @@
+//! One point against a shape: the nearest place of its surface, and whether the shape contains it.
+
+use super::pieces::elements;
+use super::signed_distance::signed_distance;
+use super::{FeatureKind, QueryError, QueryFeature};
+use crate::Shape;
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// The place of a surface that is nearest to a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// Distance of the point, m; negative inside the shape.
+    pub distance: f64,
+    /// The nearest place of the surface, world, m.
+    pub point: DVec3,
+    /// Unit vector out of the surface there, world: from the place to a point outside.
+    pub normal: DVec3,
+    /// What of the shape it is.
+    pub feature: QueryFeature,
+}
+
+/// The nearest place of a shape's surface, to rounding of the coordinates.
+///
+/// Inside a compound the part in which the point is deepest decides, so that the depth is exact where parts do not
+/// overlap or meet and a lower bound elsewhere. Meshes, which are surfaces, and points have no inside. Of equally near
+/// places that with the lowest part is taken.
+///
+/// ```
+/// use polhode_contact::{Shape, closest_point};
+/// use polhode_spatial::{DVec3, Pose};
+/// let brick = Shape::cuboid(DVec3::ONE)?;
+/// let near = closest_point(&brick, &Pose::IDENTITY, DVec3::new(0.0, 0.0, 2.0))?;
+/// assert_eq!((near.distance, near.point), (1.5, DVec3::Z * 0.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// When the pose or the point is not finite.
+pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<SurfacePoint, QueryError> {
+    if !pose.is_finite() {
+        return Err(QueryError::NotFinite { what: "the pose" });
+    }
+    if !point.is_finite() {
+        return Err(QueryError::NotFinite { what: "the point" });
+    }
+    let local = pose.inverse_transform_point(point);
+    let mut best: Option<SurfacePoint> = None;
+    for element in elements(shape, &Pose::IDENTITY) {
+        let nearest_possible = (element.ball.0 - local).length() - element.ball.1 - element.radius;
+        if best.is_some_and(|best| nearest_possible > best.distance) {
+            continue;
+        }
+        let found = signed_distance(&element.core, local);
+        let distance = found.distance - element.radius;
+        if best.is_none_or(|best| distance < best.distance) {
+            let kind = if element.point_is_vertex { FeatureKind::Vertex(element.part) } else { found.kind };
+            let kind = if element.radius > 0.0 { FeatureKind::Surface } else { kind };
+            best = Some(SurfacePoint {
+                distance,
+                point: local - found.normal * distance,
+                normal: found.normal,
+                feature: element.feature(kind),
+            });
+        }
+    }
+    let best = best.ok_or(QueryError::NotFinite { what: "the shape" })?;
+    Ok(SurfacePoint { point: pose.transform_point(best.point), normal: pose.rotation.rotate(best.normal), ..best })
+}
+
+/// Whether a shape contains a point; its surface counts, to rounding. Meshes and clouds contain their own points only; no
+/// shape contains a point that is not finite.
+///
+/// ```
+/// use polhode_contact::{Shape, contains};
+/// use polhode_spatial::{DVec3, Pose};
+/// let ring = Shape::torus(2.0, 0.5)?;
+/// assert!(contains(&ring, &Pose::IDENTITY, DVec3::X * 2.5) && !contains(&ring, &Pose::IDENTITY, DVec3::ZERO));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn contains(shape: &Shape, pose: &Pose, point: DVec3) -> bool {
+    closest_point(shape, pose, point).is_ok_and(|near| near.distance <= 0.0)
+}

@@ -1,0 +1,109 @@
+//! What distances are computed between: convex cores and circles, each blown up by a radius.
+//!
+//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
+
+use super::{FeatureKind, QueryFeature};
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
+use crate::{Cone, Cylinder, HalfSpace, Torus};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// A core in its shape's frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Core<'a> {
+    Point(DVec3),
+    Segment([DVec3; 2]),
+    Triangle([DVec3; 3]),
+    Polyhedron(&'a ConvexPolyhedron),
+    Cylinder(&'a Cylinder),
+    Cone(&'a Cone),
+    Circle(&'a Torus),
+    HalfSpace(&'a HalfSpace),
+}
+
+/// A core, its radius (m), its number within the shape, and a ball about the core (in the common frame).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Element<'a> {
+    pub(crate) core: Core<'a>,
+    pub(crate) radius: f64,
+    pub(crate) part: u32,
+    /// From the core's frame to the common frame of a query.
+    pub(crate) pose: Pose,
+    pub(crate) ball: (DVec3, f64),
+    /// A single point of a cloud is a vertex, the centre of a sphere is not.
+    pub(crate) point_is_vertex: bool,
+}
+
+impl<'a> Element<'a> {
+    pub(crate) fn new(core: Core<'a>, radius: f64, part: u32, pose: Pose) -> Self {
+        let (center, reach) = core.ball();
+        let ball = (pose.transform_point(center), reach);
+        Self { core, radius, part, pose, ball, point_is_vertex: false }
+    }
+
+    /// The point of the core that is farthest along a direction of the common frame.
+    pub(crate) fn support(&self, direction: DVec3) -> DVec3 {
+        let local = self.pose.rotation.inverse_rotate(direction);
+        self.pose.transform_point(self.core.support(local))
+    }
+
+    /// Least distance that another element can have, m.
+    pub(crate) fn bound(&self, other: &Self) -> f64 {
+        let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
+        (self.ball.0 - other.ball.0).length() - reach
+    }
+
+    pub(crate) fn feature(&self, kind: FeatureKind) -> QueryFeature {
+        QueryFeature { part: self.part, kind }
+    }
+}
+
+impl Core<'_> {
+    /// The point farthest along a direction; of a half-space, which has none, the plane's nearest to the origin.
+    pub(crate) fn support(&self, direction: DVec3) -> DVec3 {
+        match self {
+            Self::Point(p) => *p,
+            Self::Segment(ends) => farthest(ends, direction),
+            Self::Triangle(corners) => farthest(corners, direction),
+            Self::Polyhedron(p) => farthest(&p.vertices, direction),
+            Self::Cylinder(c) => of_cylinder(c, direction),
+            Self::Cone(c) => of_cone(c, direction),
+            Self::Circle(t) => of_circle(t.center, t.axis, t.major, direction),
+            Self::HalfSpace(h) => h.normal * h.offset,
+        }
+    }
+
+    /// The vertices of a polytope; none of other cores.
+    pub(crate) fn vertices(&self) -> &[DVec3] {
+        match self {
+            Self::Point(p) => std::slice::from_ref(p),
+            Self::Segment(ends) => ends,
+            Self::Triangle(corners) => corners,
+            Self::Polyhedron(p) => &p.vertices,
+            Self::Cylinder(_) | Self::Cone(_) | Self::Circle(_) | Self::HalfSpace(_) => &[],
+        }
+    }
+
+    pub(crate) fn is_polytope(&self) -> bool {
+        !self.vertices().is_empty()
+    }
+
+    /// A ball that contains the core.
+    fn ball(&self) -> (DVec3, f64) {
+        match self {
+            Self::Cylinder(c) => (c.center, libm::hypot(c.radius, c.half_height)),
+            Self::Cone(c) => (c.base, c.radius.max(c.height)),
+            Self::Circle(t) => (t.center, t.major),
+            Self::HalfSpace(_) => (DVec3::ZERO, f64::INFINITY),
+            _ => {
+                let (low, high) = self
+                    .vertices()
+                    .iter()
+                    .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
+                let center = 0.5 * low + 0.5 * high;
+                (center, self.vertices().iter().map(|p| p.distance(center)).fold(0.0, f64::max))
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Depth of penetration of two convex polytopes, over all axes that may separate them, and where they touch once moved
+//! apart.
+
+use super::FeatureKind;
+use super::element::{Core, Element};
+use super::polytopes::feature;
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::gjk::gjk;
+use crate::narrow_phase::separating_axis::Workspace;
+use crate::narrow_phase::simplex::unit;
+use glam::DVec3;
+
+/// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and
+/// the features they lie on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) distance: f64,
+    pub(crate) normal: DVec3,
+    pub(crate) on_a: DVec3,
+    pub(crate) on_b: DVec3,
+    pub(crate) kind_a: FeatureKind,
+    pub(crate) kind_b: FeatureKind,
+}
+
+/// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
+/// large ones a face of A is taken before one of B and before edges, lower indices first.
+pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
+    let separation = |n: DVec3| n.dot(a.support(-n) - b.support(n));
+    let (mut normal, mut most) = (DVec3::Z, f64::NEG_INFINITY);
+    let mut offer = |n: DVec3| {
+        let along = separation(n);
+        if along > most {
+            (normal, most) = (n, along);
+        }
+    };
+    if let (Core::Polyhedron(p), Core::Polyhedron(q)) = (a.core, b.core) {
+        let x_ab = a.pose.relative(&b.pose);
+        let mut workspace = Workspace::default();
+        workspace.place(q, &x_ab);
+        let axes = workspace.search(p, q, &x_ab, f64::INFINITY);
+        offer(-a.pose.rotation.rotate(p.faces[axes.face_a.face as usize].normal));
+        offer(b.pose.rotation.rotate(q.faces[axes.face_b.face as usize].normal));
+        if let Some(edges) = axes.edges {
+            let along_a = a.pose.rotation.rotate(p.edges[edges.edge_a as usize].direction);
+            let along_b = b.pose.rotation.rotate(q.edges[edges.edge_b as usize].direction);
+            let across = unit(along_a.cross(along_b));
+            offer(across);
+            offer(-across);
+        }
+    } else {
+        for n in face_normals(a).into_iter().chain(face_normals(b)) {
+            offer(-n);
+            offer(n);
+        }
+        let edges_b = edge_vectors(b);
+        for along_a in edge_vectors(a) {
+            for along_b in &edges_b {
+                let across = unit(along_a.cross(*along_b));
+                if across != DVec3::ZERO {
+                    offer(across);
+                    offer(-across);
+                }
+            }
+        }
+    }
+    touching_places(a, b, normal, most)
+}
+
+pub(super) fn face_normals(element: &Element<'_>) -> Vec<DVec3> {
+    match &element.core {
+        Core::Polyhedron(p) => p.faces.iter().map(|f| element.pose.rotation.rotate(f.normal)).collect(),
+        Core::Triangle([p, q, r]) => {
+            let normal = unit((*q - *p).cross(*r - *p));
+            if normal == DVec3::ZERO { Vec::new() } else { vec![element.pose.rotation.rotate(normal)] }
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn edge_vectors(element: &Element<'_>) -> Vec<DVec3> {
+    let local: Vec<DVec3> = match &element.core {
+        Core::Polyhedron(p) => p.edges.iter().map(|e| e.direction).collect(),
+        Core::Triangle([p, q, r]) => vec![*q - *p, *r - *q, *p - *r],
+        Core::Segment([p, q]) => vec![*q - *p],
+        _ => Vec::new(),
+    };
+    local.into_iter().map(|e| element.pose.rotation.rotate(e)).collect()
+}
+
+/// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest
+/// into the other body, the nearest places of their hulls.
+fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f64) -> Found {
+    let tolerance = place_tolerance(a.ball.1, b.ball.1, a.ball.0 - b.ball.0);
+    let extreme = |element: &Element<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
+        let placed: Vec<DVec3> = element.core.vertices().iter().map(|&v| element.pose.transform_point(v)).collect();
+        let most = placed.iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+        let near = placed.into_iter().enumerate().filter(|(_, p)| p.dot(direction) >= most - tolerance);
+        near.map(|(i, p)| (i as u32, p)).unzip()
+    };
+    let (vertices_a, places_a) = extreme(a, -normal);
+    let (vertices_b, places_b) = extreme(b, normal);
+    let moved: Vec<DVec3> = places_a.iter().map(|p| *p - normal * distance).collect();
+    let support = |direction: DVec3| {
+        let along = crate::shape::support::farthest(&moved, direction);
+        (along, crate::shape::support::farthest(&places_b, -direction))
+    };
+    let walk = gjk(&support, a.ball.0 - b.ball.0);
+    let (on_a, on_b) = walk.simplex.witnesses();
+    let touch = 0.5 * (on_a + on_b);
+    Found {
+        distance,
+        normal,
+        on_a: touch + normal * distance,
+        on_b: touch,
+        kind_a: feature(a, &vertices_a),
+        kind_b: feature(b, &vertices_b),
+    }
+}

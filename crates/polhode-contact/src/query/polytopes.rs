@@ -1,0 +1,128 @@
+//! Distance of two convex polytopes: points, segments, triangles, polyhedra.
+//!
+//! GJK finds the features; the distance is then solved on them. Every unit vector bounds the distance from below by the
+//! separation along it, and the distance is the separation along the right one: the normal of a face that the nearest
+//! place lies in, the perpendicular of two edges, or the line between two vertices. These few directions of the features
+//! found are tried and the largest separation is taken, so that the answer carries the rounding of the coordinates and
+//! not the tolerance of an iteration. It is accepted when it meets the upper bound; otherwise the nearest pair of features
+//! around those that GJK ended on is taken, and when the bodies overlap all axes are searched.
+
+use super::FeatureKind;
+use super::element::{Core, Element};
+use super::nearest_pair::nearest_pair;
+use super::penetration::{Found, by_all_axes};
+use crate::narrow_phase::gjk::{Gjk, GjkStatus, gjk};
+use crate::narrow_phase::simplex::{Difference, Simplex, unit};
+use glam::DVec3;
+
+/// Lower and upper bound of a distance meet within this many epsilon of the extent.
+const CERTIFIED_ULPS: f64 = 32.0;
+
+/// Separations that differ by less than this many epsilon of the extent are equal.
+const EQUAL_ULPS: f64 = 16.0;
+
+/// Rounding of the direction between two points, in epsilon times the extent over their distance.
+const DIRECTION_ULPS: f64 = 2.0;
+
+/// Distance of two polytopes in the common frame; negative when they overlap.
+pub(crate) fn distance(a: &Element<'_>, b: &Element<'_>) -> Found {
+    let support = |direction: DVec3| (a.support(direction), b.support(-direction));
+    let walk = gjk(&support, a.ball.0 - b.ball.0);
+    if walk.status == GjkStatus::Touching {
+        return by_all_axes(a, b);
+    }
+    let extent = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
+    let found = on_features(a, b, &walk, extent);
+    if walk.upper - found.distance <= CERTIFIED_ULPS * f64::EPSILON * extent {
+        return found;
+    }
+    // Near touch of a vertex or an edge the normal is rounding, and no direction bounds the distance sharply: the nearest
+    // pair of features around the simplex does.
+    let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
+    nearest_pair(a, b, &vertices)
+}
+
+/// The largest separation along the directions of the features that GJK ended on; of directions that are equally good to
+/// rounding a face's normal near the direction found is taken first, then that direction, then the others.
+fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Found {
+    let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
+    let mut last = walk.simplex;
+    let between = last.reduce().direction;
+    // A face's normal is sharp; the direction between the points is so only to the rounding of their difference.
+    let rounding = DIRECTION_ULPS * f64::EPSILON * extent / walk.upper;
+    let (mut directions, mut others) = (Vec::new(), Vec::new());
+    for (element, sign, own) in [(a, -1.0, &vertices[0]), (b, 1.0, &vertices[1])] {
+        if let (Core::Polyhedron(polyhedron), Some(&first)) = (element.core, own.first()) {
+            let shared = |face: &&u32| own.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(face));
+            for &face in polyhedron.faces_at.of(first as usize).iter().filter(shared) {
+                let n = element.pose.rotation.rotate(polyhedron.faces[face as usize].normal) * sign;
+                if (n - between).length() <= rounding { directions.push(n) } else { others.push(n) }
+            }
+        }
+    }
+    let faces = directions.len();
+    directions.push(between);
+    directions.append(&mut others);
+    directions.extend(walk.simplex.points().iter().map(|pair| unit(pair.w)));
+    directions.push(walk.normal);
+    let (mut normal, mut most, mut chosen) = (walk.normal, f64::NEG_INFINITY, 0);
+    for (index, &n) in directions.iter().enumerate().filter(|(_, n)| n.dot(walk.normal) > 0.0) {
+        let along = n.dot(a.support(-n) - b.support(n));
+        if along > most + EQUAL_ULPS * f64::EPSILON * extent {
+            (normal, most, chosen) = (n, along, index);
+        }
+    }
+    let (on_a, on_b) = walk.simplex.witnesses();
+    let [kind_a, kind_b] = [feature(a, &vertices[0]), feature(b, &vertices[1])];
+    if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= CERTIFIED_ULPS * f64::EPSILON * extent
+    {
+        // A vertex is nearest: the two points tell themselves how far apart they are, and in which direction. The direction
+        // that confirmed it may be that of a face close by.
+        let w = on_a - on_b;
+        return Found { distance: w.length(), normal: unit(w), on_a, on_b, kind_a, kind_b };
+    }
+    let middle = 0.5 * (on_a + on_b);
+    let half = normal * (0.5 * most);
+    Found { distance: most, normal, on_a: middle + half, on_b: middle - half, kind_a, kind_b }
+}
+
+/// Numbers of the vertices of a simplex on one body, each once, ascending.
+fn vertices_of(element: &Element<'_>, simplex: &Simplex, of: impl Fn(&Difference) -> DVec3) -> Vec<u32> {
+    let nearest = |point: &Difference| {
+        let local = element.pose.inverse_transform_point(of(point));
+        let vertices = element.core.vertices().iter().enumerate();
+        let least = vertices.map(|(i, v)| (v.distance_squared(local), i)).min_by(|p, q| p.0.total_cmp(&q.0));
+        least.map_or(0, |(_, i)| i as u32)
+    };
+    let mut found: Vec<u32> = simplex.points().iter().map(nearest).collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// The feature that some vertices span: one is a vertex, two may be an edge, otherwise a face that has them all.
+pub(crate) fn feature(element: &Element<'_>, vertices: &[u32]) -> FeatureKind {
+    let first = vertices.first().copied().unwrap_or(0);
+    match (&element.core, vertices.len()) {
+        (Core::Point(_) | Core::Segment(_) | Core::Triangle(_) | Core::Polyhedron(_), 0 | 1) => {
+            FeatureKind::Vertex(first)
+        }
+        (Core::Triangle(_), 2) => FeatureKind::Edge(if vertices == [0, 2] { 2 } else { first }),
+        (Core::Polyhedron(polyhedron), _) => {
+            let edges = polyhedron.edges_at.of(first as usize).iter();
+            let joins = |edge: &&u32| {
+                let ends = polyhedron.edges[**edge as usize].vertices;
+                vertices.len() == 2 && vertices.iter().all(|v| ends.contains(v))
+            };
+            if let Some(&edge) = edges.clone().find(joins) {
+                return FeatureKind::Edge(edge);
+            }
+            let mut faces = polyhedron.faces_at.of(first as usize).iter();
+            let shared = faces.find(|&&f| vertices.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(&f)));
+            FeatureKind::Face(shared.copied().unwrap_or(0))
+        }
+        (Core::Segment(_), _) => FeatureKind::Edge(0),
+        (Core::Triangle(_), _) => FeatureKind::Face(0),
+        _ => FeatureKind::Surface,
+    }
+}

@@ -1,0 +1,388 @@
+//! Where a ray meets a shape.
+//!
+//! A ray is brought into the shape's frame and measured from the place of its line that is nearest to the shape's middle,
+//! so that a ray from far away loses nothing but the rounding of its own origin. Convex shapes are clipped by their planes
+//! and quadrics, a torus by the pieces on which its quartic is monotone, polished on the distance from the tube itself;
+//! triangles by the signs of the volumes that the ray spans with their edges, which are the same for both triangles of an
+//! edge, so that no ray slips between them (docs/REFERENCES.md, Woop, Benthin and Wald 2013). There is no tolerance: what
+//! grazes to rounding is a hit when the rounded numbers say touch, and the same numbers give the same answer.
+
+use super::element::{Core, Element};
+use super::pieces::elements;
+use super::quartic::{bisect, monotone_pieces};
+use super::signed_distance::signed_distance;
+use super::{FeatureKind, QueryError, QueryFeature};
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::support::across;
+use crate::{Cone, Cylinder, Shape, Torus};
+use glam::DVec3;
+use polhode_spatial::{Pose, UnitVector};
+
+/// A half-line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ray {
+    origin: DVec3,
+    direction: DVec3,
+}
+
+impl Ray {
+    /// From a place (world, m) in a direction.
+    ///
+    /// # Errors
+    /// When the origin is not finite.
+    pub fn new(origin: DVec3, direction: UnitVector) -> Result<Self, QueryError> {
+        if !origin.is_finite() {
+            return Err(QueryError::NotFinite { what: "the origin of a ray" });
+        }
+        Ok(Self { origin, direction: direction.get() })
+    }
+
+    /// Where it starts, world, m.
+    pub const fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// Unit vector.
+    pub const fn direction(&self) -> DVec3 {
+        self.direction
+    }
+
+    /// The place at a distance (m) from the start.
+    pub fn at(&self, distance: f64) -> DVec3 {
+        self.origin + self.direction * distance
+    }
+}
+
+/// Where a ray meets a shape first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RayHit {
+    /// Distance from the ray's origin, m; 0 when it starts inside.
+    pub distance: f64,
+    /// The place, world, m.
+    pub point: DVec3,
+    /// Unit normal out of the surface, world; of a triangle on the side that the ray comes from. A ray that starts inside
+    /// has met no surface: against the ray.
+    pub normal: DVec3,
+    /// What it meets; nothing for a ray that starts inside.
+    pub feature: Option<QueryFeature>,
+}
+
+/// The first place at which a ray meets a shape, not farther than `max_distance` (m, may be infinite).
+///
+/// Shapes are solid: a ray that starts inside, or on the surface and heading in, meets them at distance 0. Meshes are
+/// surfaces and are met from both sides. Points have no extent and are never met. Nothing for a pose that is not finite, a
+/// `max_distance` that is NaN or negative, and a miss.
+///
+/// ```
+/// use polhode_contact::{Ray, Shape, ray_cast};
+/// use polhode_spatial::{DVec3, Pose, UnitVector};
+/// let ball = Shape::sphere(0.5)?;
+/// let ray = Ray::new(DVec3::Z * 3.0, UnitVector::new(-DVec3::Z)?)?;
+/// let hit = ray_cast(&ball, &Pose::IDENTITY, &ray, f64::INFINITY).ok_or("a miss")?;
+/// assert_eq!((hit.distance, hit.normal), (2.5, DVec3::Z));
+/// assert!(ray_cast(&ball, &Pose::IDENTITY, &ray, 2.0).is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Option<RayHit> {
+    if !(pose.is_finite() && max_distance >= 0.0) {
+        return None;
+    }
+    let local = Line {
+        origin: pose.inverse_transform_point(ray.origin),
+        direction: pose.rotation.inverse_rotate(ray.direction),
+    };
+    let mut best: Option<(f64, Met, u32)> = None;
+    for element in elements(shape, &Pose::IDENTITY) {
+        let Some((distance, met)) = against(&element, &local) else { continue };
+        if distance <= max_distance && best.is_none_or(|best| distance < best.0) {
+            best = Some((distance, met, element.part));
+        }
+    }
+    let (distance, met, part) = best?;
+    let point = ray.at(distance);
+    Some(match met {
+        Met::Inside => RayHit { distance, point, normal: -ray.direction, feature: None },
+        Met::Surface { normal, kind } => {
+            RayHit { distance, point, normal: pose.rotation.rotate(normal), feature: Some(QueryFeature { part, kind }) }
+        }
+    })
+}
+
+/// A ray in a shape's frame.
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    origin: DVec3,
+    direction: DVec3,
+}
+
+/// What a ray meets.
+#[derive(Debug, Clone, Copy)]
+enum Met {
+    Inside,
+    Surface { normal: DVec3, kind: FeatureKind },
+}
+
+type Hit = Option<(f64, Met)>;
+
+#[allow(clippy::unnecessary_wraps, reason = "it ends functions that may also meet nothing")]
+fn surface(distance: f64, normal: DVec3, kind: FeatureKind) -> Hit {
+    Some((distance, Met::Surface { normal, kind }))
+}
+
+fn against(element: &Element<'_>, ray: &Line) -> Hit {
+    match &element.core {
+        Core::Point(_) if element.point_is_vertex => None,
+        Core::Point(center) => ball(*center, element.radius, ray),
+        Core::Segment(ends) => capsule(*ends, element.radius, ray),
+        Core::Triangle(corners) => triangle(corners, ray),
+        Core::Polyhedron(polyhedron) => through_polyhedron(polyhedron, ray),
+        Core::Cylinder(cylinder) => through_cylinder(cylinder, ray),
+        Core::Cone(cone) => through_cone(cone, ray),
+        Core::Circle(ring) => through_torus(ring, ray),
+        Core::HalfSpace(h) => {
+            let height = h.normal.dot(ray.origin) - h.offset;
+            let rate = h.normal.dot(ray.direction);
+            if height <= 0.0 {
+                Some((0.0, Met::Inside))
+            } else if rate < 0.0 {
+                surface(-height / rate, h.normal, FeatureKind::Face(0))
+            } else {
+                None
+            }
+        }
+    }
+}
+
+/// Where a line is within a distance of a place, as two distances from its origin.
+fn within_ball(center: DVec3, radius: f64, ray: &Line) -> Option<(f64, f64)> {
+    let to = center - ray.origin;
+    let middle = to.dot(ray.direction);
+    let beside = across(to, ray.direction).length();
+    let half_square = (radius - beside) * (radius + beside);
+    (half_square >= 0.0).then(|| (middle - half_square.sqrt(), middle + half_square.sqrt()))
+}
+
+fn ball(center: DVec3, radius: f64, ray: &Line) -> Hit {
+    if ray.origin.distance(center) <= radius {
+        return Some((0.0, Met::Inside));
+    }
+    let (enter, _) = within_ball(center, radius, ray).filter(|(enter, _)| *enter >= 0.0)?;
+    let normal = (ray.origin - center) + ray.direction * enter;
+    surface(enter, normal.normalize_or(-ray.direction), FeatureKind::Surface)
+}
+
+/// Where a line is within a distance of an axis through `base`; all of it or nothing when it is parallel.
+fn within_tube(base: DVec3, axis: DVec3, radius: f64, ray: &Line) -> Option<(f64, f64)> {
+    let (from, along) = (across(ray.origin - base, axis), across(ray.direction, axis));
+    let square = along.length_squared();
+    if square == 0.0 {
+        return (from.length() <= radius).then_some((f64::NEG_INFINITY, f64::INFINITY));
+    }
+    let middle = -from.dot(along) / square;
+    // The least distance from the axis, by the area of the parallelogram: no cancellation for rays from far away.
+    let beside = from.cross(along).length() / square.sqrt();
+    let half_square = (radius - beside) * (radius + beside) / square;
+    (half_square >= 0.0).then(|| (middle - half_square.sqrt(), middle + half_square.sqrt()))
+}
+
+fn capsule(ends: [DVec3; 2], radius: f64, ray: &Line) -> Hit {
+    let core = Core::Segment(ends);
+    if signed_distance(&core, ray.origin).distance <= radius {
+        return Some((0.0, Met::Inside));
+    }
+    let length = ends[0].distance(ends[1]);
+    let axis = (ends[1] - ends[0]) / length;
+    let mut first = f64::INFINITY;
+    for end in ends {
+        if let Some((enter, _)) = within_ball(end, radius, ray).filter(|(enter, _)| *enter >= 0.0) {
+            first = first.min(enter);
+        }
+    }
+    if let Some((enter, _)) = within_tube(ends[0], axis, radius, ray).filter(|(enter, _)| *enter >= 0.0) {
+        let along = (ray.origin - ends[0]).dot(axis) + enter * ray.direction.dot(axis);
+        if (0.0..=length).contains(&along) {
+            first = first.min(enter);
+        }
+    }
+    if first == f64::INFINITY {
+        return None;
+    }
+    surface(first, signed_distance(&core, ray.origin + ray.direction * first).normal, FeatureKind::Surface)
+}
+
+fn through_polyhedron(polyhedron: &ConvexPolyhedron, ray: &Line) -> Hit {
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut entered = None;
+    let mut inside = true;
+    for (index, face) in polyhedron.faces.iter().enumerate() {
+        let height = face.normal.dot(ray.origin) - face.offset;
+        let rate = face.normal.dot(ray.direction);
+        inside &= height <= 0.0;
+        if rate == 0.0 {
+            if height > 0.0 {
+                return None;
+            }
+        } else if rate < 0.0 {
+            let t = -height / rate;
+            if t > enter {
+                enter = t;
+                entered = Some(index);
+            }
+        } else {
+            leave = leave.min(-height / rate);
+        }
+    }
+    if inside {
+        return Some((0.0, Met::Inside));
+    }
+    let index = entered.filter(|_| enter <= leave && enter >= 0.0)?;
+    surface(enter, polyhedron.faces[index].normal, FeatureKind::Face(index as u32))
+}
+
+/// Where a line is between two planes across an axis.
+fn within_slab(from: f64, rate: f64, low: f64, high: f64) -> Option<(f64, f64)> {
+    if rate == 0.0 {
+        return (low..=high).contains(&from).then_some((f64::NEG_INFINITY, f64::INFINITY));
+    }
+    let (s, t) = ((low - from) / rate, (high - from) / rate);
+    Some((s.min(t), s.max(t)))
+}
+
+fn through_cylinder(cylinder: &Cylinder, ray: &Line) -> Hit {
+    if signed_distance(&Core::Cylinder(cylinder), ray.origin).distance <= 0.0 {
+        return Some((0.0, Met::Inside));
+    }
+    let rate = ray.direction.dot(cylinder.axis);
+    let height = (ray.origin - cylinder.center).dot(cylinder.axis);
+    let caps = within_slab(height, rate, -cylinder.half_height, cylinder.half_height)?;
+    let side = within_tube(cylinder.center, cylinder.axis, cylinder.radius, ray)?;
+    let (enter, leave) = (caps.0.max(side.0), caps.1.min(side.1));
+    if enter > leave || enter < 0.0 {
+        return None;
+    }
+    if caps.0 >= side.0 {
+        let up = if rate < 0.0 { cylinder.axis } else { -cylinder.axis };
+        return surface(enter, up, FeatureKind::Face(u32::from(rate < 0.0)));
+    }
+    let radial = across((ray.origin - cylinder.center) + ray.direction * enter, cylinder.axis);
+    surface(enter, radial.normalize_or(-ray.direction), FeatureKind::Surface)
+}
+
+/// The side is the zero of `f = (radius of the cone at the height)^2 - (distance from the axis)^2`, a quadratic.
+fn through_cone(cone: &Cone, ray: &Line) -> Hit {
+    let core = Core::Cone(cone);
+    if signed_distance(&core, ray.origin).distance <= 0.0 {
+        return Some((0.0, Met::Inside));
+    }
+    // From the place nearest to the apex, where the coefficients do not cancel.
+    let shift = (cone.apex() - ray.origin).dot(ray.direction);
+    let from = (ray.origin - cone.apex()) + ray.direction * shift;
+    let (height, rate) = (from.dot(cone.axis), ray.direction.dot(cone.axis));
+    let (out, along) = (across(from, cone.axis), across(ray.direction, cone.axis));
+    let slope = cone.radius / cone.height;
+    let square = slope * slope;
+    let a = along.length_squared() - square * rate * rate;
+    let b = out.dot(along) - square * height * rate;
+    let c = out.length_squared() - square * height * height;
+    let mut best: Hit = None;
+    let mut offer = |hit: Hit| {
+        if let Some((t, _)) = hit
+            && t >= 0.0
+            && best.is_none_or(|(first, _)| t < first)
+        {
+            best = hit;
+        }
+    };
+    if rate != 0.0 {
+        let t = (-cone.height - height) / rate;
+        if (out + along * t).length() <= cone.radius {
+            offer(surface(t + shift, -cone.axis, FeatureKind::Face(0)));
+        }
+    }
+    for t in quadratic_roots(a, b, c).into_iter().flatten() {
+        let above_apex = height + rate * t;
+        if (-cone.height..=0.0).contains(&above_apex) {
+            let radial = (out + along * t).normalize_or(along.normalize_or(-ray.direction));
+            let normal = (radial * cone.height + cone.axis * cone.radius).normalize_or(-ray.direction);
+            offer(surface(t + shift, normal, FeatureKind::Surface));
+        }
+    }
+    best
+}
+
+/// Roots of `a t^2 + 2 b t + c`.
+fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
+    let square = b * b - a * c;
+    if square < 0.0 {
+        return [None, None];
+    }
+    let sum = if b < 0.0 { -b + square.sqrt() } else { -b - square.sqrt() };
+    let finite = |t: f64| t.is_finite().then_some(t);
+    [finite(sum / a), finite(c / sum)]
+}
+
+/// Signs of the volumes that the ray spans with the edges; a corner or an edge that the ray meets exactly belongs to both
+/// of its triangles.
+fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
+    let [a, b, c] = corners.map(|corner| corner - ray.origin);
+    let d = ray.direction;
+    let parts = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
+    let total: f64 = parts.iter().sum();
+    if !(parts.iter().all(|&v| v >= 0.0) || parts.iter().all(|&v| v <= 0.0)) || total == 0.0 {
+        return None;
+    }
+    let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    let rate = normal.dot(d);
+    // From the plane, which is the same for every ray; for a needle from the corners.
+    let by_plane = normal.dot(a) / rate;
+    let t = if by_plane.is_finite() {
+        by_plane
+    } else {
+        (a.dot(d) * parts[0] + b.dot(d) * parts[1] + c.dot(d) * parts[2]) / total
+    };
+    if !(t >= 0.0 && t.is_finite()) {
+        return None;
+    }
+    let out = if rate < 0.0 { normal } else { -normal };
+    surface(t, out.normalize_or(-d), FeatureKind::Face(0))
+}
+
+/// `F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2`, with lengths in units of `R + r` and `t` from the middle of the ray.
+fn through_torus(ring: &Torus, ray: &Line) -> Hit {
+    let outside = |p: DVec3| signed_distance(&Core::Circle(ring), p).distance - ring.minor;
+    if outside(ray.origin) <= 0.0 {
+        return Some((0.0, Met::Inside));
+    }
+    let reach = ring.major + ring.minor;
+    let (enter, leave) = within_ball(ring.center, reach, ray)?;
+    if leave < 0.0 {
+        return None;
+    }
+    let shift = (ring.center - ray.origin).dot(ray.direction);
+    let p = ((ray.origin - ring.center) + ray.direction * shift) / reach;
+    let (major, minor) = (ring.major / reach, ring.minor / reach);
+    let (height, rate) = (p.dot(ring.axis), ray.direction.dot(ring.axis));
+    let b = p.dot(ray.direction);
+    let k = p.length_squared() + (major - minor) * (major + minor);
+    let fourfold = 4.0 * major * major;
+    let coefficients = [
+        k * k - fourfold * (p.length_squared() - height * height),
+        4.0 * b * k - 2.0 * fourfold * (b - height * rate),
+        2.0 * k + 4.0 * b * b - fourfold * (1.0 - rate * rate),
+        4.0 * b,
+        1.0,
+    ];
+    let (low, high) = ((enter.max(0.0) - shift) / reach, (leave - shift) / reach);
+    let pieces = monotone_pieces(coefficients, low, high);
+    // The tube itself is measured: the polynomial only says where to look.
+    let at = |t: f64| outside(ray.origin + ray.direction * (shift + t * reach));
+    for ends in pieces.windows(2) {
+        if at(ends[0]) <= 0.0 || at(ends[1]) <= 0.0 {
+            let t = if at(ends[0]) <= 0.0 { ends[0] } else { bisect(ends[0], ends[1], &at)? };
+            let distance = shift + t * reach;
+            let place = signed_distance(&Core::Circle(ring), ray.origin + ray.direction * distance);
+            return surface(distance.max(0.0), place.normal, FeatureKind::Surface);
+        }
+    }
+    None
+}

@@ -1,0 +1,160 @@
+//! A tree of axis-aligned boxes that never changes: which boxes meet a given one, and which come nearest first.
+//!
+//! Boxes are halved by number at the median of their centres along the longest side, ties by index, so that any input,
+//! also coincident boxes, gives a balanced tree and the same one on every machine.
+
+use glam::DVec3;
+
+/// Boxes in a leaf.
+const LEAF: usize = 4;
+
+/// Lower and upper bounds, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) min: DVec3,
+    pub(crate) max: DVec3,
+}
+
+impl Bounds {
+    /// Contains nothing.
+    pub(crate) const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    /// All of space.
+    pub(crate) const ALL: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
+
+    pub(crate) fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
+    }
+
+    pub(crate) fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    pub(crate) fn inflated(self, by: f64) -> Self {
+        Self { min: self.min - by, max: self.max + by }
+    }
+
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Distance of two boxes, m; zero when they share a point.
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
+        (other.min - self.max).max(self.min - other.max).max(DVec3::ZERO).length()
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Node {
+    bounds: Bounds,
+    /// First of its items for a leaf, the second child otherwise (the first child follows the node).
+    link: u32,
+    /// Number of items, zero for an inner node.
+    count: u32,
+}
+
+/// The tree.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct BoxTree {
+    nodes: Vec<Node>,
+    items: Vec<u32>,
+}
+
+impl BoxTree {
+    pub(crate) fn new(boxes: &[Bounds]) -> Self {
+        let mut tree = Self { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
+        let mut items = std::mem::take(&mut tree.items);
+        tree.grow(boxes, &mut items, 0);
+        tree.items = items;
+        tree
+    }
+
+    fn grow(&mut self, boxes: &[Bounds], items: &mut [u32], first: u32) {
+        let bounds = items.iter().fold(Bounds::EMPTY, |b, &i| b.union(boxes[i as usize]));
+        let index = self.nodes.len();
+        self.nodes.push(Node { bounds, link: first, count: items.len() as u32 });
+        if items.len() <= LEAF {
+            items.sort_unstable();
+            return;
+        }
+        let extent = bounds.max - bounds.min;
+        let axis = if extent.x >= extent.y.max(extent.z) { 0 } else { 1 + usize::from(extent.z > extent.y) };
+        let center = |i: u32| boxes[i as usize].min[axis] + boxes[i as usize].max[axis];
+        let half = items.len() / 2;
+        items.select_nth_unstable_by(half, |&i, &j| center(i).total_cmp(&center(j)).then(i.cmp(&j)));
+        let (left, right) = items.split_at_mut(half);
+        self.grow(boxes, left, first);
+        let second = self.nodes.len() as u32;
+        self.grow(boxes, right, first + half as u32);
+        self.nodes[index] = Node { bounds, link: second, count: 0 };
+    }
+
+    /// The box around all; empty when there are none.
+    pub(crate) fn bounds(&self) -> Bounds {
+        self.nodes.first().map_or(Bounds::EMPTY, |node| node.bounds)
+    }
+
+    /// Calls `visit` with the items of every leaf that meets a box, in no stated order; some of them may not.
+    pub(crate) fn overlaps(&self, with: &Bounds, visit: &mut impl FnMut(u32)) {
+        // The depth is that of halving, at most 32.
+        self.descend(0, with, visit);
+    }
+
+    fn descend(&self, at: usize, with: &Bounds, visit: &mut impl FnMut(u32)) {
+        let Some(node) = self.nodes.get(at) else { return };
+        if !node.bounds.overlaps(with) {
+            return;
+        }
+        if node.count > 0 {
+            self.items[node.link as usize..(node.link + node.count) as usize].iter().for_each(|&item| visit(item));
+            return;
+        }
+        self.descend(at + 1, with, visit);
+        self.descend(node.link as usize, with, visit);
+    }
+
+    /// The least value of `measure` over the items, nearest boxes first. `bound` is a lower bound of the values in a box;
+    /// boxes with a bound above the least value found and above `floor` are left out.
+    pub(crate) fn least(
+        &self,
+        start: f64,
+        floor: f64,
+        bound: &impl Fn(&Bounds) -> f64,
+        measure: &mut impl FnMut(u32, f64) -> f64,
+    ) -> f64 {
+        match self.nodes.first() {
+            Some(root) => self.least_in(0, bound(&root.bounds), start, floor, bound, measure),
+            None => start,
+        }
+    }
+
+    fn least_in(
+        &self,
+        at: usize,
+        near: f64,
+        mut best: f64,
+        floor: f64,
+        bound: &impl Fn(&Bounds) -> f64,
+        measure: &mut impl FnMut(u32, f64) -> f64,
+    ) -> f64 {
+        let Some(node) = self.nodes.get(at) else { return best };
+        if near > best.max(floor) {
+            return best;
+        }
+        if node.count > 0 {
+            for &item in &self.items[node.link as usize..(node.link + node.count) as usize] {
+                best = best.min(measure(item, best));
+            }
+            return best;
+        }
+        let (first, second) = (at + 1, node.link as usize);
+        let of = |at: usize| self.nodes.get(at).map_or(f64::INFINITY, |node| bound(&node.bounds));
+        let (near_first, near_second) = (of(first), of(second));
+        let order = [(first, near_first), (second, near_second)];
+        let order = if near_second < near_first { [order[1], order[0]] } else { order };
+        for (child, near) in order {
+            best = self.least_in(child, near, best, floor, bound, measure);
+        }
+        best
+    }
+}

@@ -1,0 +1,203 @@
+//! What smooth shapes are made of: points and circles about an axis, blown up by a ball.
+//!
+//! A sphere is a point, a capsule the hull of two points, both blown up; a cylinder is the hull of two circles, a cone that
+//! of a point and a circle. Along a unit vector `n` the support of a circle (centre `c`, axis `a`, radius `R`) is
+//! `n.c + R |a x n|`, so that heights above planes and separations along axes are closed forms. A torus is a circle
+//! blown up; along planes its hull counts.
+//!
+//! Contacts need features with names. Of a capsule: caps 0 and 1 at its ends, side 0 between. Of a cylinder: faces and
+//! rims 0 (towards `-axis`) and 1, side 0. Of a cone: face and rim 0, side 0, and its apex as vertex 0. Of a torus: rim 0,
+//! the middle line of its tube.
+//!
+//! **Stated points.** A disc that lies on a plane touches it everywhere. [`RIM_POINTS`] points of each rim, which are
+//! fixed in the body, stand for it: eight equal forces there give the same resultant as a uniform pressure, and any
+//! pressure's resultant that eight corners of the disc can carry. They are vertices: of a cylinder 0 to 7 on rim 0 and 8 to
+//! 15 on rim 1, of a cone 1 to 8; of a torus 0 to 7 on its middle line (centres of balls
+//! that just fill the tube).
+
+use crate::Shape;
+use glam::DVec3;
+use polhode_spatial::Pose;
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Points of a rim that stand for its disc.
+pub const RIM_POINTS: u32 = 8;
+
+/// Cosine and sine of the places of the stated points.
+const PLACES: [(f64, f64); RIM_POINTS as usize] = [
+    (1.0, 0.0),
+    (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+    (0.0, 1.0),
+    (-FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+    (-1.0, 0.0),
+    (-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+    (0.0, -1.0),
+    (FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+];
+
+/// A circle about an axis. Of a rim the axis points out of the disc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Circle {
+    pub(crate) center: DVec3,
+    pub(crate) axis: DVec3,
+    pub(crate) radius: f64,
+}
+
+impl Circle {
+    /// The circle of a shape at a pose.
+    pub(crate) fn placed(&self, pose: &Pose) -> Self {
+        Self { center: pose.transform_point(self.center), axis: pose.rotation.rotate(self.axis), ..*self }
+    }
+
+    /// Largest coordinate of its points along a unit vector, m.
+    pub(crate) fn support(&self, n: DVec3) -> f64 {
+        n.dot(self.center) + self.radius * self.axis.cross(n).length()
+    }
+
+    /// A stated point; nothing beyond [`RIM_POINTS`].
+    pub(crate) fn point(&self, index: u32) -> Option<DVec3> {
+        let (cosine, sine) = *PLACES.get(index as usize)?;
+        let first = self.axis.any_orthonormal_vector();
+        Some(self.center + (first * cosine + self.axis.cross(first) * sine) * self.radius)
+    }
+}
+
+/// The circles of a smooth shape, at most two.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Circles {
+    items: [Circle; 2],
+    count: usize,
+}
+
+impl std::ops::Deref for Circles {
+    type Target = [Circle];
+    fn deref(&self) -> &[Circle] {
+        &self.items[..self.count]
+    }
+}
+
+/// The circles of a shape in its body's frame: rims, or the middle line of a ring.
+pub(crate) fn circles(shape: &Shape) -> Circles {
+    match shape {
+        Shape::Cylinder(c) => {
+            let rim = |axis: DVec3| Circle { center: c.center + axis * c.half_height, axis, radius: c.radius };
+            Circles { items: [rim(-c.axis), rim(c.axis)], count: 2 }
+        }
+        Shape::Cone(c) => {
+            let rim = Circle { center: c.base, axis: -c.axis, radius: c.radius };
+            Circles { items: [rim, rim], count: 1 }
+        }
+        Shape::Torus(t) => {
+            let ring = Circle { center: t.center, axis: t.axis, radius: t.major };
+            Circles { items: [ring, ring], count: 1 }
+        }
+        _ => {
+            let none = Circle { center: DVec3::ZERO, axis: DVec3::Z, radius: 0.0 };
+            Circles { items: [none, none], count: 0 }
+        }
+    }
+}
+
+/// A place of the shape that is fixed in its body and can be a vertex or a centre of a contact, and the radius of the
+/// ball about it, m: a vertex of a polyhedron, a point of a cloud, the centre of a sphere, an end of a capsule's axis, a
+/// cone's apex, a stated point.
+pub(crate) fn fixed_point(shape: &Shape, index: u32) -> Option<(DVec3, f64)> {
+    match shape {
+        Shape::Cylinder(_) => {
+            let rims = circles(shape);
+            Some((rims.get((index / RIM_POINTS) as usize)?.point(index % RIM_POINTS)?, 0.0))
+        }
+        Shape::Cone(c) if index == 0 => Some((c.apex(), 0.0)),
+        Shape::Cone(_) => Some((circles(shape).first()?.point(index - 1)?, 0.0)),
+        Shape::Torus(t) => Some((circles(shape).first()?.point(index)?, t.minor)),
+        _ => {
+            let (centers, radius) = shape.centers();
+            Some((*centers.get(index as usize)?, radius))
+        }
+    }
+}
+
+/// Points whose hull with the circles, blown up by the radius (m), is the shape's hull.
+pub(crate) fn hull_points(shape: &Shape) -> (HullPoints<'_>, f64) {
+    match shape {
+        Shape::Cone(c) => (HullPoints::Apex(c.apex()), 0.0),
+        Shape::Torus(t) => (HullPoints::Listed(&[]), t.minor),
+        _ => {
+            let (centers, radius) = shape.centers();
+            (HullPoints::Listed(centers), radius)
+        }
+    }
+}
+
+/// A shape as the hull of points and circles, blown up by a ball (m).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hull<'a> {
+    pub(crate) points: HullPoints<'a>,
+    pub(crate) circles: Circles,
+    pub(crate) ball: f64,
+}
+
+impl<'a> Hull<'a> {
+    pub(crate) fn of(shape: &'a Shape) -> Self {
+        let (points, ball) = hull_points(shape);
+        Self { points, circles: circles(shape), ball }
+    }
+
+    /// One point of a cloud.
+    pub(crate) fn of_point(self, index: u32) -> Self {
+        match self.points {
+            HullPoints::Listed(points) => {
+                let index = index as usize;
+                Self { points: HullPoints::Listed(points.get(index..=index).unwrap_or(&[])), ..self }
+            }
+            HullPoints::Apex(_) => self,
+        }
+    }
+}
+
+/// Points that a shape lists, or the apex that a cone computes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum HullPoints<'a> {
+    Listed(&'a [DVec3]),
+    Apex(DVec3),
+}
+
+impl std::ops::Deref for HullPoints<'_> {
+    type Target = [DVec3];
+    fn deref(&self) -> &[DVec3] {
+        match self {
+            Self::Listed(points) => points,
+            Self::Apex(apex) => std::slice::from_ref(apex),
+        }
+    }
+}
+
+/// Largest coordinate of a shape's hull along a unit vector of its frame, m; minus infinity where it has no points.
+pub(crate) fn support(shape: &Shape, n: DVec3) -> f64 {
+    let (points, ball) = hull_points(shape);
+    let points = points.iter().map(|p| n.dot(*p)).fold(f64::NEG_INFINITY, f64::max);
+    circles(shape).iter().map(|circle| circle.support(n)).fold(points, f64::max) + ball
+}
+
+/// A point of a shape's hull that reaches as far along a direction of its frame; the origin where there is none.
+pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
+    let (points, ball) = hull_points(shape);
+    let mut best = (f64::NEG_INFINITY, DVec3::ZERO);
+    let mut offer = |point: DVec3| {
+        let height = n.dot(point);
+        if height > best.0 {
+            best = (height, point);
+        }
+    };
+    points.iter().copied().for_each(&mut offer);
+    for circle in circles(shape).iter() {
+        let radial = n - circle.axis * circle.axis.dot(n);
+        offer(circle.center + radial.try_normalize().unwrap_or(DVec3::ZERO) * circle.radius);
+    }
+    best.1 + n.try_normalize().unwrap_or(DVec3::ZERO) * ball
+}
+
+/// Whether the shape is one of the smooth convex ones whose contacts are found element by element.
+pub(crate) const fn is_round(shape: &Shape) -> bool {
+    matches!(shape, Shape::Capsule(_) | Shape::Cylinder(_) | Shape::Cone(_))
+}

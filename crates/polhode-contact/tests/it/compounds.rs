@@ -1,0 +1,274 @@
+//! Compounds: parts that fill a body are that body. Two boxes side by side must answer as the one box they make up, with
+//! the same contacts and none at the seam, because a body that slides over the seam must see one plane surface.
+
+use crate::support::{Flight, Random, at, cuboid, prism};
+use polhode_contact::{
+    Contact, ContactFeature, ImpactSearch, Shape, ShapeError, Side, evaluate, find_impact, kinematics, manifold,
+    mirror_defect, separation, swept_aabb, time_of_impact,
+};
+use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
+use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector, Velocity};
+
+/// Rounding of a place or a separation of bodies of size one, m: some operations on coordinates near one.
+const ROUNDING: f64 = 1e-13;
+
+/// A box of these sizes about the origin, cut at `x`, `y` into four.
+fn quartered(size: DVec3, x: f64, y: f64) -> Shape {
+    let mut parts = Vec::new();
+    for (low_x, high_x) in [(-0.5 * size.x, x), (x, 0.5 * size.x)] {
+        for (low_y, high_y) in [(-0.5 * size.y, y), (y, 0.5 * size.y)] {
+            let part = cuboid(high_x - low_x, high_y - low_y, size.z);
+            let middle = DVec3::new(0.5 * (low_x + high_x), 0.5 * (low_y + high_y), 0.0);
+            parts.push(part.translated(middle).expect("a finite place"));
+        }
+    }
+    Shape::compound(parts).expect("four parts")
+}
+
+/// Asserts that two sets of contacts have the same places, normals and separations.
+pub(crate) fn assert_same(found: &[Contact], expected: &[Contact], tolerance: f64, what: &str) {
+    let same = |a: &Contact, b: &Contact| {
+        let (a, b) = (a.geometry, b.geometry);
+        a.point.distance(b.point) <= tolerance
+            && a.normal.distance(b.normal) <= 1e-9
+            && (a.separation - b.separation).abs() <= tolerance
+    };
+    let missing: Vec<_> = expected.iter().filter(|e| !found.iter().any(|f| same(f, e))).collect();
+    let extra: Vec<_> = found.iter().filter(|f| !expected.iter().any(|e| same(f, e))).collect();
+    assert!(
+        missing.is_empty() && extra.is_empty() && found.len() == expected.len(),
+        "{what}: missing {missing:#?}, extra {extra:#?}, found {} of {}",
+        found.len(),
+        expected.len()
+    );
+}
+
+/// Moves a pose at which two shapes overlap along a direction until they only touch.
+pub(crate) fn touching(shape: &Shape, mut pose: Pose, other: &Shape, other_pose: &Pose, away: DVec3) -> Pose {
+    let at = |d: f64, pose: &Pose| Pose { translation: pose.translation + away * d, ..*pose };
+    let (mut near, mut far) = (0.0, 20.0);
+    for _ in 0..200 {
+        let middle = 0.5 * (near + far);
+        if separation(shape, &at(middle, &pose), other, other_pose) > 0.0 { far = middle } else { near = middle }
+    }
+    pose.translation += away * far;
+    pose
+}
+
+#[test]
+fn four_quarters_resting_on_a_plane_or_a_box_have_the_contacts_of_the_whole() {
+    let mut random = Random(17);
+    let size = DVec3::new(2.0, 1.0, 0.5);
+    let whole = cuboid(size.x, size.y, size.z);
+    let table = cuboid(1.3, 3.0, 0.4);
+    let floor = Shape::half_space(UnitVector::Z);
+    for case in 0..200 {
+        let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
+        let turn = crate::support::yaw(if case % 4 == 0 { 0.0 } else { random.between(-3.0, 3.0) });
+        let shift = DVec3::new(random.between(-0.9, 0.9), random.between(-0.9, 0.9), 0.0);
+        let far = if case % 3 == 0 { DVec3::new(1e6, -1e6, 0.0) } else { DVec3::ZERO };
+        let gap = [0.0, 1e-13, -1e-13][case % 3];
+        for (name, other, height) in [("floor", &floor, 0.25), ("table", &table, 0.45)] {
+            let pose = Pose::new(turn, DVec3::new(0.0, 0.0, height + gap) + shift + far);
+            let below = Pose::from_translation(far);
+            let expected = manifold(&whole, &pose, other, &below, 1e-9);
+            let found = manifold(&parts, &pose, other, &below, 1e-9);
+            // Far away a place is known to the rounding of its coordinates.
+            let tolerance = if case % 3 == 0 { 1e-9 } else { 1e-12 };
+            assert_same(&found.contacts, &expected.contacts, tolerance, &format!("case {case} on the {name}"));
+            assert!((found.separation - expected.separation).abs() <= ROUNDING);
+        }
+    }
+}
+
+#[test]
+fn quarters_meet_tilted_bodies_as_the_whole_does_and_swapped_bodies_mirror() {
+    let mut random = Random(23);
+    let size = DVec3::new(2.0, 1.0, 0.5);
+    let whole = cuboid(size.x, size.y, size.z);
+    let others = [cuboid(0.7, 0.9, 1.1), prism(7, 0.5, 0.8), Shape::sphere(0.4).expect("a ball")];
+    for case in 0..300 {
+        let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
+        let other = &others[case % 3];
+        let other_pose = Pose::new(random.rotation(), random.vector());
+        let start = Pose::new(random.rotation(), other_pose.translation + 0.1 * random.vector());
+        let pose = touching(&whole, start, other, &other_pose, random.direction());
+        let expected = manifold(&whole, &pose, other, &other_pose, 1e-10);
+        let found = manifold(&parts, &pose, other, &other_pose, 1e-10);
+        assert!((found.separation - expected.separation).abs() <= ROUNDING, "case {case}: {}", found.separation);
+        assert_same(&found.contacts, &expected.contacts, 1e-9, &format!("case {case}"));
+        let swapped = manifold(other, &other_pose, &parts, &pose, 1e-10);
+        assert_eq!(swapped.contacts.len(), found.contacts.len());
+        for contact in &found.contacts {
+            let twin =
+                swapped.contacts.iter().find(|c| c.feature == contact.feature.swapped()).expect("the same contact");
+            assert!(twin.geometry.normal.distance(-contact.geometry.normal) <= 1e-15);
+        }
+    }
+}
+
+#[test]
+fn quarters_strike_at_the_time_of_the_whole() {
+    let mut random = Random(5);
+    let size = DVec3::new(2.0, 1.0, 0.5);
+    let whole = cuboid(size.x, size.y, size.z);
+    let target = cuboid(3.0, 2.0, 1.0);
+    let settings = ImpactSearch::default();
+    let mut hits = 0;
+    for case in 0..60 {
+        let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
+        let start = Pose::new(random.rotation(), random.direction() * 5.0);
+        let flight = Flight::new(start, -start.translation * 2.0 + random.vector(), random.vector() * 6.0);
+        let still = Still(Pose::new(random.rotation(), random.vector()));
+        let expected = time_of_impact(&whole, &flight, &target, &still, 0.0, 1.0, &settings).expect("an answer");
+        let found = find_impact(&parts, &flight, &target, &still, 0.0, 1.0, &settings).expect("an answer");
+        match (expected, found.time) {
+            (Some(e), Some(f)) => assert!((e - f).abs() <= 1e-13, "case {case}: {e} and {f}"),
+            (e, f) => assert_eq!(e, f, "case {case}"),
+        }
+        hits += usize::from(found.time.is_some());
+        let swapped = time_of_impact(&target, &still, &parts, &flight, 0.0, 1.0, &settings).expect("an answer");
+        assert!((swapped.unwrap_or(2.0) - found.time.unwrap_or(2.0)).abs() <= 1e-13);
+    }
+    assert!(hits > 30, "only {hits} of 60 shots hit");
+}
+
+/// A body that rests on one part and slides over the seam has no impact there; a step on the way is one.
+#[test]
+fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
+    let settings = ImpactSearch::default();
+    let brick = cuboid(0.4, 0.4, 0.2);
+    let ground = quartered(DVec3::new(6.0, 2.0, 1.0), 0.1, 0.05);
+    let ground_pose = Still(at(0.0, 0.0, -0.5));
+    let slide = Flight::new(at(-1.0, 0.0, 0.1), DVec3::X * 2.0, DVec3::ZERO);
+    let found = time_of_impact(&brick, &slide, &ground, &ground_pose, 0.0, 1.0, &settings).expect("an answer");
+    assert_eq!(found, None);
+    let Shape::Compound(compound) = &ground else { panic!("a compound") };
+    let mut parts = compound.parts().to_vec();
+    // A step of 5 cm whose face stands at x = 0.5: the brick's front reaches it after 1.3 m.
+    parts.push(cuboid(0.2, 2.0, 0.05).translated(DVec3::new(0.6, 0.0, 0.525)).expect("a place"));
+    let stepped = Shape::compound(parts).expect("five parts");
+    let hit = time_of_impact(&brick, &slide, &stepped, &ground_pose, 0.0, 1.0, &settings).expect("an answer");
+    assert!((hit.expect("a hit") - 0.65).abs() < 1e-12, "{hit:?}");
+}
+
+/// An L of two exact parts: a brick in its inner corner touches the floor with its four corners and the wall with the
+/// part of its side that faces it.
+#[test]
+fn a_brick_in_the_corner_of_an_l_touches_floor_and_wall() {
+    let outline = [(0.0, 0.0), (3.0, 0.0), (3.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)];
+    let solid = extruded(&outline, 2.0);
+    let pieces = convex_decomposition(&solid, DecompositionSettings::default()).expect("parts");
+    let parts = pieces
+        .parts
+        .iter()
+        .map(|part| Shape::convex(polhode_contact::ConvexPolyhedron::from_mesh(part.solid()).expect("a convex part")));
+    let l = Shape::compound(parts.collect()).expect("parts");
+    let brick = cuboid(0.5, 0.5, 0.8);
+    // Between x = 1 and 1.5, on y = 1, the middle of the depth.
+    let found = manifold(&brick, &at(1.25, 1.25, 1.0), &l, &Pose::IDENTITY, 1e-9);
+    let count = |n: DVec3| found.contacts.iter().filter(|c| c.geometry.normal.distance(n) < 1e-12).count();
+    assert_eq!((count(DVec3::X), count(DVec3::Y), found.contacts.len()), (4, 4, 8), "{:#?}", found.contacts);
+    // Away from the wall only the floor.
+    let found = manifold(&brick, &at(2.0, 1.25, 1.0), &l, &Pose::IDENTITY, 1e-9);
+    assert_eq!(found.contacts.len(), 4, "{:#?}", found.contacts);
+    assert!(found.contacts.iter().all(|c| c.geometry.normal == DVec3::Y));
+}
+
+/// A solid with this outline (anticlockwise) in x and y, and this depth along z from 0.
+fn extruded(outline: &[(f64, f64)], depth: f64) -> SolidMesh {
+    let n = outline.len() as u32;
+    let vertices: Vec<DVec3> =
+        [0.0, depth].iter().flat_map(|&z| outline.iter().map(move |&(x, y)| DVec3::new(x, y, z))).collect();
+    // The outline's caps, as two rectangles of triangles: 0 1 2 3 and 0 3 4 5.
+    let cap = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+    let mut triangles: Vec<[u32; 3]> = cap.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + n, b + n, c + n]]).collect();
+    for i in 0..n {
+        let j = (i + 1) % n;
+        triangles.extend([[i, j, j + n], [i, j + n, i + n]]);
+    }
+    let mesh = polhode_mesh::TriangleMesh::new(vertices, triangles).expect("a mesh");
+    SolidMesh::new(mesh).expect("a closed mesh")
+}
+
+/// Every contact's derivatives against differences of its separation along the motion.
+#[test]
+fn kinematics_of_contacts_of_parts_are_the_derivatives_of_their_separation() {
+    let mut random = Random(7);
+    let dumbbell = Shape::compound(vec![
+        Shape::sphere(0.3).and_then(|s| s.translated(DVec3::X)).expect("a ball"),
+        cuboid(1.4, 0.2, 0.2),
+        Shape::sphere(0.4).and_then(|s| s.translated(-DVec3::X)).expect("a ball"),
+    ])
+    .expect("three parts");
+    let ball = Shape::sphere(0.5).expect("a ball");
+    let mut kinds = std::collections::BTreeSet::new();
+    for other in [&dumbbell, &ball, &cuboid(1.0, 1.0, 1.0)] {
+        for _ in 0..40 {
+            let flights = [(); 2].map(|()| {
+                let start = Pose::new(random.rotation(), random.vector() * 0.8);
+                Flight::new(start, random.vector(), random.vector())
+            });
+            let poses = flights.map(|f| f.pose(0.0));
+            for contact in manifold(&dumbbell, &poses[0], other, &poses[1], 0.5).contacts {
+                kinds.insert(
+                    std::mem::discriminant(&contact.feature)
+                        == std::mem::discriminant(&ContactFeature::Spheres { center_a: 0, center_b: 0 }),
+                );
+                let at = |t: f64| {
+                    evaluate(contact.feature, &dumbbell, &flights[0].pose(t), other, &flights[1].pose(t))
+                        .expect("the contact")
+                        .separation
+                };
+                let v: [Velocity; 2] = flights.map(|f| f.velocity(0.0));
+                let exact = kinematics(contact.feature, &dumbbell, &poses[0], &v[0], other, &poses[1], &v[1])
+                    .expect("the contact");
+                let h = 1e-5;
+                let rate = (at(h) - at(-h)) / (2.0 * h);
+                assert!((rate - exact.separation_rate).abs() < 1e-6 * (1.0 + rate.abs()), "{contact:?}");
+            }
+        }
+    }
+    assert_eq!(kinds.len(), 2, "contacts of two spheres and others were both met");
+}
+
+#[test]
+fn sizes_boxes_and_mirror_images() {
+    let size = DVec3::new(2.0, 1.0, 0.5);
+    let parts = quartered(size, 0.3, 0.1);
+    assert!((parts.size() - size.length()).abs() < 1e-15);
+    assert!((parts.radius() - 0.5 * size.length()).abs() < 1e-15);
+    let flight = Flight::new(Pose::IDENTITY, DVec3::X, DVec3::Z);
+    let swept = swept_aabb(&parts, &flight, 0.0, 0.1).expect("a box");
+    assert!(swept.min().x <= -1.0 && swept.max().x >= 1.1);
+    assert!(mirror_defect(&parts, UnitVector::Z, 0.0) < 1e-15);
+    assert!(mirror_defect(&parts, UnitVector::X, 0.0) > 0.1);
+}
+
+/// Boxes on boxes of any attitude: edges that lie in the other body's plane give no axis by rounding.
+#[test]
+fn boxes_on_sloped_boxes_touch_with_the_slope_s_normal() {
+    let mut random = Random(107);
+    for case in 0..2000 {
+        let turn = random.rotation();
+        let (lower, upper) =
+            (cuboid(2.0, 2.0, 1.0).placed(&Pose::new(turn, DVec3::ZERO)).expect("a box"), cuboid(0.7, 0.5, 0.4));
+        let place = turn.rotate(DVec3::new(random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0.7));
+        let pose = Pose::new(turn * crate::support::yaw(random.between(-3.0, 3.0)), place);
+        let found = manifold(&upper, &pose, &lower, &Pose::IDENTITY, 1e-9);
+        assert!(found.separation.abs() < 1e-14, "case {case}: {}", found.separation);
+        assert_eq!(found.contacts.len(), 4, "case {case}: {found:#?}");
+    }
+}
+
+#[test]
+fn what_makes_no_compound_is_refused() {
+    assert!(matches!(Shape::compound(Vec::new()), Err(ShapeError::NoPart { .. })));
+    let floor = Shape::half_space(UnitVector::Z);
+    assert!(matches!(Shape::compound(vec![floor]), Err(ShapeError::NotAPart { .. })));
+    let parts = quartered(DVec3::ONE, 0.1, 0.1);
+    let lost = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 32, face: 0 };
+    assert_eq!(evaluate(lost, &parts, &Pose::IDENTITY, &cuboid(1.0, 1.0, 1.0), &at(0.0, 0.0, 1.0)), None);
+    let nan = Pose::from_translation(DVec3::NAN);
+    assert!(separation(&parts, &nan, &parts, &Pose::IDENTITY).is_nan());
+}

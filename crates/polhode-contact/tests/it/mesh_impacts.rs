@@ -1,0 +1,116 @@
+//! Impacts on triangle meshes: a grid is struck when the plane is, sliding over it is no impact, walls are struck by
+//! bodies that rest on the floor, and a fast body over many triangles meets few of them.
+
+use crate::meshes::grid;
+use crate::support::{Flight, Random, cuboid, prism};
+use polhode_contact::{ImpactSearch, Shape, evaluate, find_impact, kinematics, manifold, time_of_impact};
+use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector};
+
+#[test]
+fn impacts_on_a_flat_grid_are_those_on_the_half_space() {
+    let mut random = Random(71);
+    let settings = ImpactSearch::default();
+    let floor = Shape::half_space(UnitVector::Z);
+    let bodies = [cuboid(0.5, 0.4, 0.3), prism(9, 0.3, 0.5), Shape::sphere(0.3).expect("a ball")];
+    let mut hits = 0;
+    for case in 0..90 {
+        let mesh = grid(20, 40.0, 0.3, &mut random, |_, _| 0.0);
+        let body = &bodies[case % 3];
+        let start = Pose::new(random.rotation(), DVec3::new(0.0, 0.0, 1.0));
+        let mut flight = Flight::new(start, random.vector() * 3.0, random.vector() * 10.0);
+        flight.acceleration = DVec3::Z * -9.81;
+        flight.precession = random.vector();
+        let ground = Still(Pose::IDENTITY);
+        let expected = time_of_impact(body, &flight, &floor, &ground, 0.0, 1.5, &settings).expect("an answer");
+        let found = find_impact(body, &flight, &mesh, &ground, 0.0, 1.5, &settings).expect("an answer");
+        let (e, f) = (expected.expect("a hit"), found.time.expect("a hit"));
+        assert!((e - f).abs() <= 1e-12, "case {case}: {e} and {f}");
+        hits += 1;
+    }
+    assert_eq!(hits, 90);
+}
+
+#[test]
+fn sliding_over_a_grid_is_no_impact_and_a_wall_is_struck() {
+    let mut random = Random(73);
+    let settings = ImpactSearch::default();
+    let ground = Still(Pose::IDENTITY);
+    for case in 0..10 {
+        let body = cuboid(0.4, 0.4, 0.2);
+        let slide = Flight::new(Pose::from_translation(DVec3::new(-1.0, 0.03, 0.1)), DVec3::X * 2.0, DVec3::ZERO);
+        let flat = grid(20, 4.0, 0.3, &mut random, |_, _| 0.0);
+        let found = find_impact(&body, &slide, &flat, &ground, 0.0, 0.9, &settings).expect("an answer");
+        assert_eq!(found.time, None, "case {case}");
+        // From x = 0.6 the ground rises at 45 degrees: the body's lower front edge meets it.
+        let ramp = grid(20, 4.0, 0.0, &mut random, |x, _| (x - 0.6).max(0.0));
+        let hit = time_of_impact(&body, &slide, &ramp, &ground, 0.0, 0.9, &settings).expect("an answer");
+        assert!((hit.expect("a hit") - 0.7).abs() < 1e-9, "case {case}: {hit:?}");
+    }
+}
+
+#[test]
+fn thin_sheets_stop_fast_bodies_from_both_sides() {
+    let mut random = Random(79);
+    let settings = ImpactSearch::default();
+    let sheet = grid(6, 3.0, 0.3, &mut random, |_, _| 0.0);
+    for case in 0..60 {
+        let up = if case % 2 == 0 { 1.0 } else { -1.0 };
+        let ball = Shape::sphere(0.01).expect("a ball");
+        let start = Pose::from_translation(DVec3::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), 5.0 * up));
+        let shot = Flight::new(start, DVec3::Z * (-1000.0 * up), random.vector() * 1e4);
+        let hit = time_of_impact(&ball, &shot, &sheet, &Still(Pose::IDENTITY), 0.0, 1.0, &settings).expect("an answer");
+        let expected = (5.0 - 0.01) / 1000.0;
+        assert!((hit.expect("a hit") - expected).abs() < 1e-15, "case {case}: {hit:?}");
+        let splinter = cuboid(0.02, 0.001, 0.3);
+        let hit =
+            time_of_impact(&splinter, &shot, &sheet, &Still(Pose::IDENTITY), 0.0, 1.0, &settings).expect("an answer");
+        assert!(hit.expect("a hit") < 5.0 / 1000.0, "case {case}");
+    }
+}
+
+/// A ground of 100,352 triangles: a long fast flight low over it costs the triangles under its path.
+#[test]
+fn a_flight_over_a_hundred_thousand_triangles_meets_few() {
+    let mut random = Random(83);
+    let settings = ImpactSearch::default();
+    let mesh = grid(224, 224.0, 0.3, &mut random, |x, y| 0.2 * libm::sin(x) * libm::cos(y));
+    let body = cuboid(0.5, 0.4, 0.3);
+    let mut flight =
+        Flight::new(Pose::from_translation(DVec3::new(-80.0, 3.0, 2.0)), DVec3::X * 300.0, DVec3::Y * 20.0);
+    flight.acceleration = DVec3::Z * -9.81;
+    let found = find_impact(&body, &flight, &mesh, &Still(Pose::IDENTITY), 0.0, 1.0, &settings).expect("an answer");
+    let t = found.time.expect("a hit");
+    assert!(found.evaluations < 20_000, "{} evaluations", found.evaluations);
+    let at = flight.pose(t);
+    let touch = manifold(&body, &at, &mesh, &Pose::IDENTITY, 1e-9);
+    assert!(touch.separation.abs() < 1e-12 && !touch.contacts.is_empty(), "{touch:#?}");
+}
+
+#[test]
+fn kinematics_on_a_mesh_are_the_derivatives_of_the_separation() {
+    let mut random = Random(89);
+    let mesh = grid(6, 3.0, 0.3, &mut random, |x, y| 0.3 * libm::sin(3.0 * x) * libm::cos(2.0 * y));
+    let bodies = [cuboid(0.5, 0.4, 0.3), Shape::sphere(0.2).expect("a ball"), prism(5, 0.3, 0.3)];
+    let mut kinds = std::collections::BTreeSet::new();
+    for case in 0..300 {
+        let body = &bodies[case % 3];
+        let start = Pose::new(random.rotation(), DVec3::new(random.unit(), random.unit(), random.between(0.0, 0.7)));
+        let flight = Flight::new(start, random.vector(), random.vector());
+        let ground = Flight::new(Pose::IDENTITY, random.vector(), random.vector());
+        let poses = [flight.pose(0.0), ground.pose(0.0)];
+        for contact in manifold(body, &poses[0], &mesh, &poses[1], 0.2).contacts {
+            kinds.insert(format!("{:?}", contact.feature).chars().filter(|c| !c.is_numeric()).collect::<String>());
+            let at = |t: f64| {
+                evaluate(contact.feature, body, &flight.pose(t), &mesh, &ground.pose(t))
+                    .expect("the contact")
+                    .separation
+            };
+            let (v, w) = (flight.velocity(0.0), ground.velocity(0.0));
+            let exact = kinematics(contact.feature, body, &poses[0], &v, &mesh, &poses[1], &w).expect("the contact");
+            let h = 1e-5;
+            let rate = (at(h) - at(-h)) / (2.0 * h);
+            assert!((rate - exact.separation_rate).abs() < 1e-6 * (1.0 + rate.abs()), "{contact:?}");
+        }
+    }
+    assert!(kinds.len() >= 4, "{kinds:?}");
+}

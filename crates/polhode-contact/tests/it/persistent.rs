@@ -1,0 +1,244 @@
+//! The narrow phase with memory gives what one without gives, bit for bit, however the bodies move; and it tells what became
+//! of contacts.
+
+use crate::support::{Random, at, cuboid, prism, yaw};
+use polhode_contact::{ContactChange, ConvexPolyhedron, Manifold, NarrowPhase, NarrowPhaseError, Shape, manifold};
+use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+
+/// All numbers of the contacts as bits, so that even signs of zeros count.
+fn bits(manifold: &Manifold) -> Vec<(polhode_contact::ContactFeature, [u64; 8])> {
+    let of = |c: &polhode_contact::Contact| {
+        let g = c.geometry;
+        let numbers = [g.point.to_array(), g.normal.to_array(), [g.separation, g.margin, 0.0]].concat();
+        let mut all = [0; 8];
+        all.iter_mut().zip(numbers).for_each(|(bits, number)| *bits = number.to_bits());
+        (c.feature, all)
+    };
+    manifold.contacts.iter().map(of).collect()
+}
+
+/// A world whose pairs are looked at by both.
+struct World {
+    shapes: Vec<Shape>,
+    poses: Vec<Pose>,
+    narrow_phase: NarrowPhase,
+    /// How many contacts have been compared.
+    compared: usize,
+}
+
+impl World {
+    fn new(shapes: Vec<Shape>, poses: Vec<Pose>) -> Self {
+        Self { shapes, poses, narrow_phase: NarrowPhase::default(), compared: 0 }
+    }
+
+    /// Updates the pairs and compares every one with a fresh search.
+    fn check(&mut self, pairs: &[(u32, u32)], reach: f64, context: &str) {
+        let (shapes, poses) = (&self.shapes, &self.poses);
+        let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
+        self.narrow_phase.update(pairs, reach, placed).expect("sorted pairs");
+        assert_eq!(self.narrow_phase.pairs().map(|pair| pair.bodies).collect::<Vec<_>>(), pairs);
+        for pair in self.narrow_phase.pairs() {
+            let ((shape_a, pose_a), (shape_b, pose_b)) = (placed(pair.bodies.0), placed(pair.bodies.1));
+            let fresh = manifold(shape_a, pose_a, shape_b, pose_b, reach);
+            assert_eq!(bits(pair.manifold), bits(&fresh), "{context}, pair {:?}", pair.bodies);
+            if fresh.separation <= reach {
+                assert_eq!(pair.manifold.separation.to_bits(), fresh.separation.to_bits(), "{context}");
+                assert_eq!(pair.manifold.axis, fresh.axis, "{context}");
+            } else {
+                assert!(pair.manifold.separation > reach, "{context}: {}", pair.manifold.separation);
+            }
+            self.compared += fresh.contacts.len();
+        }
+    }
+
+    /// All pairs of bodies.
+    fn all_pairs(&self) -> Vec<(u32, u32)> {
+        let count = self.shapes.len() as u32;
+        (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect()
+    }
+}
+
+fn hull(random: &mut Random, points: usize) -> Shape {
+    let points: Vec<DVec3> = (0..points).map(|_| random.direction() * 0.6).collect();
+    Shape::convex(ConvexPolyhedron::from_points(&points).expect("points on a sphere have a hull"))
+}
+
+fn moved(pose: &Pose, random: &mut Random, step: f64) -> Pose {
+    let turn = Rotation::from_rotation_vector(random.vector() * step);
+    Pose::new(turn * pose.rotation, pose.translation + random.vector() * step)
+}
+
+/// Bodies of every kind that walk at random near each other, from steps that a search outlasts by far to steps that end it
+/// every time.
+#[test]
+fn random_walks() {
+    let mut random = Random(17);
+    for step in [0.0, 1e-13, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.1] {
+        for round in 0..8 {
+            let shapes = vec![
+                cuboid(6.0, 6.0, 1.0),
+                cuboid(1.0, 0.8, 0.6),
+                prism(3 + round, 0.5, 0.7),
+                prism(32, 0.5, 0.8),
+                hull(&mut random, 12),
+                hull(&mut random, 40),
+                Shape::sphere(0.4).expect("a ball"),
+                Shape::half_space(UnitVector::Z),
+                Shape::points(vec![DVec3::ZERO, DVec3::X * 0.3]).expect("two points"),
+            ];
+            let scatter = |random: &mut Random| Pose::new(random.rotation(), random.vector() * 0.8);
+            let poses = shapes.iter().map(|_| scatter(&mut random)).collect();
+            let mut world = World::new(shapes, poses);
+            let pairs = world.all_pairs();
+            for k in 0..40 {
+                world.check(&pairs, 0.05, &format!("step {step}, round {round}, {k}"));
+                world.poses.iter_mut().for_each(|pose| *pose = moved(pose, &mut random, step));
+            }
+            assert!(world.compared > 500, "{}", world.compared);
+        }
+    }
+}
+
+/// Stacks at rest, aligned, turned, and rocking by amounts from rounding to visible: where several axes are equally good.
+#[test]
+fn resting_stacks() {
+    let mut random = Random(23);
+    for rocking in [0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-5, 1e-3] {
+        for turn in [0.0, std::f64::consts::FRAC_PI_4, 0.3, 1e-9] {
+            for size in [1e-6, 1.0, 1e4] {
+                let cube = || cuboid(size, size, size);
+                let gon = |sides| prism(sides, 0.5 * size, size);
+                let slab = cuboid(10.0 * size, 10.0 * size, size);
+                let shapes = vec![slab, cube(), gon(6), cube(), gon(32), gon(32), gon(8), cube()];
+                let resting: Vec<Pose> = (0..shapes.len())
+                    .map(|k| Pose::new(yaw(turn * k as f64), DVec3::new(0.1, 0.05, 1.0) * k as f64 * size))
+                    .collect();
+                let mut world = World::new(shapes, resting.clone());
+                let pairs: Vec<(u32, u32)> = (0..7).map(|k| (k, k + 1)).collect();
+                for k in 0..12 {
+                    world.check(&pairs, 0.01 * size, &format!("rocking {rocking}, turn {turn}, size {size}, {k}"));
+                    for (pose, rest) in world.poses.iter_mut().zip(&resting) {
+                        *pose = moved(rest, &mut random, rocking);
+                        pose.translation = rest.translation + (pose.translation - rest.translation) * size;
+                    }
+                }
+                assert!(world.compared > 200);
+            }
+        }
+    }
+}
+
+/// A box that slides over the edge of a slab and tips, and a prism that rolls on its side: features come and go.
+#[test]
+fn sliding_and_rolling() {
+    let shapes = vec![cuboid(4.0, 4.0, 1.0), cuboid(1.0, 1.0, 1.0), prism(32, 0.5, 2.0), prism(5, 0.5, 2.0)];
+    let mut world = World::new(shapes, vec![Pose::IDENTITY; 4]);
+    let flat = Rotation::from_rotation_vector(DVec3::X * std::f64::consts::FRAC_PI_2);
+    for k in 0..2000 {
+        let s = f64::from(k) * 2e-3;
+        let tip = (s - 2.0).max(0.0);
+        let slide = Rotation::from_rotation_vector(DVec3::new(0.0, tip, 0.02 * s));
+        world.poses[1] = Pose::new(slide, DVec3::new(s, 0.1, 1.0 - 0.5 * tip * tip));
+        let roll = |angle: f64| Rotation::from_rotation_vector(DVec3::Y * angle) * flat;
+        world.poses[2] = Pose::new(roll(s / 0.5), DVec3::new(s - 2.0, -1.0, 0.999));
+        world.poses[3] = Pose::new(roll(s / 0.45), DVec3::new(s - 2.0, 1.0, 0.95));
+        let pairs = world.all_pairs();
+        world.check(&pairs, 0.02, &format!("{k}"));
+    }
+    assert!(world.compared > 5000, "{}", world.compared);
+}
+
+/// Pairs that come and go, reaches that change, a body of another shape, poses that are not finite: nothing stale is used.
+#[test]
+fn pairs_that_come_and_go() {
+    let mut random = Random(31);
+    let shapes: Vec<Shape> =
+        (0..12).map(|k| if k % 3 == 0 { prism(7, 0.5, 0.8) } else { cuboid(1.0, 0.9, 0.8) }).collect();
+    let poses = (0..12).map(|_| Pose::new(random.rotation(), random.vector())).collect();
+    let mut world = World::new(shapes, poses);
+    for k in 0..300 {
+        let all = world.all_pairs();
+        let pairs: Vec<_> = all.into_iter().filter(|_| random.unit() < 0.6).collect();
+        let reach = [0.01, 0.2, 0.0, -0.01][k % 4];
+        if k % 50 == 20 {
+            world.shapes[k % 12] = hull(&mut random, 9);
+            world.narrow_phase.forget((k % 12) as u32);
+        }
+        if k % 50 == 30 {
+            let kept = world.poses[3];
+            world.poses[3].translation.x = f64::NAN;
+            let (shapes, poses) = (&world.shapes, &world.poses);
+            let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
+            world.narrow_phase.update(&pairs, reach, placed).expect("sorted pairs");
+            let with_nan = world.narrow_phase.pairs().filter(|pair| pair.bodies.0 == 3 || pair.bodies.1 == 3);
+            assert!(with_nan.into_iter().all(|pair| pair.manifold.contacts.is_empty()));
+            world.poses[3] = kept;
+        }
+        world.check(&pairs, reach, &format!("{k}"));
+        world.poses.iter_mut().for_each(|pose| *pose = moved(pose, &mut random, 3e-3));
+    }
+    assert!(world.compared > 1000);
+}
+
+/// A box that slides off a slab: values stay with their contacts, new ones start from the default, and each contact's
+/// beginning and end is told once.
+#[test]
+fn values_follow_their_contacts() {
+    let shapes = [cuboid(4.0, 4.0, 1.0), cuboid(1.0, 1.0, 1.0)];
+    let mut narrow_phase = NarrowPhase::<f64>::default();
+    let mut known: Vec<(polhode_contact::ContactFeature, f64)> = Vec::new();
+    let mut next = 1.0;
+    let mut told = [0; 3];
+    for k in 0..400 {
+        let poses = [Pose::IDENTITY, Pose::new(yaw(0.1), DVec3::new(0.01 * f64::from(k), 0.3, 1.0))];
+        let apart = k > 350;
+        let pairs: &[(u32, u32)] = if apart { &[] } else { &[(0, 1)] };
+        let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
+        narrow_phase.update(pairs, 1e-6, placed).expect("sorted pairs");
+        let pair = if apart { narrow_phase.ended_pairs().next() } else { narrow_phase.pair(0, 1) };
+        let mut remembered = known.clone();
+        for change in pair.iter().flat_map(polhode_contact::PairContacts::changes) {
+            match change {
+                ContactChange::Begun(feature) => {
+                    told[0] += 1;
+                    assert!(remembered.iter().all(|(f, _)| *f != feature));
+                }
+                ContactChange::Persisted(feature) => {
+                    told[1] += 1;
+                    assert!(remembered.iter().any(|(f, _)| *f == feature));
+                }
+                ContactChange::Ended(feature) => {
+                    told[2] += 1;
+                    remembered.retain(|(f, _)| *f != feature);
+                }
+            }
+        }
+        let now = pair.map_or_else(Vec::new, |pair| {
+            pair.manifold.contacts.iter().map(|c| c.feature).zip(pair.data.iter().copied()).collect()
+        });
+        for (feature, value) in &now {
+            let before = known.iter().find(|(f, _)| f == feature).map_or(0.0, |(_, v)| *v);
+            assert_eq!(*value, before, "{feature:?}");
+        }
+        known = now;
+        for (value, (_, mine)) in narrow_phase.data_mut(0, 1).iter_mut().zip(&mut known) {
+            if *value == 0.0 {
+                (*value, *mine) = (next, next);
+                next += 1.0;
+            }
+        }
+    }
+    assert!(known.is_empty() && told[0] > 4 && told[0] == told[2] && told[1] > 1000, "{told:?}");
+}
+
+/// Unsorted pairs are refused, with their place.
+#[test]
+fn unsorted_pairs() {
+    let shape = cuboid(1.0, 1.0, 1.0);
+    let pose = at(0.0, 0.0, 0.0);
+    let mut narrow_phase = NarrowPhase::<()>::default();
+    let error = narrow_phase.update(&[(0, 1), (0, 3), (0, 2)], 0.1, |_| (&shape, &pose));
+    assert_eq!(error, Err(NarrowPhaseError::NotSorted { index: 2, pair: (0, 2), before: (0, 3) }));
+    assert!(narrow_phase.update(&[(0, 1), (0, 1)], 0.1, |_| (&shape, &pose)).is_err());
+    assert_eq!(narrow_phase.pairs().count(), 0);
+}

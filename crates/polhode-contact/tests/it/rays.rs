@@ -1,0 +1,179 @@
+//! Rays: closed forms, and against shapes' own distances along the ray.
+
+use crate::distances::zoo;
+use crate::support::{Random, at, cuboid};
+use polhode_contact::{FeatureKind, QueryError, Ray, Shape, closest_point, contains, ray_cast};
+use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+
+fn ray(origin: DVec3, direction: DVec3) -> Ray {
+    Ray::new(origin, UnitVector::new(direction.normalize()).expect("a direction")).expect("a finite origin")
+}
+
+/// Straight on, from far away, and grazing.
+#[test]
+fn closed_forms() {
+    let down = |x: f64, z: f64| ray(DVec3::new(x, 0.0, z), -DVec3::Z);
+    let across = |z: f64| ray(DVec3::new(-9.0, 0.0, z), DVec3::X);
+    let (cylinder, cone) = (Shape::cylinder(0.5, 2.0).expect("made"), Shape::cone(1.0, 2.0).expect("made"));
+    let (torus, capsule) = (Shape::torus(2.0, 0.5).expect("made"), Shape::capsule(0.5, 2.0).expect("made"));
+    let ball = Shape::sphere(0.5).expect("made");
+    let floor = Shape::half_space(UnitVector::Z);
+    let brick = cuboid(2.0, 2.0, 2.0);
+    // The cone's base is at -0.5, its apex at 1.5.
+    let cases = [
+        ("ball", &ball, down(0.0, 3.0), Some((2.5, DVec3::Z))),
+        ("ball grazed", &ball, down(0.5, 3.0), Some((3.0, DVec3::X))),
+        ("ball missed", &ball, down(0.5000000001, 3.0), None),
+        ("ball from afar", &ball, down(0.0, 1e8), Some((1e8 - 0.5, DVec3::Z))),
+        ("box", &brick, down(0.3, 3.0), Some((2.0, DVec3::Z))),
+        ("box from below", &brick, ray(DVec3::Z * -3.0, DVec3::Z), Some((2.0, -DVec3::Z))),
+        ("box missed", &brick, down(1.1, 3.0), None),
+        ("box behind", &brick, ray(DVec3::Z * 3.0, DVec3::Z), None),
+        ("floor", &floor, down(0.0, 3.0), Some((3.0, DVec3::Z))),
+        ("floor left", &floor, ray(DVec3::Z, DVec3::Z), None),
+        ("cap", &cylinder, down(0.2, 3.0), Some((2.0, DVec3::Z))),
+        ("side", &cylinder, across(0.5), Some((8.5, -DVec3::X))),
+        ("side missed", &cylinder, across(1.5), None),
+        ("side of a capsule", &capsule, across(0.5), Some((8.5, -DVec3::X))),
+        ("end of a capsule", &capsule, down(0.0, 3.0), Some((1.5, DVec3::Z))),
+        ("base", &cone, ray(DVec3::new(0.3, 0.0, -3.0), DVec3::Z), Some((2.5, -DVec3::Z))),
+        ("flank", &cone, across(0.5), Some((8.5, DVec3::new(-2.0, 0.0, 1.0).normalize()))),
+        ("ring", &torus, across(0.0), Some((6.5, -DVec3::X))),
+        ("ring from above", &torus, down(2.0, 3.0), Some((2.5, DVec3::Z))),
+        ("ring through its hole", &torus, down(0.5, 3.0), None),
+        ("ring from its middle", &torus, ray(DVec3::ZERO, DVec3::Y), Some((1.5, -DVec3::Y))),
+        ("ring grazed on top", &torus, across(0.5), Some((7.0, DVec3::Z))),
+        ("ring missed on top", &torus, across(0.5000001), None),
+    ];
+    for (name, shape, ray, wanted) in cases {
+        let hit = ray_cast(shape, &Pose::IDENTITY, &ray, f64::INFINITY);
+        match (hit, wanted) {
+            (Some(hit), Some((distance, normal))) => {
+                // A double root of a quartic is known to the square root of epsilon.
+                let slack = if name.contains("grazed on top") { 1e-7 } else { 1e-14 };
+                let relative = (hit.distance - distance).abs() / distance;
+                assert!(relative < slack && (hit.normal - normal).length() < slack.max(1e-8), "{name}: {hit:?}");
+            }
+            (None, None) => {}
+            _ => panic!("{name}: {hit:?} for {wanted:?}"),
+        }
+    }
+}
+
+/// Every hit lies on the surface, nothing before it is inside, and where a ray misses no place of it is inside.
+#[test]
+fn hits_are_the_first_places_of_the_surface() {
+    let mut random = Random(41);
+    let (mut hits, mut misses) = (0, 0);
+    for (name, shape) in zoo().into_iter().filter(|(name, _)| *name != "points") {
+        for _ in 0..400 {
+            let pose = Pose::new(random.rotation(), random.vector() * 0.2);
+            let start = random.direction() * random.between(0.2, 3.0);
+            let ray = ray(start, random.vector() * 0.7 - start);
+            let hit = ray_cast(&shape, &pose, &ray, 10.0);
+            let end = hit.map_or(10.0, |hit| hit.distance);
+            for k in 0..200 {
+                let place = ray.at(end * (f64::from(k) / 200.0));
+                let near = closest_point(&shape, &pose, place).expect("finite").distance;
+                assert!(
+                    near > -1e-13 || hit.is_some_and(|hit| hit.feature.is_none()),
+                    "{name}: {near:e} at {k}, {hit:?}"
+                );
+            }
+            let Some(hit) = hit else {
+                misses += 1;
+                continue;
+            };
+            hits += 1;
+            let on = closest_point(&shape, &pose, hit.point).expect("finite").distance;
+            if hit.feature.is_some() {
+                assert!(on.abs() < 2e-14, "{name}: {on:e} off");
+                assert!(hit.normal.dot(ray.direction()) <= 1e-14, "{name}: {hit:?}");
+                let behind = ray_cast(&shape, &pose, &ray, hit.distance * 0.999);
+                assert!(behind.is_none(), "{name}: {behind:?}");
+            } else {
+                assert!(hit.distance == 0.0 && contains(&shape, &pose, ray.origin()), "{name}");
+            }
+        }
+    }
+    assert!(hits > 500 && misses > 500, "{hits} {misses}");
+}
+
+/// A ray along the common edge, or through a common corner, of triangles of a closed surface never slips through.
+#[test]
+fn no_ray_slips_between_triangles() {
+    let mut random = Random(8);
+    let points: Vec<DVec3> =
+        (0..8).map(|i| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)) - 0.5).collect();
+    let quads = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    let triangles = quads.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    let turn = random.rotation();
+    let points: Vec<DVec3> = points.into_iter().map(|p| turn.rotate(p)).collect();
+    let mesh = Shape::triangle_mesh(points.clone(), triangles).expect("a box");
+    for _ in 0..5000 {
+        let (i, j) = ((random.unit() * 8.0) as usize, (random.unit() * 8.0) as usize);
+        let target = points[i].lerp(points[j], random.unit());
+        // Seen from the middle every edge and every diagonal is inside the surface's outline.
+        let hit = ray_cast(&mesh, &Pose::IDENTITY, &ray(random.vector() * 0.01, target), f64::INFINITY);
+        assert!(hit.is_some(), "{target}");
+    }
+}
+
+/// A ray from inside is told so; meshes are surfaces and have no inside.
+#[test]
+fn rays_from_inside_start_there() {
+    for (name, shape) in zoo() {
+        let start = if name == "torus" { DVec3::X * 0.4 } else { DVec3::new(0.01, 0.02, 0.03) };
+        let hit = ray_cast(&shape, &Pose::IDENTITY, &ray(start, DVec3::X), 10.0);
+        match name {
+            "points" | "mesh" => assert!(hit.is_none_or(|hit| hit.distance > 0.0), "{name}"),
+            _ => assert!(hit.is_some_and(|hit| hit.distance == 0.0 && hit.feature.is_none()), "{name}: {hit:?}"),
+        }
+    }
+}
+
+/// The same ray on the same shape far away, larger and turned is the same hit.
+#[test]
+fn hits_do_not_depend_on_place_and_attitude() {
+    let mut random = Random(6);
+    for (name, shape) in zoo() {
+        for _ in 0..100 {
+            let one = ray(random.direction() * 2.0, random.vector());
+            let first = ray_cast(&shape, &Pose::IDENTITY, &one, 10.0);
+            let all = Pose::new(random.rotation(), random.vector() * 1e6);
+            let turned = Ray::new(
+                all.transform_point(one.origin()),
+                UnitVector::new(all.rotation.rotate(one.direction())).expect("unit"),
+            );
+            let other = ray_cast(&shape, &all, &turned.expect("finite"), 10.0);
+            match (first, other) {
+                (Some(p), Some(q)) => assert!((p.distance - q.distance).abs() < 1e-7, "{name}: {p:?} {q:?}"),
+                (None, None) => {}
+                // Only what grazes to the rounding of places a million away may change.
+                _ => {
+                    let least = (0..4000).map(|k| one.at(f64::from(k) / 400.0));
+                    let least =
+                        least.map(|p| closest_point(&shape, &Pose::IDENTITY, p).expect("finite").distance.abs());
+                    assert!(least.fold(f64::INFINITY, f64::min) < 1e-3, "{name}");
+                }
+            }
+        }
+    }
+}
+
+/// What is not a number is no ray and meets nothing.
+#[test]
+fn hostile_rays_meet_nothing() {
+    assert!(matches!(Ray::new(DVec3::X * f64::NAN, UnitVector::X), Err(QueryError::NotFinite { .. })));
+    let down = ray(DVec3::Z * 3.0, -DVec3::Z);
+    for (name, shape) in zoo() {
+        assert!(ray_cast(&shape, &at(f64::NAN, 0.0, 0.0), &down, 10.0).is_none(), "{name}");
+        assert!(ray_cast(&shape, &Pose::IDENTITY, &down, f64::NAN).is_none(), "{name}");
+        assert!(ray_cast(&shape, &Pose::IDENTITY, &down, -1.0).is_none(), "{name}");
+        for far in [1e100, 1e200, 1e300] {
+            let _ = ray_cast(&shape, &Pose::new(Rotation::IDENTITY, DVec3::splat(far)), &down, f64::INFINITY);
+        }
+    }
+    let hit = ray_cast(&cuboid(1.0, 1.0, 1.0), &Pose::IDENTITY, &down, f64::INFINITY).expect("a hit");
+    assert_eq!(hit.feature.map(|feature| feature.kind), Some(FeatureKind::Face(5)));
+}

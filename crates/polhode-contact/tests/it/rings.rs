@@ -1,0 +1,170 @@
+//! Tori against everything: closed forms, the distance of a finely sampled ring, contacts, shots through the hole.
+
+use crate::impact_random::{Tally, shoot, shooter};
+use crate::round_gaps::{capsule, cone, cylinder, turned};
+use crate::support::{Flight, Random, at, cuboid, prism};
+use polhode_contact::{ContactFeature, ImpactSearch, Shape, find_impact, manifold, separation};
+use polhode_spatial::{DVec3, Pose, Still, UnitVector};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+fn ring(major: f64, minor: f64) -> Shape {
+    Shape::torus(major, minor).expect("a ring")
+}
+
+fn ball(radius: f64) -> Shape {
+    Shape::sphere(radius).expect("a ball")
+}
+
+/// Gaps that can be written down.
+#[test]
+fn closed_forms() {
+    let still = Pose::IDENTITY;
+    let lying = turned(DVec3::X, FRAC_PI_2, DVec3::ZERO).rotation;
+    for scale in [1e-4, 1.0, 1e4] {
+        for gap in [-0.02, -1e-12, 0.0, 1e-9, 0.1] {
+            let own = ring(scale, 0.2 * scale);
+            let place = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) * scale;
+            let standing = |z: f64| Pose::new(lying, place(0.0, 0.0, z));
+            let cases: [(Shape, Pose, f64); 9] = [
+                // A ball in the hole's middle, and above the tube.
+                (ball((0.8 - gap) * scale), still, gap),
+                (ball(0.3 * scale), Pose::from_translation(place(0.0, 1.0, 0.5 + gap)), gap),
+                // A rod through the hole, along the axis and off it.
+                (cylinder(0.3 * scale, 4.0 * scale), Pose::from_translation(place(0.5 - gap, 0.0, 0.0)), gap),
+                (capsule(0.3 * scale, 4.0 * scale), Pose::from_translation(place(0.5 - gap, 0.0, 0.0)), gap),
+                // A plate below; a disc below the whole ring; a box beside it.
+                (cuboid(9.0 * scale, 9.0 * scale, scale), Pose::from_translation(place(0.0, 0.0, -0.7 - gap)), gap),
+                (cylinder(3.0 * scale, scale), Pose::from_translation(place(0.1, 0.0, -0.7 - gap)), gap),
+                (cuboid(scale, scale, scale), Pose::from_translation(place(1.7 + gap, 0.1, 0.0)), gap),
+                // Another ring beside it, and one standing in its hole as links of a chain do.
+                (ring(0.5 * scale, 0.1 * scale), Pose::from_translation(place(1.8 + gap, 0.0, 0.0)), gap),
+                (own.clone(), Pose::new(lying, place(1.6 + gap - 2.0 * (0.6 + gap), 0.0, 0.0)), 0.2 + gap),
+            ];
+            for (index, (other, pose, expected)) in cases.iter().enumerate() {
+                if index == 8 {
+                    continue;
+                }
+                let found = separation(&own, &still, other, pose) / scale;
+                assert!((found - expected).abs() < 1e-14, "{index}: {found} {expected} at {scale}");
+                let swapped = separation(other, pose, &own, &still) / scale;
+                assert!((swapped - expected).abs() < 1e-14, "{index}: {swapped} {expected} at {scale}, swapped");
+            }
+            // On its edge on a floor.
+            let floor = Shape::half_space(UnitVector::Z);
+            assert!((separation(&own, &standing(1.2 + gap), &floor, &still) / scale - gap).abs() < 1e-14);
+        }
+    }
+}
+
+/// Random pairs that are apart: no point of a finely sampled middle line is nearer than the separation says, and the
+/// nearest of them is hardly farther.
+#[test]
+fn against_samples() {
+    let mut random = Random(404);
+    let own = ring(0.6, 0.1);
+    let others = [
+        cuboid(0.5, 0.4, 0.3),
+        prism(5, 0.3, 0.5),
+        capsule(0.1, 0.5),
+        cylinder(0.2, 0.4),
+        cone(0.3, 0.4),
+        ring(0.4, 0.05),
+    ];
+    for other in &others {
+        for _ in 0..60 {
+            let pose = Pose::new(random.rotation(), random.direction() * random.between(0.0, 1.3));
+            let pose_other = Pose::new(random.rotation(), DVec3::ZERO);
+            let found = separation(&own, &pose, other, &pose_other);
+            // Points of the middle line as a cloud, measured by the code of clouds.
+            let count = 720_u32;
+            let places = (0..count).map(|k| {
+                let angle = f64::from(k) / f64::from(count) * TAU;
+                DVec3::new(0.6 * libm::cos(angle), 0.6 * libm::sin(angle), 0.0)
+            });
+            let sampled = if let Shape::Torus(_) = other {
+                let centers = places.map(|p| ball(0.1).translated(p).expect("a ball"));
+                centers.map(|ball| separation(&ball, &pose, other, &pose_other)).fold(f64::INFINITY, f64::min)
+            } else {
+                separation(&Shape::points(places.collect()).expect("points"), &pose, other, &pose_other) - 0.1
+            };
+            assert!(found <= sampled + 1e-13, "{found} {sampled} {other:?} {pose:?} {pose_other:?}");
+            // Between two samples the distance falls by no more than half their distance.
+            assert!(found >= sampled - 0.6 * TAU / f64::from(count) * 0.5, "{found} {sampled}");
+            let swapped = separation(other, &pose_other, &own, &pose);
+            assert!((swapped - found).abs() < 1e-12, "{found} {swapped}");
+            if found > -0.1 {
+                let result = manifold(&own, &pose, other, &pose_other, found + 1e-9);
+                let least = result.contacts.iter().map(|c| c.geometry.separation).fold(f64::INFINITY, f64::min);
+                assert!((least - found).abs() < 1e-9, "{found} {result:?} {other:?} {pose:?} {pose_other:?}");
+            }
+        }
+    }
+}
+
+/// Lying on a floor or a plate a ring touches at its eight stated points; standing, at one; across two rails, at four
+/// places over their edges; hanging on a rod along its axis, at one.
+#[test]
+fn contacts() {
+    let still = Pose::IDENTITY;
+    let own = ring(1.0, 0.2);
+    for ground in [Shape::half_space(UnitVector::Z), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a plate")] {
+        let lying = manifold(&own, &at(0.1, 0.2, 0.2), &ground, &still, 1e-9);
+        assert_eq!(lying.contacts.len(), 8, "{lying:?}");
+        assert!(lying.contacts.iter().all(|c| c.geometry.point.z.abs() < 1e-15));
+        let standing = manifold(&own, &turned(DVec3::X, FRAC_PI_2, DVec3::Z * 1.2), &ground, &still, 1e-9);
+        assert_eq!(standing.contacts.len(), 1, "{standing:?}");
+    }
+    let rail = cuboid(9.0, 0.3, 0.3);
+    let across =
+        manifold(&own, &Pose::new(turned(DVec3::Z, 0.1, DVec3::ZERO).rotation, DVec3::Z * 0.35), &rail, &still, 1e-9);
+    let edges = across.contacts.iter().filter(|c| matches!(c.feature, ContactFeature::Elements { .. })).count();
+    assert_eq!(edges, 4, "{across:?}");
+    let hanging = manifold(&own, &still, &cylinder(0.1, 3.0), &at(0.0, 0.7, 0.0), 1e-9);
+    assert_eq!(hanging.contacts.len(), 1, "{hanging:?}");
+    assert!((hanging.contacts[0].geometry.normal - DVec3::Y).length() < 1e-12, "{hanging:?}");
+}
+
+/// Falls on a floor and a slab, and a ball shot off the middle through the hole against its inner side.
+#[test]
+fn impacts() {
+    let still = Still(Pose::IDENTITY);
+    let settings = ImpactSearch::default();
+    let own = ring(1.0, 0.2);
+    let tilt = 0.3;
+    for ground in [Shape::half_space(UnitVector::Z), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")] {
+        for (angle, lowest) in [(0.0, 0.2), (FRAC_PI_2, 1.2), (tilt, 0.2 + libm::sin(tilt))] {
+            let mut fall = Flight::new(turned(DVec3::X, angle, DVec3::Z * (lowest + 1.0)), DVec3::ZERO, DVec3::ZERO);
+            fall.acceleration = DVec3::Z * -9.81;
+            let report = find_impact(&own, &fall, &ground, &still, 0.0, 10.0, &settings).expect("an answer");
+            let expected = (2.0 / 9.81_f64).sqrt();
+            let found = report.time.expect("an impact");
+            assert!((found - expected).abs() < 1e-14, "{found} {expected} {angle}");
+        }
+    }
+    let inside = Flight::new(Pose::IDENTITY, DVec3::new(0.6, 0.8, 0.0) * 0.5, DVec3::ZERO);
+    let report = find_impact(&ball(0.3), &inside, &own, &still, 0.0, 10.0, &settings).expect("an answer");
+    assert!((report.time.expect("an impact") - 1.0).abs() < 1e-14, "{report:?}");
+    let through = Flight::new(Pose::from_translation(DVec3::Z * -3.0), DVec3::Z, DVec3::ZERO);
+    let report = find_impact(&ball(0.3), &through, &own, &still, 0.0, 10.0, &settings).expect("an answer");
+    assert_eq!(report.time, None);
+}
+
+/// Spinning shots, each against dense samples of the separation.
+#[test]
+fn spinning_shots() {
+    let mut random = Random(77);
+    let mut tally = Tally::default();
+    let own = ring(0.3, 0.05);
+    let others =
+        [cuboid(0.3, 0.1, 0.2), ball(0.1), cylinder(0.05, 0.8), ring(0.25, 0.05), Shape::half_space(UnitVector::Z)];
+    for other in &others {
+        for _ in 0..15 {
+            let motion = shooter(&mut random, 1.5, 1.5, 8.0);
+            let motion_other =
+                Flight::new(Pose::new(random.rotation(), DVec3::ZERO), random.vector(), random.vector() * 3.0);
+            shoot(&mut tally, &own, &motion, other, &motion_other, 100);
+        }
+    }
+    assert!(tally.hits > 20 && tally.misses > 10, "{tally:?}");
+    println!("{tally:?}");
+}

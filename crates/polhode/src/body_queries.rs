@@ -1,0 +1,110 @@
+//! Questions about the bodies of a simulation where they stand: nearest, overlapping, hit by a ray, distance of two.
+//!
+//! The answers name bodies by their index in the scene. Bodies without a shape, and meshes that collide with nothing, have
+//! no place in them.
+
+use crate::world::World;
+use polhode_contact::{Aabb, ClosestPoints, QueryError, QueryScene, Ray, RayHit, Shape, SurfacePoint, distance};
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose};
+
+/// The bodies of a simulation at one time ([`Simulation::queries`](crate::Simulation::queries)).
+///
+/// ```
+/// use polhode::contact::{Ray, Shape};
+/// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector};
+/// use polhode::{Body, Effects, Geometry, Scene, Simulation, Unobserved};
+/// let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(0.1))?);
+/// let ball = Body::movable("ball", properties).geometry(Geometry::Shape(Shape::sphere(0.5)?));
+/// let floor = Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)));
+/// let scene = Scene::builder("drop").duration_s(1.0).body(floor);
+/// let scene = scene.body(ball.pose(Pose::from_translation(DVec3::Z * 3.0))).build()?;
+/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+/// simulation.run(&mut Unobserved)?;
+///
+/// let queries = simulation.queries()?;
+/// let ray = Ray::new(DVec3::Z * 9.0, UnitVector::new(-DVec3::Z)?)?;
+/// let (body, hit) = queries.first_hit(&ray, 100.0).ok_or("a miss")?;
+/// assert_eq!(queries.name(body), Some("ball"));
+/// assert!((hit.distance - 8.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct BodyQueries<'a> {
+    scene: QueryScene<'a>,
+    /// Body of each member of the scene, ascending, with its shape and where that stands.
+    members: Vec<(usize, &'a Shape, Pose)>,
+    names: Vec<&'a str>,
+}
+
+impl<'a> BodyQueries<'a> {
+    pub(crate) fn new(world: &'a World, states: &[BodyState]) -> Result<Self, QueryError> {
+        let placed = world.bodies.iter().zip(states).enumerate();
+        let members: Vec<(usize, &Shape, Pose)> =
+            placed.filter_map(|(body, (own, state))| Some((body, own.shape.as_ref()?, state.pose))).collect();
+        let scene = QueryScene::new(members.iter().map(|(_, shape, pose)| (*shape, *pose)))?;
+        Ok(Self { scene, members, names: world.bodies.iter().map(|body| body.name.as_str()).collect() })
+    }
+
+    /// Name of a body by its index in the scene.
+    pub fn name(&self, body: usize) -> Option<&'a str> {
+        self.names.get(body).copied()
+    }
+
+    /// Index of a body in the scene by its name.
+    pub fn index(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|own| *own == name)
+    }
+
+    /// The body nearest to a point (world, m), and the nearest place of its surface.
+    ///
+    /// # Errors
+    /// When the point is not finite.
+    pub fn nearest(&self, point: DVec3) -> Result<Option<(usize, SurfacePoint)>, QueryError> {
+        Ok(self.scene.nearest(point)?.map(|(member, found)| (self.body(member), found)))
+    }
+
+    /// The body that a ray meets first within a distance (m), and where.
+    pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(usize, RayHit)> {
+        self.scene.first_hit(ray, max_distance).map(|(member, hit)| (self.body(member), hit))
+    }
+
+    /// All bodies that a ray meets within a distance (m), sorted by distance.
+    pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
+        self.scene.all_hits(ray, max_distance).into_iter().map(|(member, hit)| (self.body(member), hit)).collect()
+    }
+
+    /// All bodies that overlap a shape that stands at a pose, ascending; touch counts.
+    ///
+    /// # Errors
+    /// When the pose is not finite.
+    pub fn overlapping(&self, shape: &Shape, pose: &Pose) -> Result<Vec<usize>, QueryError> {
+        Ok(self.scene.overlapping(shape, pose)?.into_iter().map(|member| self.body(member)).collect())
+    }
+
+    /// All bodies that overlap a box along the world's axes, ascending; touch counts.
+    ///
+    /// # Errors
+    /// When the box is flat or unbounded.
+    pub fn overlapping_box(&self, aabb: &Aabb) -> Result<Vec<usize>, QueryError> {
+        Ok(self.scene.overlapping_box(aabb)?.into_iter().map(|member| self.body(member)).collect())
+    }
+
+    /// Distance of two bodies and their closest points; nothing when one has no shape.
+    ///
+    /// # Errors
+    /// For two half-spaces.
+    pub fn distance(&self, body_a: usize, body_b: usize) -> Result<Option<ClosestPoints>, QueryError> {
+        let (Some(a), Some(b)) = (self.member(body_a), self.member(body_b)) else { return Ok(None) };
+        distance(a.1, &a.2, b.1, &b.2).map(Some)
+    }
+
+    fn body(&self, member: usize) -> usize {
+        self.members.get(member).map_or(member, |(body, ..)| *body)
+    }
+
+    fn member(&self, body: usize) -> Option<&(usize, &'a Shape, Pose)> {
+        let index = self.members.binary_search_by_key(&body, |(body, ..)| *body).ok()?;
+        self.members.get(index)
+    }
+}

@@ -1,0 +1,210 @@
+//! Random convex pairs against a plain search over all axes, and a sample of them against exact arithmetic.
+
+use super::random_pairs::{self, RandomPair};
+use super::{CaseResult, Context};
+use crate::exact::expected::{self, Expected};
+use crate::exact::pair::{Axis, AxisOf, ExactPair, Pair};
+use crate::row::Row;
+use polhode_contact::{Contact, ContactFeature, ConvexPolyhedron, Manifold, SeparatingAxis, Shape, Side, manifold};
+
+const CASE: &str = "convex pairs";
+/// Pairs of a full run, and those of them that exact arithmetic judges.
+const PAIRS: usize = 1_000_000;
+const EXACT_PAIRS: usize = 10_000;
+/// A normal off by more than this is wrong, rad.
+const NORMAL: f64 = 1e-9;
+/// Largest error of a separation, relative to the size of the larger body.
+const DEPTH: f64 = 4e-15;
+/// Axes whose separations differ by less than this, relative to the scale, are equally good.
+const TIE: f64 = 1e-11;
+/// Cosine of 0.01 rad: the normals of one contact region.
+const ALIKE: f64 = 0.999_95;
+/// So many findings of a run are described on stderr.
+const DESCRIBED: u64 = 5;
+
+/// What a run found.
+#[derive(Debug, Default)]
+struct Tally {
+    pairs: u64,
+    wrong_normals: u64,
+    missing: u64,
+    surplus: u64,
+    ties: u64,
+    regions: u64,
+    undecided: u64,
+    contacts: u64,
+    edges: u64,
+    overlapping: u64,
+    described: u64,
+}
+
+impl Tally {
+    fn describe(&mut self, number: u64, what: &str) {
+        self.described += 1;
+        if self.described <= DESCRIBED {
+            eprintln!("{CASE}: pair {number}: {what}");
+        }
+    }
+}
+
+/// Normals, vertices of the contact region and depths of random pairs.
+#[allow(clippy::unnecessary_wraps, reason = "the table of cases takes results")]
+pub(super) fn random(context: &Context) -> CaseResult {
+    let mut tally = Tally::default();
+    for number in 0..context.amount.of(PAIRS) as u64 {
+        judge(&mut tally, number, &random_pairs::pair(number));
+    }
+    let (mut depth, mut depth_far, mut normals, mut skipped) = (0.0_f64, 0.0_f64, 0_u64, 0_u64);
+    for number in 0..context.amount.of(EXACT_PAIRS) as u64 {
+        match exact_errors(&random_pairs::pair(number)) {
+            Some(found) => {
+                let worst = if found.is_far { &mut depth_far } else { &mut depth };
+                if found.depth > DEPTH {
+                    eprintln!("{CASE}: pair {number}: separation off by {:e} sizes", found.depth);
+                }
+                *worst = worst.max(found.depth);
+                normals += u64::from(found.wrong_normal);
+            }
+            None => skipped += 1,
+        }
+    }
+    let named = |what: &str| format!("{what} (of {PAIRS} pairs with --full)");
+    let exact = |what: &str| format!("{what}, against exact arithmetic ({EXACT_PAIRS} pairs with --full)");
+    Ok(vec![
+        Row::exact(CASE, &named("wrong normals, beyond 1e-9 rad"), 0_u64, tally.wrong_normals),
+        Row::exact(CASE, &named("missing contacts"), 0_u64, tally.missing),
+        Row::exact(CASE, &named("surplus or duplicate contacts"), 0_u64, tally.surplus),
+        Row::info(
+            CASE,
+            "pairs, of them overlapping",
+            [tally.pairs as f64; 2],
+            [tally.pairs as f64, tally.overlapping as f64],
+        ),
+        Row::info(CASE, "contacts, of them crossings of edges", [0.0; 2], [tally.contacts as f64, tally.edges as f64]),
+        Row::info(
+            CASE,
+            "regions of three corners and more; pairs with several best axes; contacts that f64 cannot decide",
+            [0.0; 3],
+            [tally.regions as f64, tally.ties as f64, tally.undecided as f64],
+        ),
+        Row::at_most(CASE, &exact("error of the separation, relative to the size"), DEPTH, depth),
+        Row::at_most(CASE, &exact("the same a million metres away"), DEPTH, depth_far),
+        Row::exact(CASE, &exact("axes that are not the best"), 0_u64, normals),
+        Row::info(CASE, "pairs beyond reach, whose separation is not asked for", 0_u64, skipped),
+    ])
+}
+
+fn polyhedra(pair: &RandomPair) -> Option<[&ConvexPolyhedron; 2]> {
+    match &pair.shapes {
+        [Shape::Convex(a), Shape::Convex(b)] => Some([a, b]),
+        _ => None,
+    }
+}
+
+fn found_by_the_crate(pair: &RandomPair) -> Manifold {
+    manifold(&pair.shapes[0], &pair.poses[0], &pair.shapes[1], &pair.poses[1], pair.reach)
+}
+
+fn judge(tally: &mut Tally, number: u64, random: &RandomPair) {
+    let Some([a, b]) = polyhedra(random) else { return };
+    let found = found_by_the_crate(random);
+    let pair = Pair::new(a, &random.poses[0], b, &random.poses[1]);
+    let axes = pair.axes();
+    let near = pair.near_best(&axes, false);
+    let Some(best) = near.first() else { return };
+    tally.pairs += 1;
+    tally.overlapping += u64::from(best.separation < 0.0);
+    tally.contacts += found.contacts.len() as u64;
+    tally.edges +=
+        found.contacts.iter().filter(|c| matches!(c.feature, ContactFeature::EdgeEdge { .. })).count() as u64;
+    if found.separation > random.reach && best.separation > random.reach {
+        return;
+    }
+    if wrong_axis(&pair, &axes, best, &found) || found.contacts.iter().any(|c| wrong_normal(&pair, c, &near)) {
+        tally.wrong_normals += 1;
+        tally.describe(number, &format!("wrong normal: best {best:?}, found {found:?}"));
+    }
+    match expected::contacts(&pair, &near, random.reach) {
+        Expected::Tie => {
+            tally.ties += 1;
+            if found.contacts.is_empty() && best.separation < 0.0 {
+                tally.missing += 1;
+                tally.describe(number, "no contact at all");
+            }
+        }
+        Expected::Contacts { sure, perhaps } => {
+            tally.undecided += perhaps.len() as u64;
+            tally.regions += u64::from(sure.len() > 2);
+            let has = |feature: &ContactFeature| found.contacts.iter().any(|c| c.feature == *feature);
+            let missing = sure.iter().filter(|f| !has(f)).count() as u64;
+            let known = |c: &&Contact| !sure.contains(&c.feature) && !perhaps.contains(&c.feature);
+            let surplus = found.contacts.iter().filter(known).count() as u64;
+            tally.missing += missing;
+            tally.surplus += surplus;
+            if missing + surplus > 0 {
+                tally.describe(
+                    number,
+                    &format!("expected {sure:?}, perhaps {perhaps:?}, found {found:?}, best {best:?}"),
+                );
+            }
+        }
+    }
+}
+
+/// Whether the axis that decided is none of the best.
+fn wrong_axis(pair: &Pair<'_>, axes: &[Axis], best: &Axis, found: &Manifold) -> bool {
+    let of = match found.axis {
+        SeparatingAxis::FaceA(face) => AxisOf::FaceA(face as usize),
+        SeparatingAxis::FaceB(face) => AxisOf::FaceB(face as usize),
+        SeparatingAxis::Edges(i, j) => AxisOf::Edges(i as usize, j as usize),
+        _ => return true,
+    };
+    let separation = axes.iter().filter(|x| x.of == of).map(|x| x.separation).fold(f64::NEG_INFINITY, f64::max);
+    separation < best.separation - TIE * pair.scale || (found.separation - best.separation).abs() > TIE * pair.scale
+}
+
+/// Whether a contact's normal is not that of its features, or stands at an angle to the best axes.
+fn wrong_normal(pair: &Pair<'_>, contact: &Contact, near: &[Axis]) -> bool {
+    let found = contact.geometry.normal;
+    let meant = match contact.feature {
+        ContactFeature::VertexFace { vertex_of: Side::A, face, .. } => pair.face_normal(1, face as usize).normalize(),
+        ContactFeature::VertexFace { vertex_of: Side::B, face, .. } => -pair.face_normal(0, face as usize).normalize(),
+        ContactFeature::EdgeEdge { edge_a, edge_b } => {
+            let cross = pair.direction(0, edge_a as usize).cross(pair.direction(1, edge_b as usize)).normalize();
+            cross * cross.dot(found).signum()
+        }
+        _ => return true,
+    };
+    let wrong = (found - meant).length() > NORMAL;
+    wrong || near.iter().all(|axis| axis.normal.dot(found) < ALIKE)
+}
+
+/// Errors of a pair against exact arithmetic.
+struct ExactErrors {
+    /// Error of the separation relative to the size of the larger body.
+    depth: f64,
+    wrong_normal: bool,
+    is_far: bool,
+}
+
+fn exact_errors(random: &RandomPair) -> Option<ExactErrors> {
+    let [a, b] = polyhedra(random)?;
+    let pair = Pair::new(a, &random.poses[0], b, &random.poses[1]);
+    let mut near = pair.near_best(&pair.axes(), true);
+    // Of axes of one direction one is enough.
+    near.dedup_by(|x, y| x.sine > NORMAL && x.normal == y.normal);
+    let (best, separation) = ExactPair::new(&pair).best(&near)?;
+    let found = found_by_the_crate(random);
+    if found.separation > random.reach {
+        return None;
+    }
+    let size = a.size().max(b.size());
+    let normals = found.contacts.iter().map(|c| c.geometry.normal);
+    let wrong_normal = found.contacts.is_empty() && separation.less(0.0) < 0.0
+        || normals.clone().all(|n| (n - best.normal).length() > NORMAL) && normals.count() > 0;
+    Some(ExactErrors {
+        depth: separation.less(found.separation).abs() / size,
+        wrong_normal,
+        is_far: random.poses[0].translation.length() > size,
+    })
+}

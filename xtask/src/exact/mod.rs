@@ -1,0 +1,18 @@
+//! Exact geometry of two convex polyhedra, to judge the contact crate by: no code is shared with it.
+//!
+//! Vertices, quaternions and positions are numbers of f64, and sums and products of them are computed without rounding
+//! ([`dyadic`]). A quaternion `q` turns by `q v q*/|q|^2`, whatever its length is, so that the poses meant are exactly
+//! those that the numbers say; the divisions are left out by scaling both bodies alike ([`pair`]). A separation along an
+//! axis is compared as its square with its sign, and its root is taken last, to 160 binary places.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`dyadic`] | numbers `m 2^e` with a whole `m` of any length, and vectors of them |
+//! | [`pair`] | two polyhedra in one exact frame: separations along faces, edges and any direction; the best axis |
+//! | [`expected`] | the contacts of a pair in a general pose |
+//! | [`overlap`] | the vertices of the overlap of two faces that lie on each other |
+
+pub(crate) mod dyadic;
+pub(crate) mod expected;
+pub(crate) mod overlap;
+pub(crate) mod pair;

@@ -1,0 +1,277 @@
+//! Two convex polyhedra in one exact frame: separations along axes, and the best of all axes.
+//!
+//! The frame has its origin at A's and axes of the world, and lengths are multiplied by `D = |q_A|^2 |q_B|^2`. Normals
+//! of faces and directions of edges come from the exact vertices. Every separation is between supports of all vertices:
+//! along a unit vector `n` from B to A, `min n.x_A - max n.x_B`; the greatest over the normals of faces and the cross
+//! products of edges is the separation of the pair (minus the depth of penetration when negative).
+
+use super::dyadic::{Dyadic, ExactVector};
+use glam::{DMat3, DVec3};
+use polhode_contact::ConvexPolyhedron;
+use polhode_spatial::Pose;
+use std::cmp::Ordering;
+
+/// What an axis is the normal of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxisOf {
+    FaceA(usize),
+    FaceB(usize),
+    Edges(usize, usize),
+}
+
+/// An axis in f64: unit normal from B to A (axes of the world), separation along it, m.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axis {
+    pub(crate) of: AxisOf,
+    pub(crate) normal: DVec3,
+    pub(crate) separation: f64,
+    /// Length of the cross product of two unit vectors along the edges; one for a face.
+    pub(crate) sine: f64,
+}
+
+/// Two polyhedra at poses, in f64 with B relative to A's origin: plain sums over all axes.
+#[derive(Debug)]
+pub(crate) struct Pair<'a> {
+    pub(crate) bodies: [&'a ConvexPolyhedron; 2],
+    poses: [&'a Pose; 2],
+    /// Vertices in axes of the world, from A's origin, m.
+    pub(crate) vertices: [Vec<DVec3>; 2],
+    /// The largest length of the pair, m.
+    pub(crate) scale: f64,
+}
+
+/// Below this sine of the angle between two edges f64 does not say what the separation along their normal is.
+const UNCERTAIN_SINE: f64 = 1e-4;
+
+/// Edges bear the supports when they stand no further behind them than this, relative to the scale.
+const BEARING: f64 = 1e-11;
+
+/// Separations in f64 this near to the best, relative to the scale, are compared exactly: a hundred times the rounding
+/// at [`UNCERTAIN_SINE`].
+const NEAR_BEST: f64 = 1e-10;
+
+/// `q v q*/|q|^2` as a matrix.
+fn turning(pose: &Pose) -> DMat3 {
+    let [w, x, y, z] = pose.rotation.to_wxyz();
+    let square = w * w + x * x + y * y + z * z;
+    let columns = [
+        DVec3::new(w * w + x * x - y * y - z * z, 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)),
+        DVec3::new(2.0 * (x * y - w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z + w * x)),
+        DVec3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), w * w - x * x - y * y + z * z),
+    ];
+    DMat3::from_cols(columns[0] / square, columns[1] / square, columns[2] / square)
+}
+
+fn supports(points: &[DVec3], n: DVec3) -> (f64, f64) {
+    points.iter().map(|p| p.dot(n)).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)))
+}
+
+impl<'a> Pair<'a> {
+    pub(crate) fn new(a: &'a ConvexPolyhedron, pose_a: &'a Pose, b: &'a ConvexPolyhedron, pose_b: &'a Pose) -> Self {
+        let (turn_a, turn_b, between) = (turning(pose_a), turning(pose_b), pose_b.translation - pose_a.translation);
+        let vertices = [
+            a.vertices().iter().map(|&v| turn_a * v).collect(),
+            b.vertices().iter().map(|&v| turn_b * v + between).collect::<Vec<_>>(),
+        ];
+        Self { bodies: [a, b], poses: [pose_a, pose_b], vertices, scale: a.size() + b.size() + between.length() }
+    }
+
+    /// Outward normal of a face, of no particular length, from its vertices.
+    pub(crate) fn face_normal(&self, body: usize, face: usize) -> DVec3 {
+        let at = &self.vertices[body];
+        let corners = self.bodies[body].face(face).map_or(&[][..], |f| f.vertices);
+        let Some((&first, rest)) = corners.split_first() else { return DVec3::NAN };
+        let origin = at[first as usize];
+        rest.windows(2).map(|e| (at[e[0] as usize] - origin).cross(at[e[1] as usize] - origin)).sum()
+    }
+
+    /// Unit vector along an edge.
+    pub(crate) fn direction(&self, body: usize, edge: usize) -> DVec3 {
+        let [from, to] = self.bodies[body].edges()[edge].vertices;
+        (self.vertices[body][to as usize] - self.vertices[body][from as usize]).normalize()
+    }
+
+    /// Separation along a unit vector from B to A, m.
+    fn along(&self, normal: DVec3) -> f64 {
+        supports(&self.vertices[0], normal).0 - supports(&self.vertices[1], normal).1
+    }
+
+    /// Every axis that has a direction, of two edges only when they bear the supports along it (or f64 cannot tell). Of
+    /// bodies that overlap no other axis can be best; of bodies apart another one may separate by more, as many
+    /// directions do, and says less of how they will meet.
+    pub(crate) fn axes(&self) -> Vec<Axis> {
+        let mut axes = Vec::new();
+        let mut offer = |of, normal: DVec3, sine| {
+            let separation = self.along(normal);
+            if sine < UNCERTAIN_SINE || self.between_features(of, normal) <= separation + BEARING * self.scale {
+                axes.push(Axis { of, normal, separation, sine });
+            }
+        };
+        for face in 0..self.bodies[0].face_count() {
+            offer(AxisOf::FaceA(face), -self.face_normal(0, face).normalize(), 1.0);
+        }
+        for face in 0..self.bodies[1].face_count() {
+            offer(AxisOf::FaceB(face), self.face_normal(1, face).normalize(), 1.0);
+        }
+        let directions = |body: usize| -> Vec<DVec3> {
+            (0..self.bodies[body].edges().len()).map(|edge| self.direction(body, edge)).collect()
+        };
+        let (along_a, along_b) = (directions(0), directions(1));
+        for (i, a) in along_a.iter().enumerate() {
+            for (j, b) in along_b.iter().enumerate() {
+                let cross = a.cross(*b);
+                let sine = cross.length();
+                if sine > 0.0 {
+                    let normal = cross / sine;
+                    offer(AxisOf::Edges(i, j), normal, sine);
+                    offer(AxisOf::Edges(i, j), -normal, sine);
+                }
+            }
+        }
+        axes
+    }
+
+    /// Separation of the axis' own features along it; a face is its own support.
+    fn between_features(&self, of: AxisOf, normal: DVec3) -> f64 {
+        let AxisOf::Edges(i, j) = of else { return f64::NEG_INFINITY };
+        let ends = |body: usize, edge: usize| {
+            self.bodies[body].edges()[edge].vertices.map(|v| self.vertices[body][v as usize].dot(normal))
+        };
+        let ([a, b], [c, d]) = (ends(0, i), ends(1, j));
+        a.max(b) - c.min(d)
+    }
+
+    /// The axes whose separation in f64 is near the best, the best first; and all that f64 cannot tell, when `exact`
+    /// numbers will.
+    pub(crate) fn near_best(&self, axes: &[Axis], exact: bool) -> Vec<Axis> {
+        let told = |axis: &Axis| axis.sine >= UNCERTAIN_SINE;
+        let best = axes.iter().filter(|x| told(x)).map(|x| x.separation).fold(f64::NEG_INFINITY, f64::max);
+        let least = best - NEAR_BEST * self.scale;
+        let near = |axis: &&Axis| if told(axis) { axis.separation >= least } else { exact };
+        let mut near: Vec<Axis> = axes.iter().filter(near).copied().collect();
+        near.sort_by(|x, y| y.separation.total_cmp(&x.separation));
+        near
+    }
+}
+
+/// The same pair in exact numbers.
+#[derive(Debug)]
+pub(crate) struct ExactPair<'a> {
+    pair: &'a Pair<'a>,
+    pub(crate) vertices: [Vec<ExactVector>; 2],
+    /// `D`: lengths are multiplied by it.
+    multiple: Dyadic,
+}
+
+/// An exact separation: `top/sqrt(square)`, m.
+#[derive(Debug, Clone)]
+pub(crate) struct ExactSeparation {
+    top: Dyadic,
+    square: Dyadic,
+}
+
+impl ExactSeparation {
+    /// The sum of some lengths, m.
+    pub(crate) fn sum(lengths: &[f64]) -> Self {
+        let add = |sum: Dyadic, length: &f64| &sum + &Dyadic::from(*length);
+        Self { top: lengths.iter().fold(Dyadic::from(0.0), add), square: Dyadic::from(1.0) }
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        let signed = |s: &Self, other: &Self| {
+            let square = &s.top.square() * &other.square;
+            if s.top.signum() < 0 { -&square } else { square }
+        };
+        signed(self, other).compare(&signed(other, self))
+    }
+
+    /// The separation less a measured one, m.
+    pub(crate) fn less(&self, measured: f64) -> f64 {
+        self.top.over_root_less(&self.square, measured)
+    }
+}
+
+/// `q v q*` and `|q|^2`.
+fn turned(pose: &Pose, vertices: &[DVec3]) -> (Vec<ExactVector>, Dyadic) {
+    let [w, x, y, z] = pose.rotation.to_wxyz();
+    let (w, u) = (Dyadic::from(w), ExactVector::from(DVec3::new(x, y, z)));
+    let (two, w2, u2) = (Dyadic::from(2.0), w.square(), u.dot(&u));
+    let turn = |v: &DVec3| {
+        // q v q* = (w^2 - u.u) v + 2 (u.v) u + 2 w (u x v).
+        let v = ExactVector::from(*v);
+        let sum = &v.scaled(&(&w2 - &u2)) + &u.scaled(&(&two * &u.dot(&v)));
+        &sum + &u.cross(&v).scaled(&(&two * &w))
+    };
+    (vertices.iter().map(turn).collect(), &w2 + &u2)
+}
+
+impl<'a> ExactPair<'a> {
+    pub(crate) fn new(pair: &'a Pair<'a>) -> Self {
+        let [(a, square_a), (b, square_b)] = [0, 1].map(|i| turned(pair.poses[i], pair.bodies[i].vertices()));
+        let between = &ExactVector::from(pair.poses[1].translation) - &ExactVector::from(pair.poses[0].translation);
+        let multiple = &square_a * &square_b;
+        let between = between.scaled(&multiple);
+        let vertices = [
+            a.iter().map(|v| v.scaled(&square_b)).collect(),
+            b.iter().map(|v| &v.scaled(&square_a) + &between).collect(),
+        ];
+        Self { pair, vertices, multiple }
+    }
+
+    /// Outward normal of a face, of no particular length.
+    pub(crate) fn face_normal(&self, body: usize, face: usize) -> ExactVector {
+        let corners = self.pair.bodies[body].face(face).map_or(&[][..], |f| f.vertices);
+        let at = |v: u32| &self.vertices[body][v as usize];
+        let mut sum = ExactVector::from(DVec3::ZERO);
+        for pair in corners.get(1..).unwrap_or_default().windows(2) {
+            sum = &sum + &(at(pair[0]) - at(corners[0])).cross(&(at(pair[1]) - at(corners[0])));
+        }
+        sum
+    }
+
+    /// Cross product of two edges, turned as the axis says; nothing when they are exactly parallel.
+    fn normal(&self, axis: &Axis) -> Option<ExactVector> {
+        let along = |body: usize, edge: usize| {
+            let [from, to] = self.pair.bodies[body].edges()[edge].vertices;
+            &self.vertices[body][to as usize] - &self.vertices[body][from as usize]
+        };
+        let normal = match axis.of {
+            AxisOf::FaceA(face) => -&self.face_normal(0, face),
+            AxisOf::FaceB(face) => self.face_normal(1, face),
+            AxisOf::Edges(i, j) => {
+                let cross = along(0, i).cross(&along(1, j));
+                if cross.dot(&ExactVector::from(axis.normal)).signum() < 0 { -&cross } else { cross }
+            }
+        };
+        (!normal.is_zero()).then_some(normal)
+    }
+
+    /// Separation along a vector of any length, from B to A.
+    pub(crate) fn along(&self, normal: &ExactVector) -> ExactSeparation {
+        let extreme = |body: usize, wanted: Ordering| {
+            let mut best: Option<Dyadic> = None;
+            for vertex in &self.vertices[body] {
+                let height = vertex.dot(normal);
+                if best.as_ref().is_none_or(|b| height.compare(b) == wanted) {
+                    best = Some(height);
+                }
+            }
+            best.unwrap_or_else(|| Dyadic::from(0.0))
+        };
+        let top = &extreme(0, Ordering::Less) - &extreme(1, Ordering::Greater);
+        ExactSeparation { top, square: &normal.dot(normal) * &self.multiple.square() }
+    }
+
+    /// The best of some axes with its exact separation; nothing when none has a direction.
+    pub(crate) fn best(&self, axes: &[Axis]) -> Option<(Axis, ExactSeparation)> {
+        let mut best: Option<(Axis, ExactSeparation)> = None;
+        for axis in axes {
+            let Some(normal) = self.normal(axis) else { continue };
+            let separation = self.along(&normal);
+            if best.as_ref().is_none_or(|(_, b)| separation.compare(b) == Ordering::Greater) {
+                best = Some((*axis, separation));
+            }
+        }
+        best
+    }
+}
