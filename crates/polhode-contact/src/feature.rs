@@ -27,14 +27,14 @@ impl Side {
     }
 }
 
-/// The part of a surface that is nearest to a sphere's centre or to a point.
+/// A part of a surface, as one side of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SurfaceFeature {
-    /// A face of a polyhedron, or face 0 of a half-space.
+    /// A face of a polyhedron, a disc, a side of a patch of a mesh, or face 0 of a half-space.
     Face(u32),
-    /// An edge of a polyhedron.
+    /// An edge of a polyhedron or a mesh.
     Edge(u32),
-    /// A vertex of a polyhedron.
+    /// A vertex of a polyhedron or a mesh, a cone's apex, a stated point of a rim.
     Vertex(u32),
     /// A sphere, against a point of a cloud.
     Sphere,
@@ -49,6 +49,23 @@ pub enum SurfaceFeature {
     RimExit(u32),
     /// The same where the edge or the other rim enters the disc.
     RimEntry(u32),
+}
+
+impl SurfaceFeature {
+    /// Its number among those of its kind.
+    pub(crate) const fn number(self) -> u32 {
+        match self {
+            Self::Face(n)
+            | Self::Edge(n)
+            | Self::Vertex(n)
+            | Self::Cap(n)
+            | Self::Side(n)
+            | Self::Rim(n)
+            | Self::RimExit(n)
+            | Self::RimEntry(n) => n,
+            Self::Sphere => 0,
+        }
+    }
 }
 
 /// Which features touch.

@@ -13,9 +13,9 @@
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`]; [`NarrowPhase`]: all pairs from step to step |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`NarrowPhase`]: all pairs from step to step |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
-//! | [`impact`] | [`time_of_impact()`]: first time at which two moving shapes close |
+//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |

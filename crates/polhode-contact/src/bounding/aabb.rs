@@ -80,11 +80,6 @@ impl Aabb {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The smallest box that contains both.
-    pub fn union(&self, other: &Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
-    }
-
     /// The box blown up by a distance on every side, m.
     ///
     /// # Errors
@@ -134,7 +129,7 @@ pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Resul
     if let Shape::Compound(compound) = shape {
         let mut boxes = compound.parts().iter().map(|part| swept_aabb(part, motion, t0, t1));
         let Some(first) = boxes.next() else { return Ok(Aabb::UNBOUNDED) };
-        return boxes.try_fold(first?, |whole, part| Ok(whole.union(&part?)));
+        return boxes.try_fold(first?, |whole, part| Ok(whole.merged(&part?)));
     }
     let duration = t1 - t0;
     let bounds = motion.bounds(t0, t1);

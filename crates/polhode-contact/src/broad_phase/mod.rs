@@ -8,7 +8,7 @@
 //! | [`kd_tree`] | space halved along one axis, at the median |
 //! | [`binary_space_partition`] | space halved by planes in any direction |
 //! | [`sweep_and_prune`] | intervals on one axis, kept in order from call to call |
-//! | [`all_pairs`] | none: every box against every other |
+//! | [`all_pairs`] | `none` in scenes: every box against every other |
 //!
 //! All give the same pairs in the same order, whatever their history, so that the choice is one of time alone. Boxes
 //! may be infinite, of any spread of sizes, flat, or coincident. After the first calls none allocates, unless there are

@@ -5,12 +5,14 @@
 //! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
 //! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
 //! The time found is never late but for the rounding of the poses, and no touch is missed, however fast the bodies spin.
+//! Of a torus the distance is as `round/ring.rs` finds it: the least of the minima between samples of its middle line.
+//! Compounds and meshes go part by part (`composite_impact.rs`).
 //!
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
 //! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
 //! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
-//! located. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair that leaves and comes
-//! back between two of them is not seen.
+//! located. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
+//! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::composite_impact::{find_composite, is_composite};
@@ -37,7 +39,7 @@ pub struct ImpactSearch {
     pub touch_relative: f64,
     /// How often the interval is halved to look for the departure of a pair that touches at its start.
     pub departure_halvings: u32,
-    /// Largest number of separations evaluated for one pair; reaching it is an error.
+    /// Largest number of separations evaluated for one pair of parts; reaching it is an error.
     pub max_evaluations: u32,
 }
 

@@ -229,7 +229,11 @@ fn goes_before(first: &Contact, second: &Contact) -> bool {
             let turned = upper(contact) == Side::A;
             (0, edge_a.max(edge_b), edge_a.min(edge_b), (edge_a > edge_b) == turned)
         }
-        ContactFeature::SphereSphere | ContactFeature::Elements { .. } => (0, 0, 0, true),
+        ContactFeature::SphereSphere => (0, 0, 0, true),
+        ContactFeature::Elements { a, b } => {
+            let (a, b) = (a.number(), b.number());
+            (0, a.max(b), a.min(b), (a > b) == (upper(contact) == Side::A))
+        }
     };
     rank(first).cmp(&rank(second)) != Ordering::Less
 }

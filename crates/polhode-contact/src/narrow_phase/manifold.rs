@@ -5,7 +5,9 @@
 //! separates best, that crossing is the only contact, unless a face beside one of the edges is almost parallel to the
 //! other edge: then all contacts of the faces beside are given, so that a body that tips over an edge changes its
 //! contacts continuously.
-//! Capsules, cylinders, cones and tori: `round/region.rs`. Other pairs: every vertex or point below the reach; the nearest features of a sphere.
+//!
+//! Capsules, cylinders, cones and tori: `round/region.rs`. Compounds: `composite.rs`. Triangle meshes: `mesh_pair.rs`.
+//! Other pairs: every vertex or point below the reach; the nearest features of a sphere.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::composite::compound_manifold;
@@ -61,7 +63,8 @@ pub fn manifold_with(
     found
 }
 
-/// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough.
+/// As [`manifold`], with buffers and a result that the caller keeps: of polyhedra, spheres, points and half-spaces nothing is
+/// allocated once they are large enough; round shapes, compounds and meshes allocate.
 /// What stood in the result before is forgotten.
 pub fn manifold_into(
     workspace: &mut Workspace,
@@ -118,7 +121,7 @@ pub fn manifold_into(
     measure(&mut workspace.features, a, b, reach, &mut found.contacts);
 }
 
-/// Capsules, cylinders and cones: the region along the best axis; of a cloud the region of every point, of a ring that of
+/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring that of
 /// every place at which it is nearest.
 fn of_round(workspace: &mut Workspace, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
     let features = &mut workspace.features;

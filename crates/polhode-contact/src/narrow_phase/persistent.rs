@@ -3,7 +3,8 @@
 //! [`NarrowPhase::update`] gives the contacts of all pairs of a broad phase at the poses of now, the same bit for bit as
 //! [`manifold()`](crate::manifold()) would. From the step before it keeps, for each pair, which features need not be
 //! searched (`coherence.rs`), the identities of the contacts with a value of the caller's for each (the impulse for a warm
-//! start), and all buffers: once these are large enough, a step allocates nothing. Pairs that end leave theirs to pairs
+//! start), and all buffers: once these are large enough, a step allocates nothing for polyhedra, spheres, points and
+//! half-spaces (round shapes, compounds and meshes allocate their results). Pairs that end leave their buffers to pairs
 //! that begin.
 
 use crate::narrow_phase::coherence::Coherence;

@@ -2,7 +2,8 @@
 //!
 //! A shape stands in a frame of its body; the engine uses the central frame, origin at the centre of mass, into which
 //! [`Shape::translated`] brings it. Values are checked when a shape is made ("parse, don't validate"), so that the
-//! algorithms meet only finite, closed and convex shapes.
+//! algorithms meet only finite shapes that are what their kind says: convex polyhedra are closed and convex, triangles have
+//! an area, tubes leave a hole.
 
 pub mod approximate_decomposition;
 mod box_tree;

@@ -20,13 +20,11 @@
 use super::element::ALIKE_SINE;
 use super::gap::Gap;
 use crate::narrow_phase::evaluate::evaluate;
+use crate::narrow_phase::manifold::ALIKE;
 use crate::shape::round::{RIM_POINTS, circles};
 use crate::{Contact, ContactFeature, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// Cosine of the angle within which normals belong to one region: 0.01 rad.
-const ALIKE: f64 = 0.999_95;
 
 /// Two contacts are in one place within this many tolerances, as for polygons.
 const SAME_PLACE: f64 = 4.0;
