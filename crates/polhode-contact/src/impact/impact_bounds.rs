@@ -23,6 +23,7 @@
 //! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
 //! same for both, then cancels but for this small stray velocity.
 
+use crate::clearance::PARALLEL_SINE;
 use crate::impact::quadratic_bound::{Quadratic, open_until};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::shape::round::Hull;
@@ -71,6 +72,12 @@ impl MovingBody {
     /// Bound of the acceleration that turning gives a point on an arm, m/s^2.
     fn turning(&self, arm: f64) -> f64 {
         (self.bounds.angular_acceleration + self.bounds.angular_speed * self.bounds.angular_speed) * arm
+    }
+
+    /// The same seen from a frame that turns steadily at `rate` (rad/s).
+    fn turning_from(&self, rate: f64, arm: f64) -> f64 {
+        let spin = self.bounds.angular_speed;
+        (self.bounds.angular_acceleration + (spin + rate) * (spin + rate) + spin * rate) * arm
     }
 
     fn spin(&self) -> f64 {
@@ -139,6 +146,18 @@ impl<'a> Window<'a> {
     /// How long points of body `of` stay outside planes that are fixed in the other body: for each point the plane's
     /// unit normal and the point's gap above it, both at this moment and in the other body's frame, m.
     pub(crate) fn above_planes(&mut self, of: Side, points: Points<'_>, plane: impl Fn(usize) -> (DVec3, f64)) -> f64 {
+        self.above_surfaces(of, points, 0.0, plane)
+    }
+
+    /// As [`Self::above_planes`], over surfaces that bend towards the points: `bend` bounds what the bend takes from the
+    /// second derivative of a gap, m/s^2.
+    pub(crate) fn above_surfaces(
+        &mut self,
+        of: Side,
+        points: Points<'_>,
+        bend: f64,
+        plane: impl Fn(usize) -> (DVec3, f64),
+    ) -> f64 {
         let mut bounds = std::mem::take(&mut self.buffers[0]);
         bounds.clear();
         let (v, e) = self.sides(of);
@@ -166,7 +185,7 @@ impl<'a> Window<'a> {
             bounds.push(Quadratic {
                 value: gap,
                 rate: normal.dot(velocity) + central.rate,
-                curvature: central.curvature + turning,
+                curvature: central.curvature + turning + bend,
             });
         }
         let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
@@ -208,6 +227,13 @@ impl<'a> Window<'a> {
 
     /// How long two hulls stay apart along a direction that is fixed in the world, from B to A.
     pub(crate) fn along_direction(&mut self, direction: DVec3, hull_a: &Hull<'_>, hull_b: &Hull<'_>) -> f64 {
+        self.along_turning(direction, DVec3::ZERO, hull_a, hull_b)
+    }
+
+    /// As [`Self::along_direction`], with a direction that turns steadily (`turn`, rad/s): seen from it a body turns by the
+    /// difference. Lines that the direction stays perpendicular to lose nothing of first order at their ends.
+    pub(crate) fn along_turning(&mut self, direction: DVec3, turn: DVec3, hull_a: &Hull<'_>, hull_b: &Hull<'_>) -> f64 {
+        let turning = turn.length();
         let [mut first, mut second] = std::mem::take(self.buffers);
         let length = self.length;
         let collect = |bounds: &mut Vec<Quadratic>, body: &MovingBody, direction: DVec3, hull: &Hull<'_>| {
@@ -215,26 +241,49 @@ impl<'a> Window<'a> {
                 let arm = body.pose.rotation.rotate(point);
                 Quadratic {
                     value: direction.dot(arm),
-                    rate: direction.dot(body.velocity.angular.cross(arm)),
-                    curvature: body.turning(arm.length()),
+                    rate: direction.dot((body.velocity.angular - turn).cross(arm)),
+                    curvature: body.turning_from(turning, arm.length()),
                 }
             };
             bounds.clear();
             bounds.extend(hull.points.iter().map(|&p| point(p)));
             bounds.extend(hull.circles.iter().map(|circle| {
                 let axis = body.pose.rotation.rotate(circle.axis);
-                let tilt = circle_below(direction, axis, body.velocity.angular.cross(axis), body.turning(1.0), length);
+                let drift = (body.velocity.angular - turn).cross(axis);
+                let tilt = circle_below(direction, axis, drift, body.turning_from(turning, 1.0), length);
                 point(circle.center).plus(tilt.times(circle.radius))
             }));
         };
         collect(&mut first, &self.a, direction, hull_a);
         collect(&mut second, &self.b, -direction, hull_b);
-        let mut base = self.central(Side::A, direction, 0.0);
-        base.value = direction.dot(self.a.pose.translation - self.b.pose.translation) - hull_a.ball - hull_b.ball;
-        base.rate += direction.dot(self.a.velocity.linear - self.b.velocity.linear);
+        let mut base = self.central(Side::A, direction, turning);
+        let between = self.a.pose.translation - self.b.pose.translation;
+        base.value = direction.dot(between) - hull_a.ball - hull_b.ball;
+        base.rate +=
+            direction.dot(self.a.velocity.linear - self.b.velocity.linear) + turn.cross(direction).dot(between);
+        base.curvature += turning * (turning * (between.length() + self.speed * self.length) + 2.0 * self.speed);
         let open = open_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
         open
+    }
+
+    /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the bodies;
+    /// of each line the unit vector across it and the axis. Nothing without lines; of parallel lines the first counts.
+    pub(crate) fn turn_with(&self, across: [Option<DVec3>; 2]) -> Option<DVec3> {
+        let (spin_a, spin_b) = (self.a.velocity.angular, self.b.velocity.angular);
+        match across {
+            [Some(u), Some(v)] => {
+                let (along_u, along_v, cosine) = (spin_a.dot(u), spin_b.dot(v), u.dot(v));
+                let determinant = 1.0 - cosine * cosine;
+                if determinant < PARALLEL_SINE {
+                    return Some(u * along_u);
+                }
+                Some((u * (along_u - cosine * along_v) + v * (along_v - cosine * along_u)) / determinant)
+            }
+            [Some(u), None] => Some(u * spin_a.dot(u)),
+            [None, Some(v)] => Some(v * spin_b.dot(v)),
+            [None, None] => None,
+        }
     }
 
     /// How long two polyhedra stay apart along the common perpendicular of two edges, which turns with them.
@@ -321,6 +370,11 @@ impl<'a> Window<'a> {
         let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
         open
+    }
+
+    /// Length of the window, s.
+    pub(crate) const fn length(&self) -> f64 {
+        self.length
     }
 
     /// Largest speed at which a point of one body within `reach` (m, from each centre) can move relative to the other.

@@ -22,6 +22,7 @@ use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::nearest_feature;
 use crate::narrow_phase::round::element::{Element, Locus};
 use crate::narrow_phase::round::gap::{self, Gap};
+use crate::narrow_phase::round::pairs::nearest_on;
 use crate::narrow_phase::round::ring;
 use crate::narrow_phase::separating_axis::{Axes, Workspace};
 use crate::narrow_phase::separation::{search_axes, separation_with};
@@ -189,6 +190,9 @@ const MEASURABLE: f64 = 4.0;
 /// A pair that touches has closed when its separation has fallen by this part of the touch tolerance: more than a held
 /// contact drifts, less than what counts as penetration.
 const NOTICED: f64 = 1.0 / 16.0;
+
+/// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
+const HALF: f64 = 0.5;
 
 /// More halvings than this leave no interval of doubles.
 const MOST_HALVINGS: u32 = 1074;
@@ -424,6 +428,7 @@ impl Search<'_> {
         }
         let Some(gap) = self.gap else { return 0.0 };
         let step = window.along_direction(gap.normal, &hull_a, &hull_b);
+        let step = step.max(self.clear_beside_lines(now, window, &gap));
         let of_plane = |shape: &Shape, feature: SurfaceFeature| {
             let SurfaceFeature::Face(_) = feature else { return None };
             match Element::of(shape, feature, &Pose::IDENTITY)?.locus {
@@ -440,14 +445,56 @@ impl Search<'_> {
         step.max(circles.min(points_clear_of_plane(now, window, of, &hull, plane)))
     }
 
+    /// A ball and a ring. At a distance `rho` from the ring's axis the distance from its middle line bends towards the axis
+    /// with a curvature of `1/rho` at most, which a speed of `speed` (m/s) takes as an acceleration.
+    fn center_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
+        let (of, this, other, torus, ball) = match self.shapes {
+            [Shape::Torus(torus), Shape::Sphere(ball)] => (Side::B, 1, 0, torus, ball),
+            [Shape::Sphere(ball), Shape::Torus(torus)] => (Side::A, 0, 1, torus, ball),
+            _ => return 0.0,
+        };
+        let Some(ring) = circles(self.shapes[other]).first().copied() else { return 0.0 };
+        let y = now.poses[other].relative(&now.poses[this]).transform_point(ball.center);
+        let away = y - nearest_on(&ring, y);
+        let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
+        let least = rho - speed * window.length();
+        if least < HALF * rho || distance == 0.0 {
+            return 0.0;
+        }
+        let gap = distance - torus.minor - ball.radius;
+        let points = self.shapes[this].centers();
+        window.above_surfaces(of, points, speed * speed / least, |_| (away / distance, gap))
+    }
+
+    /// As long as the normal of two elements of which one at least is straight separates, when it turns so as to stay
+    /// perpendicular to them.
+    fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
+        let [a, b] = self.shapes;
+        let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
+            let line = match Element::of(shape, feature, pose)?.locus {
+                Locus::Line(_, along) => along,
+                Locus::Cone(side) => side.axis - gap.normal * gap.normal.dot(side.axis),
+                _ => return None,
+            };
+            line.cross(gap.normal).try_normalize()
+        };
+        let lines = [along(a, gap.a, &now.poses[0]), along(b, gap.b, &now.poses[1])];
+        match window.turn_with(lines) {
+            Some(turn) => window.along_turning(gap.normal, turn, &Hull::of(a), &Hull::of(b)),
+            None => 0.0,
+        }
+    }
+
     /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) the
     /// distance over the largest speed at which a point of one can move relative to the other.
     fn ring_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let Some(gap) = self.gap else { return 0.0 };
         let [a, b] = self.shapes;
         let apart = (now.poses[0].translation - now.poses[1].translation).length();
-        let step = now.separation / window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
-        step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)))
+        let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
+        let step = (now.separation / speed).max(self.center_clear_of_ring(now, window, speed));
+        let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
+        step.max(self.clear_beside_lines(now, window, &gap))
     }
 
     /// From a moment at which the pair touches: see the module's description.

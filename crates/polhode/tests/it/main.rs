@@ -15,5 +15,6 @@ mod invariance;
 mod momentum;
 mod pivots;
 mod planar;
+mod round_bodies;
 mod support;
 mod table_edge;
