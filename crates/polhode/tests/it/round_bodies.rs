@@ -45,3 +45,30 @@ fn ball_that_has_met_the_inside_of_a_ring_goes_through() {
     let end = report.bodies[1].1.pose.translation;
     assert!(end.z < -1.0 && end.x < 0.0 && (end.x - 2.0 * end.y).abs() < 1e-12, "{end}");
 }
+
+/// Bodies on the axis of a ring meet it all along a circle: they come to rest on it, straight up, also when they stand off
+/// the axis by as little as rounding leaves. A ball of radius r on the middle line of radius R of a tube of radius a rests
+/// at a height of `sqrt((r + a)^2 - R^2)`, an equal ring at `2 a`.
+#[test]
+fn bodies_on_the_axis_of_a_ring_rest_on_it() {
+    let ring = || Shape::torus(0.4, 0.1).unwrap();
+    let on_ring = |upper: Body| {
+        let lower = Body::fixed("ring").geometry(ring().into());
+        let scene = Scene::builder("on a ring").duration_s(2.0).body(lower).body(upper).build().unwrap();
+        let (report, _) = run(&scene, Effects::Planned);
+        assert!(report.certificate.max_penetration_m < 1e-12);
+        report.bodies[1].1.pose.translation
+    };
+    for aside in [0.0, 1e-12, 1e-9] {
+        let end = on_ring(ball("ball", 1.0, 0.35, DVec3::new(aside, 0.0, 0.9), DVec3::ZERO));
+        let height = (0.45_f64.powi(2) - 0.4_f64.powi(2)).sqrt();
+        assert!((end - DVec3::Z * height).length() < 1e-11, "{aside}: {end}");
+    }
+    for start in [0.2, 0.6] {
+        let properties = polhode::mesh::Torus::new(0.4, 0.1).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
+        let upper =
+            Body::movable("upper", properties).geometry(ring().into()).pose(Pose::from_translation(DVec3::Z * start));
+        let end = on_ring(upper);
+        assert!((end - DVec3::Z * 0.2).length() < 1e-12, "{start}: {end}");
+    }
+}

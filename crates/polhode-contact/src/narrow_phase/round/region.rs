@@ -123,12 +123,34 @@ pub(crate) fn contacts(
             contacts.push(contact);
         }
     }
+    for feature in level_points(shape_a, shape_b, gap) {
+        let Some(contact) = measure(feature) else { continue };
+        let geometry = &contact.geometry;
+        let level = (geometry.separation - gap.separation).abs() <= SAME_PLACE * gap.tolerance;
+        let near = |other: &Contact| other.geometry.point.distance(geometry.point) <= SAME_PLACE * gap.tolerance;
+        if level && geometry.separation <= reach && !contacts.iter().any(near) {
+            contacts.push(contact);
+        }
+    }
     if contacts.is_empty() && gap.separation <= gap.tolerance {
         // Bodies that touch have a contact, also where tolerances left none.
         contacts.extend(measure(named(gap.a, gap.b)));
     }
     contacts.sort_unstable_by_key(|contact| contact.feature);
     contacts
+}
+
+/// The stated points of a ring against the element that it is nearest to: bodies on one axis touch all along a circle,
+/// for which these stand.
+fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> impl Iterator<Item = ContactFeature> + 'a {
+    use SurfaceFeature::{Rim, Vertex};
+    let rings = [matches!(shape_a, Shape::Torus(_)), matches!(shape_b, Shape::Torus(_))];
+    let along = [rings[0] && gap.a == Rim(0), rings[1] && gap.b == Rim(0) && !rings[0]];
+    (0..RIM_POINTS).flat_map(move |k| {
+        let of_a = along[0].then(|| named(Vertex(k), gap.b));
+        let of_b = along[1].then(|| named(gap.a, Vertex(k)));
+        of_a.into_iter().chain(of_b)
+    })
 }
 
 /// Whether a crossing of a rim is one of two in one place: the other curve only grazes the disc, within the tolerance.

@@ -159,12 +159,16 @@ impl Stationary {
     }
 }
 
+/// The unknowns begin with the two of the normal.
+const NORMAL_UNKNOWNS: usize = 2;
+
 struct Rates {
     normal: DVec3,
     parameters: [f64; 3],
 }
 
-/// Gaussian elimination with exchange of rows; nothing when a pivot is zero to rounding.
+/// Gaussian elimination with exchange of rows. A parameter whose pivot is zero to rounding does not matter, for every
+/// place of its element is as good (a ball on the axis of a ring), and is held still; nothing when it is the normal's.
 fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -> Option<[f64; MOST]> {
     let largest = matrix.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     for column in 0..size {
@@ -172,8 +176,17 @@ fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -
         matrix.swap(column, pivot);
         right.swap(column, pivot);
         let pivot = matrix[column][column];
-        if pivot.is_nan() || pivot.abs() <= SMALLEST_PIVOT * largest {
+        if pivot.is_nan() {
             return None;
+        }
+        if pivot.abs() <= SMALLEST_PIVOT * largest {
+            if column < NORMAL_UNKNOWNS {
+                return None;
+            }
+            matrix[column] = [0.0; MOST];
+            matrix[column][column] = 1.0;
+            right[column] = 0.0;
+            continue;
         }
         for row in column + 1..size {
             let factor = matrix[row][column] / pivot;
