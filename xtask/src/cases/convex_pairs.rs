@@ -68,8 +68,9 @@ pub(super) fn random(context: &Context) -> CaseResult {
             None => skipped += 1,
         }
     }
-    let named = |what: &str| format!("{what} (of {PAIRS} pairs with --full)");
-    let exact = |what: &str| format!("{what}, against exact arithmetic ({EXACT_PAIRS} pairs with --full)");
+    // The number of pairs is part of the name: what fails in many may pass in few.
+    let named = |what: &str| format!("{what}, of {} pairs", context.amount.of(PAIRS));
+    let exact = |what: &str| format!("{what}, of {} pairs in exact arithmetic", context.amount.of(EXACT_PAIRS));
     Ok(vec![
         Row::exact(CASE, &named("wrong normals, beyond 1e-9 rad"), 0_u64, tally.wrong_normals),
         Row::exact(CASE, &named("missing contacts"), 0_u64, tally.missing),
