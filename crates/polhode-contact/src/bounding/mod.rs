@@ -6,12 +6,14 @@
 //! | [`bounding_sphere`] | smallest ball | one distance |
 //! | [`oriented_box`] | box in any direction | separating axes, fifteen of them |
 //!
-//! All are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
+//! [`box_tree`] sorts many boxes into a tree. All volumes are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
 
 pub mod aabb;
 pub mod bounding_sphere;
+pub(crate) mod box_tree;
 pub(crate) mod extent;
 pub mod oriented_box;
 
 pub use bounding_sphere::BoundingSphere;
+pub(crate) use box_tree::{Bounds, BoxTree};
 pub use oriented_box::OrientedBox;

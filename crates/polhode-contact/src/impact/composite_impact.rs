@@ -10,6 +10,7 @@
 //! approaches; otherwise the search of this part goes on from there as one of a pair that touches.
 
 use crate::Shape;
+use crate::bounding::Bounds;
 use crate::bounding::aabb::{Aabb, swept_aabb};
 use crate::clearance::touch_tolerance;
 use crate::impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_in_parts};
@@ -17,8 +18,8 @@ use crate::narrow_phase::evaluate::kinematics;
 use crate::narrow_phase::manifold::manifold_with;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
+use crate::shape::TriangleMesh;
 use crate::shape::extent::turned;
-use crate::shape::{Bounds, TriangleMesh};
 use polhode_spatial::{Motion, Pose, Velocity};
 use std::borrow::Cow;
 use std::collections::BTreeSet;

@@ -6,6 +6,7 @@
 //! then the upper body's, a rule that follows the bodies and not their names. All of it is computed about A's origin, so
 //! that a pair far away loses nothing; the geometry of the contacts that stay is [`evaluate`]'s at the poses given.
 
+use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::compound_surface::on_whole;
 use crate::narrow_phase::evaluate::evaluate;
@@ -13,7 +14,6 @@ use crate::narrow_phase::manifold::{is_upward, manifold_with};
 use crate::narrow_phase::part_feature::globalized;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
-use crate::shape::Bounds;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
 use polhode_spatial::Pose;
 use std::cmp::Ordering;

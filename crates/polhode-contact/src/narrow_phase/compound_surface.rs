@@ -10,10 +10,11 @@
 //!
 //! Fails for gaps and steps between parts that are shorter than the probe ([`PROBE`]), which count as closed.
 
+use crate::bounding::Bounds;
 use crate::narrow_phase::composite::Candidate;
 use crate::narrow_phase::evaluate::face_margin;
+use crate::shape::Compound;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::shape::{Bounds, Compound};
 use crate::{ContactFeature, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;

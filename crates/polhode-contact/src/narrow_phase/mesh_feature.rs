@@ -5,9 +5,10 @@
 //! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
 use crate::SurfaceFeature;
+use crate::bounding::Bounds;
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::evaluate::{Distance, from_plane, from_point};
-use crate::shape::{Bounds, TriangleMesh};
+use crate::shape::TriangleMesh;
 use glam::DVec3;
 
 /// Distance of a place from a feature of the mesh, in the mesh's frame.

@@ -1,9 +1,10 @@
 //! One point against a shape: the nearest place of its surface, and whether the shape contains it.
 
-use super::pieces::elements;
+use super::pieces::{box_distance, offer_nearest};
 use super::signed_distance::signed_distance;
 use super::{FeatureKind, QueryError, QueryFeature};
 use crate::Shape;
+use crate::bounding::Bounds;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -46,14 +47,11 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
     }
     let local = pose.inverse_transform_point(point);
     let mut best: Option<SurfacePoint> = None;
-    for element in elements(shape, &Pose::IDENTITY) {
-        let nearest_possible = (element.ball.0 - local).length() - element.ball.1 - element.radius;
-        if best.is_some_and(|best| nearest_possible > best.distance) {
-            continue;
-        }
+    let here = Bounds { min: local, max: local };
+    offer_nearest(shape, &Pose::IDENTITY, f64::INFINITY, &|bounds| box_distance(bounds, &here), &mut |element| {
         let found = signed_distance(&element.core, local);
         let distance = found.distance - element.radius;
-        if best.is_none_or(|best| distance < best.distance) {
+        if best.is_none_or(|best| (distance, element.part) < (best.distance, best.feature.part)) {
             let kind = if element.point_is_vertex { FeatureKind::Vertex(element.part) } else { found.kind };
             let kind = if element.radius > 0.0 { FeatureKind::Surface } else { kind };
             best = Some(SurfacePoint {
@@ -63,7 +61,8 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
                 feature: element.feature(kind),
             });
         }
-    }
+        best.map_or(f64::INFINITY, |best| best.distance)
+    });
     let best = best.ok_or(QueryError::NotFinite { what: "the shape" })?;
     Ok(SurfacePoint { point: pose.transform_point(best.point), normal: pose.rotation.rotate(best.normal), ..best })
 }

@@ -4,11 +4,12 @@ use super::curved::{apart, by_expansion};
 use super::element::{Core, Element};
 use super::lines::nearest_places;
 use super::penetration::Found;
-use super::pieces::elements;
+use super::pieces::{box_distance, offer_nearest};
 use super::signed_distance::{signed, signed_distance};
 use super::sweep::{along_circle, along_segment};
 use super::{FeatureKind, QueryError, QueryFeature, polytopes};
 use crate::Shape;
+use crate::bounding::Bounds;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -68,23 +69,42 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     if !there.is_finite() {
         return Err(QueryError::NotFinite { what: "the distance of the poses" });
     }
-    let parts_a = elements(shape_a, &here);
-    let parts_b = elements(shape_b, &there);
     let mut best: Option<ClosestPoints> = None;
-    for a in &parts_a {
-        for b in &parts_b {
-            if best.is_some_and(|best| a.bound(b) > best.distance) {
-                continue;
+    let least = |best: &Option<ClosestPoints>| best.map_or(f64::INFINITY, |best| best.distance);
+    let beyond_a = distance_from(shape_b, &here, &there);
+    offer_nearest(shape_a, &here, f64::INFINITY, &beyond_a, &mut |a| {
+        let ball = a.bounds_in(&there);
+        offer_nearest(shape_b, &there, least(&best), &|bounds| box_distance(bounds, &ball), &mut |b| {
+            if best.is_none_or(|best| a.bound(b) <= best.distance) {
+                let found = with_radii(a, b, &of_cores(a, b));
+                if best.is_none_or(|best| found.order() < best.order()) {
+                    best = Some(found);
+                }
             }
-            let found = with_radii(a, b, &of_cores(a, b));
-            if best.is_none_or(|best| found.distance < best.distance) {
-                best = Some(found);
-            }
-        }
-    }
+            least(&best)
+        });
+        least(&best)
+    });
     let best = best.ok_or(QueryError::NotFinite { what: "the shape" })?;
     let origin = pose_a.translation;
     Ok(ClosestPoints { point_a: origin + best.point_a, point_b: origin + best.point_b, ..best })
+}
+
+/// Lower bound of the distance of a shape from what is in a box of a frame, m.
+fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Bounds) -> f64 {
+    // A half-space has no box, and nothing can be left out that it may be deeper in.
+    let around = match shape {
+        Shape::HalfSpace(_) => Bounds::ALL,
+        _ => shape.bounds_at(&frame.relative(pose)),
+    };
+    move |bounds| box_distance(bounds, &around)
+}
+
+impl ClosestPoints {
+    /// Nearer pairs come first, of equally near ones those of lower parts.
+    const fn order(&self) -> (f64, u32, u32) {
+        (self.distance, self.feature_a.part, self.feature_b.part)
+    }
 }
 
 /// Of two cores blown up by their radii.

@@ -3,6 +3,7 @@
 //! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
 
 use super::{FeatureKind, QueryFeature};
+use crate::bounding::Bounds;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
 use crate::{Cone, Cylinder, HalfSpace, Torus};
@@ -46,6 +47,12 @@ impl<'a> Element<'a> {
     pub(crate) fn support(&self, direction: DVec3) -> DVec3 {
         let local = self.pose.rotation.inverse_rotate(direction);
         self.pose.transform_point(self.core.support(local))
+    }
+
+    /// A box around the element in a frame, m.
+    pub(crate) fn bounds_in(&self, frame: &Pose) -> Bounds {
+        let center = frame.inverse_transform_point(self.ball.0);
+        Bounds { min: center, max: center }.inflated(self.ball.1 + self.radius)
     }
 
     /// Least distance that another element can have, m.

@@ -1,14 +1,16 @@
-//! Shapes as the elements they consist of.
+//! Shapes as the elements they consist of, and those of them that may be nearest.
 
 use super::element::{Core, Element};
 use crate::Shape;
+use crate::bounding::Bounds;
+use crate::shape::TriangleMesh;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// The elements of a shape whose frame stands at a pose; triangles and points are numbered as in the shape, the elements
-/// of a compound by their part.
-pub(crate) fn elements<'a>(shape: &'a Shape, pose: &Pose) -> Vec<Element<'a>> {
-    let one = |core, radius| vec![Element::new(core, radius, 0, *pose)];
+/// Calls `visit` with the elements of a shape whose frame stands at a pose; triangles and points are numbered as in the
+/// shape, the elements of a compound by their part.
+fn for_each_element<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&Element<'a>)) {
+    let mut one = |core, radius| visit(&Element::new(core, radius, 0, *pose));
     match shape {
         Shape::Convex(p) => one(Core::Polyhedron(p), 0.0),
         Shape::Sphere(s) => one(Core::Point(s.center), s.radius),
@@ -17,60 +19,81 @@ pub(crate) fn elements<'a>(shape: &'a Shape, pose: &Pose) -> Vec<Element<'a>> {
         Shape::Cylinder(c) => one(Core::Cylinder(c), 0.0),
         Shape::Cone(c) => one(Core::Cone(c), 0.0),
         Shape::Torus(t) => one(Core::Circle(t), t.minor),
-        Shape::Points(cloud) => cloud.points.iter().enumerate().map(|(i, &p)| cloud_point(p, i, pose)).collect(),
-        Shape::TriangleMesh(mesh) => (0..mesh.triangles.len())
-            .map(|i| Element::new(Core::Triangle(corners(mesh.vertices(), mesh.triangles[i])), 0.0, i as u32, *pose))
-            .collect(),
+        Shape::Points(cloud) => {
+            for (index, &point) in cloud.points.iter().enumerate() {
+                let element = Element::new(Core::Point(point), 0.0, index as u32, *pose);
+                visit(&Element { point_is_vertex: true, ..element });
+            }
+        }
+        Shape::TriangleMesh(mesh) => (0..mesh.triangles.len() as u32).for_each(|t| visit(&triangle(mesh, t, pose))),
         Shape::Compound(compound) => {
-            let parts = compound.parts().iter().enumerate();
-            let inner = parts.flat_map(|(i, part)| {
-                elements(part, pose).into_iter().map(move |element| Element { part: i as u32, ..element })
+            (0..compound.parts.len() as u32).for_each(|part| for_each_of_part(&compound.parts, part, pose, visit));
+        }
+    }
+}
+
+fn triangle(mesh: &TriangleMesh, index: u32, pose: &Pose) -> Element<'static> {
+    // A mesh names only vertices that exist.
+    let corners = mesh.triangles[index as usize].map(|v| mesh.vertices[v as usize]);
+    Element::new(Core::Triangle(corners), 0.0, index, *pose)
+}
+
+fn for_each_of_part<'a>(parts: &'a [Shape], part: u32, pose: &Pose, visit: &mut dyn FnMut(&Element<'a>)) {
+    for_each_element(&parts[part as usize], pose, &mut |element| visit(&Element { part, ..*element }));
+}
+
+/// Offers to `measure` the elements of a shape that may have the least value, nearest boxes first. `measure` returns the
+/// least value found, `start` is that at the beginning, and `bound` a lower bound of the values within a box of the
+/// shape's frame: boxes with a bound above both the least value and 0 are left out.
+pub(crate) fn offer_nearest<'a>(
+    shape: &'a Shape,
+    pose: &Pose,
+    start: f64,
+    bound: &impl Fn(&Bounds) -> f64,
+    measure: &mut impl FnMut(&Element<'a>) -> f64,
+) {
+    match shape {
+        Shape::TriangleMesh(mesh) => {
+            mesh.tree.least(start, 0.0, bound, &mut |t, _| measure(&triangle(mesh, t, pose)));
+        }
+        Shape::Compound(compound) => {
+            compound.tree.least(start, 0.0, bound, &mut |part, mut least| {
+                for_each_of_part(&compound.parts, part, pose, &mut |element| least = least.min(measure(element)));
+                least
             });
-            inner.collect()
         }
+        _ => for_each_element(shape, pose, &mut |element| {
+            measure(element);
+        }),
     }
 }
 
-fn cloud_point(point: DVec3, index: usize, pose: &Pose) -> Element<'static> {
-    Element { point_is_vertex: true, ..Element::new(Core::Point(point), 0.0, index as u32, *pose) }
+/// Boxes and places round differently: a bound gives way by this part, so that of equal answers none is left out.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Lower bound of the distance of a box from another, m.
+pub(crate) fn box_distance(bounds: &Bounds, other: &Bounds) -> f64 {
+    let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+    bounds.distance(other) * (1.0 - ROUNDING) - ROUNDING * largest
 }
 
-/// Corners of a triangle; a mesh names only vertices that exist.
-pub(crate) fn corners(vertices: &[DVec3], triangle: [u32; 3]) -> [DVec3; 3] {
-    triangle.map(|v| vertices.get(v as usize).copied().unwrap_or_default())
-}
-
-/// Bounds of a shape along the world's axes, m, with the rounding of the pose; unbounded for a half-space.
-pub(crate) fn bounds(shape: &Shape, pose: &Pose) -> (DVec3, DVec3) {
-    if let Shape::HalfSpace(_) = shape {
-        return (DVec3::NEG_INFINITY, DVec3::INFINITY);
-    }
-    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let whole = |direction: DVec3| {
-        let farthest = shape.support(pose.rotation.inverse_rotate(direction))?;
-        Some(pose.transform_point(farthest))
-    };
-    if axes.iter().all(|&direction| whole(direction).is_some()) {
-        for (axis, direction) in axes.into_iter().enumerate() {
-            high[axis] = whole(direction).map_or(f64::INFINITY, |place| place[axis]);
-            low[axis] = whole(-direction).map_or(f64::NEG_INFINITY, |place| place[axis]);
+/// Where a ray enters a box, m, at the earliest; nothing for a miss.
+pub(crate) fn entered(bounds: &Bounds, origin: DVec3, direction: DVec3) -> Option<f64> {
+    // What is in the box is met to the rounding of its distance from the origin.
+    let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
+    let bounds = bounds.inflated(ROUNDING * farthest);
+    let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);
+    for axis in 0..3 {
+        let (from, rate) = (origin[axis], direction[axis]);
+        if rate == 0.0 {
+            if from < bounds.min[axis] || from > bounds.max[axis] {
+                return None;
+            }
+            continue;
         }
-        return widened(low, high);
+        let (s, t) = ((bounds.min[axis] - from) / rate, (bounds.max[axis] - from) / rate);
+        enter = enter.max(s.min(t));
+        leave = leave.min(s.max(t));
     }
-    for element in elements(shape, pose) {
-        for (axis, direction) in axes.into_iter().enumerate() {
-            high[axis] = high[axis].max(element.support(direction)[axis] + element.radius);
-            low[axis] = low[axis].min(element.support(-direction)[axis] - element.radius);
-        }
-    }
-    widened(low, high)
+    (enter <= leave).then_some(enter)
 }
-
-fn widened(low: DVec3, high: DVec3) -> (DVec3, DVec3) {
-    let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()) + (high - low));
-    (low - rounding, high + rounding)
-}
-
-/// Bounds are wider by this many epsilon of their largest coordinate.
-const ROUNDING_ULPS: f64 = 16.0;

@@ -8,10 +8,11 @@
 //! grazes to rounding is a hit when the rounded numbers say touch, and the same numbers give the same answer.
 
 use super::element::{Core, Element};
-use super::pieces::elements;
+use super::pieces::{entered, offer_nearest};
 use super::quartic::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
 use super::{FeatureKind, QueryError, QueryFeature};
+use crate::bounding::Bounds;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::across;
 use crate::{Cone, Cylinder, Shape, Torus};
@@ -92,12 +93,18 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
         direction: pose.rotation.inverse_rotate(ray.direction),
     };
     let mut best: Option<(f64, Met, u32)> = None;
-    for element in elements(shape, &Pose::IDENTITY) {
-        let Some((distance, met)) = against(&element, &local) else { continue };
-        if distance <= max_distance && best.is_none_or(|best| distance < best.0) {
+    let bound = |bounds: &Bounds| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
+    // A box that the ray misses lies beyond every number.
+    let reach = max_distance.min(f64::MAX);
+    offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |element| {
+        if let Some((distance, met)) = against(element, &local)
+            && distance <= max_distance
+            && best.is_none_or(|best| (distance, element.part) < (best.0, best.2))
+        {
             best = Some((distance, met, element.part));
         }
-    }
+        best.map_or(reach, |best| best.0)
+    });
     let (distance, met, part) = best?;
     let point = ray.at(distance);
     Some(match met {

@@ -1,14 +1,15 @@
 //! The same questions to many bodies at once: nearest, overlapping, hit by a ray.
 //!
-//! A tree of bounding boxes, split in the middle of the longest side by the order of the boxes' centres, tells which
-//! bodies may answer; every answer comes from the shapes. Bodies are named by their index, and of equal answers the lowest
+//! A tree of bounding boxes tells which bodies may answer; every answer comes from the shapes. Bodies are named by their index, and of equal answers the lowest
 //! index is taken, so that nothing depends on the tree.
 
 use super::QueryError;
 use super::closest_point::{SurfacePoint, closest_point};
 use super::overlap::overlap;
-use super::pieces::bounds;
+use super::pieces::{box_distance, entered};
 use super::ray_cast::{Ray, RayHit, ray_cast};
+use crate::bounding::aabb::aabb_of;
+use crate::bounding::{Bounds, BoxTree};
 use crate::{Aabb, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -30,70 +31,13 @@ use polhode_spatial::Pose;
 #[derive(Debug, Clone)]
 pub struct QueryScene<'a> {
     bodies: Vec<(&'a Shape, Pose)>,
+    /// Bodies with a box, ascending.
+    bounded: Vec<usize>,
+    /// Of the bounded bodies.
     boxes: Vec<Bounds>,
-    nodes: Vec<Node>,
-    /// Bounded bodies in the order of the leaves.
-    order: Vec<usize>,
+    tree: BoxTree,
     unbounded: Vec<usize>,
 }
-
-#[derive(Debug, Clone, Copy)]
-struct Bounds {
-    low: DVec3,
-    high: DVec3,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Node {
-    bounds: Bounds,
-    /// Range of the order below this node.
-    first: usize,
-    last: usize,
-    /// The two children; a leaf has none.
-    children: Option<[usize; 2]>,
-}
-
-/// Most bodies of a leaf.
-const LEAF: usize = 4;
-
-impl Bounds {
-    const NONE: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-
-    fn joined(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    /// Distance of a point, m; 0 inside.
-    fn distance(&self, point: DVec3) -> f64 {
-        (self.low - point).max(point - self.high).max(DVec3::ZERO).length()
-    }
-
-    fn overlaps(&self, other: &Self) -> bool {
-        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
-    }
-
-    /// Where a ray enters, m; nothing for a miss.
-    fn entered(&self, ray: &Ray) -> Option<f64> {
-        let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);
-        for axis in 0..3 {
-            let (from, rate) = (ray.origin()[axis], ray.direction()[axis]);
-            if rate == 0.0 {
-                if from < self.low[axis] || from > self.high[axis] {
-                    return None;
-                }
-                continue;
-            }
-            let (s, t) = ((self.low[axis] - from) / rate, (self.high[axis] - from) / rate);
-            enter = enter.max(s.min(t));
-            leave = leave.min(s.max(t));
-        }
-        // Rounding of the quotients must not lose a body whose box is flat.
-        (enter <= leave * (1.0 + SLACK)).then_some(enter * (1.0 - SLACK))
-    }
-}
-
-/// Relative rounding of the quotients of a ray and a box, with room.
-const SLACK: f64 = 8.0 * f64::EPSILON;
 
 impl<'a> QueryScene<'a> {
     /// From shapes and their poses.
@@ -108,15 +52,11 @@ impl<'a> QueryScene<'a> {
         if bodies.iter().any(|(_, pose)| !pose.is_finite()) {
             return Err(QueryError::NotFinite { what: "a pose" });
         }
-        let boxes: Vec<Bounds> =
-            bodies.iter().map(|(shape, pose)| bounds(shape, pose)).map(|(low, high)| Bounds { low, high }).collect();
-        let (order, unbounded) =
-            (0..bodies.len()).partition(|&i| boxes[i].low.is_finite() && boxes[i].high.is_finite());
-        let mut scene = Self { bodies, boxes, nodes: Vec::new(), order, unbounded };
-        if !scene.order.is_empty() {
-            scene.split(0, scene.order.len());
-        }
-        Ok(scene)
+        let (bounded, unbounded): (Vec<usize>, Vec<usize>) =
+            (0..bodies.len()).partition(|&i| bounds_of(bodies[i].0, &bodies[i].1).is_finite());
+        let boxes: Vec<Bounds> = bounded.iter().map(|&i| bounds_of(bodies[i].0, &bodies[i].1)).collect();
+        let tree = BoxTree::new(&boxes);
+        Ok(Self { bodies, bounded, boxes, tree, unbounded })
     }
 
     /// How many bodies there are.
@@ -149,28 +89,20 @@ impl<'a> QueryScene<'a> {
         for &body in &self.unbounded {
             offer(&mut best, body)?;
         }
-        let mut stack: Vec<usize> = (0..self.nodes.len().min(1)).collect();
-        while let Some(index) = stack.pop() {
-            let node = &self.nodes[index];
-            // A body that contains the point may be deeper than any box tells: boxes around the point are always opened.
-            let nearest = |bounds: &Bounds| bounds.distance(point);
-            let beyond = |best: &Option<(usize, SurfacePoint)>, bounds: &Bounds| {
-                let nearest = nearest(bounds);
-                nearest > 0.0 && best.is_some_and(|(_, found)| nearest > found.distance.max(0.0))
-            };
-            if beyond(&best, &node.bounds) {
-                continue;
+        // A body that contains the point may be deeper than any box tells: boxes around the point are always opened.
+        let here = Bounds { min: point, max: point };
+        let mut failed = None;
+        let start = best.map_or(f64::INFINITY, |(_, found)| found.distance);
+        self.tree.least(start, 0.0, &|bounds| box_distance(bounds, &here), &mut |item, least| {
+            if box_distance(&self.boxes[item as usize], &here) <= least.max(0.0)
+                && let Err(error) = offer(&mut best, self.bounded[item as usize])
+            {
+                failed = Some(error);
             }
-            if let Some([left, right]) = node.children {
-                let nearer_first = nearest(&self.nodes[left].bounds) <= nearest(&self.nodes[right].bounds);
-                stack.extend(if nearer_first { [right, left] } else { [left, right] });
-                continue;
-            }
-            for &body in &self.order[node.first..node.last] {
-                if !beyond(&best, &self.boxes[body]) {
-                    offer(&mut best, body)?;
-                }
-            }
+            best.map_or(f64::INFINITY, |(_, found)| found.distance)
+        });
+        if let Some(error) = failed {
+            return Err(error);
         }
         if best.is_none() && !point.is_finite() {
             return Err(QueryError::NotFinite { what: "the point" });
@@ -186,8 +118,7 @@ impl<'a> QueryScene<'a> {
         if !pose.is_finite() {
             return Err(QueryError::NotFinite { what: "the pose" });
         }
-        let (low, high) = bounds(shape, pose);
-        let wanted = Bounds { low, high };
+        let wanted = bounds_of(shape, pose);
         let mut found = Vec::new();
         self.visit(&|bounds| bounds.overlaps(&wanted), &mut |body| {
             let (other, other_pose) = &self.bodies[body];
@@ -223,28 +154,25 @@ impl<'a> QueryScene<'a> {
         for &body in &self.unbounded {
             offer(&mut best, body);
         }
-        let mut stack: Vec<usize> = (0..self.nodes.len().min(1)).collect();
-        while let Some(index) = stack.pop() {
-            let node = &self.nodes[index];
-            let reach = best.map_or(max_distance, |(_, hit)| hit.distance);
-            if !node.bounds.entered(ray).is_some_and(|enter| enter <= reach) {
-                continue;
+        // A box that the ray misses lies beyond every number.
+        let reach = max_distance.min(f64::MAX);
+        let bound = |bounds: &Bounds| entered(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
+        let nearest = |best: &Option<(usize, RayHit)>| best.map_or(reach, |(_, hit)| hit.distance);
+        self.tree.least(nearest(&best), 0.0, &bound, &mut |item, least| {
+            if bound(&self.boxes[item as usize]) <= least {
+                offer(&mut best, self.bounded[item as usize]);
             }
-            match node.children {
-                Some([left, right]) => {
-                    let enters = |child: usize| self.nodes[child].bounds.entered(ray).unwrap_or(f64::INFINITY);
-                    stack.extend(if enters(left) <= enters(right) { [right, left] } else { [left, right] });
-                }
-                None => self.order[node.first..node.last].iter().for_each(|&body| offer(&mut best, body)),
-            }
-        }
+            nearest(&best)
+        });
         best
     }
 
     /// All bodies that a ray meets, each where it meets it first, sorted by distance and then by index.
     pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
         let mut hits = Vec::new();
-        self.visit(&|bounds| bounds.entered(ray).is_some_and(|enter| enter <= max_distance), &mut |body| {
+        let passes =
+            |bounds: &Bounds| entered(bounds, ray.origin(), ray.direction()).is_some_and(|enter| enter <= max_distance);
+        self.visit(&passes, &mut |body| {
             let (shape, pose) = &self.bodies[body];
             hits.extend(ray_cast(shape, pose, ray, max_distance).map(|hit| (body, hit)));
         });
@@ -253,40 +181,18 @@ impl<'a> QueryScene<'a> {
     }
 
     /// Calls `visit` with every body whose box, and those of all nodes above it, pass.
-    fn visit(&self, passes: &dyn Fn(&Bounds) -> bool, visit: &mut dyn FnMut(usize)) {
+    fn visit(&self, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(usize)) {
         self.unbounded.iter().for_each(|&body| visit(body));
-        let mut stack: Vec<usize> = (0..self.nodes.len().min(1)).collect();
-        while let Some(index) = stack.pop() {
-            let node = &self.nodes[index];
-            if !passes(&node.bounds) {
-                continue;
+        self.tree.passing(passes, &mut |item| {
+            let body = self.bounded[item as usize];
+            if passes(&self.boxes[item as usize]) {
+                visit(body);
             }
-            if let Some(children) = node.children {
-                stack.extend(children);
-            } else {
-                let below = self.order[node.first..node.last].iter();
-                below.filter(|&&body| passes(&self.boxes[body])).for_each(|&body| visit(body));
-            }
-        }
+        });
     }
+}
 
-    /// Makes the node of a range of the order, and those below it.
-    fn split(&mut self, first: usize, last: usize) -> usize {
-        let below = self.order[first..last].iter().map(|&body| self.boxes[body]);
-        let bounds = below.fold(Bounds::NONE, Bounds::joined);
-        let index = self.nodes.len();
-        self.nodes.push(Node { bounds, first, last, children: None });
-        if last - first > LEAF {
-            let extent = bounds.high - bounds.low;
-            let axis = (0..3).fold(0, |best, axis| if extent[axis] > extent[best] { axis } else { best });
-            let middle = |body: &usize| 0.5 * self.boxes[*body].low[axis] + 0.5 * self.boxes[*body].high[axis];
-            let mut sorted = self.order[first..last].to_vec();
-            sorted.sort_by(|p, q| middle(p).total_cmp(&middle(q)).then(p.cmp(q)));
-            self.order[first..last].copy_from_slice(&sorted);
-            let half = first.midpoint(last);
-            let children = [self.split(first, half), self.split(half, last)];
-            self.nodes[index].children = Some(children);
-        }
-        index
-    }
+/// A box around a shape at a pose that is finite; without bounds for a half-space.
+fn bounds_of(shape: &Shape, pose: &Pose) -> Bounds {
+    aabb_of(shape, pose).map_or(Bounds::ALL, |aabb| Bounds { min: aabb.min(), max: aabb.max() })
 }

@@ -1,8 +1,8 @@
 //! Compounds: bodies of several parts that are fixed to each other.
 
 use super::Shape;
-use super::box_tree::{Bounds, BoxTree};
 use super::error::ShapeError;
+use crate::bounding::{Bounds, BoxTree};
 use glam::DVec3;
 use polhode_spatial::Pose;
 

@@ -1,7 +1,7 @@
 //! How far shapes reach: balls whose convex hull holds a shape, its bounding box and its support.
 
 use super::Shape;
-use super::box_tree::Bounds;
+use crate::bounding::Bounds;
 use glam::DVec3;
 use polhode_spatial::Pose;
 

@@ -6,7 +6,6 @@
 //! an area, tubes leave a hole.
 
 pub mod approximate_decomposition;
-mod box_tree;
 mod capsule;
 mod compound;
 mod cone;
@@ -37,7 +36,6 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle_mesh::TriangleMesh;
 
-pub(crate) use box_tree::Bounds;
 pub(crate) use compound::FirstElements;
 pub(crate) use error::{check_length, check_point};
 pub(crate) use point_cloud::largest_distance;

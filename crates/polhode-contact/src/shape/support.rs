@@ -1,23 +1,8 @@
 //! Support functions: the point of a convex shape that is farthest along a direction.
 
-use super::{Cone, Cylinder, Shape};
+use super::{Cone, Cylinder};
 use crate::narrow_phase::simplex::unit;
 use glam::DVec3;
-
-impl Shape {
-    /// The point farthest along a direction, in the shape's frame, m; of equally far ones the first. Nothing for a
-    /// half-space, which has none, and for shapes that are not convex.
-    pub(crate) fn support(&self, direction: DVec3) -> Option<DVec3> {
-        match self {
-            Self::Convex(polyhedron) => Some(farthest(&polyhedron.vertices, direction)),
-            Self::Sphere(s) => Some(s.center + unit(direction) * s.radius),
-            Self::Capsule(c) => Some(farthest(&c.ends, direction) + unit(direction) * c.radius),
-            Self::Cylinder(c) => Some(of_cylinder(c, direction)),
-            Self::Cone(c) => Some(of_cone(c, direction)),
-            Self::HalfSpace(_) | Self::Points(_) | Self::Torus(_) | Self::TriangleMesh(_) | Self::Compound(_) => None,
-        }
-    }
-}
 
 /// The first of the points that are farthest along a direction; the origin when there is none.
 pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {

@@ -8,10 +8,10 @@
 //! which the triangles first run along them.
 
 use super::Shape;
-use super::box_tree::{Bounds, BoxTree};
 use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
 use super::topology;
+use crate::bounding::{Bounds, BoxTree};
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::collections::BTreeMap;

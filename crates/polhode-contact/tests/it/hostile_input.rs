@@ -1,8 +1,8 @@
 //! NaN, infinity, huge and tiny numbers: answers without meaning are marked as such, and nothing panics or hangs.
 
 use crate::support::{Random, at, cuboid, prism};
-use polhode_contact::{Shape, Workspace, manifold, manifold_with, separation};
-use polhode_spatial::{DVec3, Pose, UnitVector};
+use polhode_contact::{Shape, Workspace, kinematics, manifold, manifold_with, separation};
+use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use proptest::prelude::*;
 
 fn shapes() -> Vec<Shape> {
@@ -54,7 +54,7 @@ fn workspaces_carry_nothing_over() {
 #[test]
 fn coincident_bodies() {
     for shape in shapes() {
-        let pose = Pose::new(polhode_spatial::Rotation::from_rotation_vector(DVec3::new(0.1, 0.2, 0.3)), DVec3::ONE);
+        let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.1, 0.2, 0.3)), DVec3::ONE);
         let result = manifold(&shape, &pose, &shape, &pose, 1.0);
         assert!(!result.separation.is_nan(), "{shape:?}");
         let contacts = result.contacts.iter();
@@ -76,6 +76,53 @@ fn distances_that_overflow_give_no_contact() {
     for other in [&ball, &points] {
         let far = manifold(&ball, &at(1e200, 0.0, 0.0), other, &Pose::IDENTITY, f64::INFINITY);
         assert!(far.contacts.is_empty() && far.separation == f64::INFINITY, "{far:?}");
+    }
+}
+
+/// A ball whose centre lies on the axis of a capsule, or on the middle line of a ring's tube, to rounding or exactly (a
+/// fuzz finding): the shortest way out is across the axis, whatever direction the rounding of the difference has, and is the
+/// same when the bodies change names.
+#[test]
+fn a_ball_on_an_axis_leaves_across_it() {
+    let (ball, mut random) = (Shape::sphere(3.2).expect("a ball"), Random(5));
+    let capsule = Shape::capsule(2.3, 0.9).expect("a capsule");
+    let ring = Shape::torus(9.0, 2.3).expect("a ring");
+    for _ in 0..2000 {
+        let (middle, turn) = (random.vector() * 4.5, random.rotation());
+        let pose = Pose::new(turn, middle);
+        let along = random.between(-0.4, 0.4);
+        let on_axis = Pose::new(random.rotation(), middle + turn.rotate(DVec3::Z * along));
+        let angle = random.between(0.0, 6.0);
+        let on_tube =
+            Pose::new(random.rotation(), middle + turn.rotate(DVec3::new(angle.cos(), angle.sin(), 0.0) * 9.0));
+        for (shape, place) in [(&capsule, on_axis), (&capsule, pose), (&ring, on_tube)] {
+            let both = [separation(&ball, &place, shape, &pose), separation(shape, &pose, &ball, &place)];
+            assert!(both.iter().all(|s| (s + 5.5).abs() < 1e-13), "{both:?} {shape:?} {pose:?} {place:?}");
+        }
+    }
+}
+
+/// A rim that is tiny beside its distance from a plane (a fuzz finding: 10^27 m deep) moves as its lowest point does: the
+/// rate of its separation is finite, whatever the ratio of the two lengths.
+#[test]
+fn a_rim_far_below_a_plane_has_kinematics() {
+    let (rim, ground) = (Shape::cylinder(0.5, 1.0).expect("a cylinder"), Shape::half_space(UnitVector::Z));
+    for depth in [0.0, 1e3, 1e9, 1e16, 1e27, 1e100] {
+        let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), -DVec3::Z * depth);
+        let falling = Velocity::new(DVec3::new(0.2, 0.3, -1.0), DVec3::new(1.0, -2.0, 0.5));
+        let found = manifold(&rim, &pose, &ground, &Pose::IDENTITY, 0.0).contacts;
+        assert!(!found.is_empty());
+        for contact in found {
+            let moving = kinematics(contact.feature, &rim, &pose, &falling, &ground, &Pose::IDENTITY, &Velocity::ZERO);
+            let arm = contact.geometry.point - pose.translation;
+            let arm = arm + DVec3::Z * (contact.geometry.separation * 0.5);
+            let moving = moving.unwrap_or_else(|| panic!("no kinematics at {depth}: {contact:?}"));
+            assert_eq!(moving.geometry, contact.geometry);
+            let rate = (falling.linear + falling.angular.cross(arm)).z;
+            // The arm is read from places of the size of the depth.
+            let rounding = 1e-12 * (1.0 + depth);
+            assert!((moving.separation_rate - rate).abs() <= rounding && moving.acceleration_bias.is_finite());
+        }
     }
 }
 
@@ -111,7 +158,7 @@ proptest! {
         snap in 0..3, exponent in -12..12_i32, reach in -1.0..2.0_f64, kinds in (0..9_usize, 0..9_usize)) {
         // Snapped poses give touching, aligned and coincident features.
         let snapped = |v: [f64; 3], to: f64| DVec3::from_array(v.map(|c| if snap > 0 { (c / to).round() * to } else { c }));
-        let turn = polhode_spatial::Rotation::from_rotation_vector(
+        let turn = Rotation::from_rotation_vector(
             if snap == 2 { DVec3::ZERO } else { snapped(turn, std::f64::consts::FRAC_PI_4) });
         let place = snapped(place, 0.5) * 10_f64.powi(exponent.max(0));
         let shapes = shapes();

@@ -93,9 +93,13 @@ pub(crate) fn places(a: &Element<'_>, b: &Element<'_>) -> Places {
     match (a.locus, b.locus) {
         (Locus::Point(p), Locus::Point(q)) => Places::one(between(p, q)),
         (Locus::Point(p), Locus::Line(middle, along)) => {
-            Places::one(between(p, middle + along * along.dot(p - middle)))
+            Places::one(Some(off_curve(p, middle + along * along.dot(p - middle), along)))
         }
-        (Locus::Point(p), Locus::Circle(circle)) => Places::one(between(p, nearest_on(&circle, p))),
+        (Locus::Point(p), Locus::Circle(circle)) => {
+            let nearest = nearest_on(&circle, p);
+            let tangent = circle.axis.cross(nearest - circle.center).normalize_or_zero();
+            Places::one(Some(off_curve(p, nearest, tangent)))
+        }
         (Locus::Point(p), Locus::Cone(side)) => Places::one(point_on_cone(p, &side)),
         (Locus::Point(p), Locus::Plane(through, normal)) => Places::one(Some(onto_plane(p, through, normal))),
         (Locus::Circle(circle), Locus::Plane(through, normal)) => {
@@ -122,6 +126,18 @@ fn between(p: DVec3, q: DVec3) -> Option<Place> {
     let f = p - q;
     let length = f.length();
     (length > 0.0).then(|| Place { normal: f / length, on_a: p, on_b: q })
+}
+
+/// The normal from the nearest place of a curve to a point. It is perpendicular to the curve however near the point is,
+/// where the difference of the two places is all rounding; on the curve itself some perpendicular is as good as all.
+fn off_curve(p: DVec3, nearest: DVec3, tangent: DVec3) -> Place {
+    let f = across(tangent, p - nearest);
+    let length = f.length();
+    if length > 0.0 {
+        Place { normal: f / length, on_a: p, on_b: nearest }
+    } else {
+        Place { normal: tangent.any_orthonormal_vector(), on_a: p, on_b: p }
+    }
 }
 
 fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {

@@ -1,7 +1,7 @@
 //! Separation of two elements at a common normal, and its first two time derivatives.
 //!
 //! `chi = n.F - rho_A - rho_B` with `F = x_A - x_B` between places on the two loci, and `x` a function of parameters `z` of its
-//! locus (arc length on a line or circle, two lengths on a plane, the height on a cone's axis). At a common normal chi is
+//! locus (arc length on a line or circle, the height on a cone's axis). At a common normal chi is
 //! stationary with respect to the normal and to all parameters: `F = (n.F) n`, `n.dx/dz` constant. Hence, with `v(x)` the
 //! velocity of the material point at the place,
 //!
@@ -15,6 +15,13 @@
 //!
 //! `k_i = d2x/dz_i^2` (a circle's only). Regular at `chi = 0` wherever the contact is not degenerate. It contains point on
 //! surface and crossed edges (thesis 3.4, equation (18) with erratum E18) as special cases, and is exact at any separation.
+//!
+//! A plane of body E has a normal of its own, `n' = w_E x n`, whatever the other locus does; its two lengths follow from
+//! the first condition, and what is left of the formula divides by nothing that vanishes at touch:
+//!
+//! `chi'' = n.(a_A - a_B) + 2 n'.(v_A - v_B) - (n.F) n'.n' - s (n'.t + n.(w x t))^2 / n.k`,
+//!
+//! the last term for a circle on the plane alone (`s`, `w`, `t` and `k` are the circle's).
 
 use super::element::{Branch, Element, Locus};
 use super::pairs::{Place, places};
@@ -23,8 +30,8 @@ use crate::{ContactGeometry, ContactKinematics, Side};
 use glam::DVec3;
 use polhode_spatial::Velocity;
 
-/// Unknowns of the linear system: two of the normal's rate, up to three parameters.
-const MOST: usize = 5;
+/// Unknowns of the linear system: two of the normal's rate, up to two parameters.
+const MOST: usize = 4;
 
 /// A pivot below this part of the largest is zero: the contact is degenerate.
 const SMALLEST_PIVOT: f64 = 1e-13;
@@ -49,14 +56,19 @@ pub(crate) struct Stationary {
     margin: f64,
     /// Centre of mass of B, relative to A's.
     origin_b: DVec3,
-    parameters: [Parameter; 3],
+    /// The body whose element is a plane.
+    plane_of: Option<Side>,
+    parameters: [Parameter; 2],
     count: usize,
 }
 
 impl Stationary {
-    /// The place at which two elements touch, or nearly; nothing when they have no common normal.
+    /// The place at which two elements touch, or nearly; nothing when they have no common normal, or no one normal.
     pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3) -> Option<Self> {
         let place = chosen(a, b)?;
+        if has_no_direction(&place, a, b) {
+            return None;
+        }
         let separation = place.separation(a, b);
         let mut stationary = Self {
             place,
@@ -64,7 +76,8 @@ impl Stationary {
             middle: place.on_a - place.normal * (a.radius_at(place.on_a) + 0.5 * separation),
             margin: margin(&place, a, b),
             origin_b,
-            parameters: [Parameter { of: Side::A, along: DVec3::ZERO, bend: DVec3::ZERO }; 3],
+            plane_of: None,
+            parameters: [Parameter { of: Side::A, along: DVec3::ZERO, bend: DVec3::ZERO }; 2],
             count: 0,
         };
         stationary.describe(Side::A, a, place.on_a);
@@ -88,11 +101,7 @@ impl Stationary {
                 let out = (place - circle.center) / circle.radius;
                 push(circle.axis.cross(out), -out / circle.radius);
             }
-            Locus::Plane(_, normal) => {
-                let first = normal.any_orthonormal_vector();
-                push(first, DVec3::ZERO);
-                push(normal.cross(first), DVec3::ZERO);
-            }
+            Locus::Plane(..) => self.plane_of = Some(of),
         }
     }
 
@@ -111,51 +120,84 @@ impl Stationary {
         let n = self.place.normal;
         let (arm_a, arm_b) = (self.place.on_a, self.place.on_b - self.origin_b);
         let velocity = (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b));
-        let rates = self.rates(velocity, a, b)?;
         let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
-        let mut bias = n.dot(centripetal) + rates.normal.dot(velocity);
-        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
-            let (sign, spin) = if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) };
-            bias += sign * rate * n.dot(spin.cross(parameter.along));
-        }
+        let bending = match self.plane_of {
+            Some(plane) => self.bending_over_plane(plane, velocity, a, b),
+            None => self.bending(velocity, a, b)?,
+        };
         Some(ContactKinematics {
             geometry: self.geometry(origin_a),
             separation_rate: n.dot(velocity),
-            acceleration_bias: bias,
+            acceleration_bias: n.dot(centripetal) + bending,
         })
     }
 
-    /// `n'` and `z'`. Rows and columns are scaled by a length, so that all entries are numbers without unit.
+    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2.
+    fn bending(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<f64> {
+        let n = self.place.normal;
+        let rates = self.rates(velocity, a, b)?;
+        let mut bending = rates.normal.dot(velocity);
+        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
+            let (sign, spin) = sign_and_spin(parameter, a, b);
+            bending += sign * rate * n.dot(spin.cross(parameter.along));
+        }
+        Some(bending)
+    }
+
+    /// The same where one element is a plane, whose normal turns with its body: in closed form, for at touch the system of
+    /// the rates would give the normal's with the rounding of the velocity over that of the separation.
+    fn bending_over_plane(&self, plane_of: Side, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
+        let n = self.place.normal;
+        let turning = if plane_of == Side::A { a.angular } else { b.angular }.cross(n);
+        let apart = n.dot(self.place.on_a - self.place.on_b);
+        let bend = |parameter: &Parameter| {
+            let (sign, spin) = sign_and_spin(parameter, a, b);
+            let curvature = n.dot(parameter.bend);
+            let turned = turning.dot(parameter.along) + n.dot(spin.cross(parameter.along));
+            // Where all places of the circle are as good, its place is held still.
+            if curvature == 0.0 { 0.0 } else { -sign * turned * turned / curvature }
+        };
+        let wandering: f64 = self.parameters[..self.count].iter().map(bend).sum();
+        2.0 * turning.dot(velocity) - apart * turning.length_squared() + wandering
+    }
+
+    /// `n'` and `z'`. Rows and columns are scaled by lengths, so that all entries are numbers without unit: those of the
+    /// normal by the longest, those of an arc by its radius, for a small rim may stand far from the other element.
     fn rates(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<Rates> {
         let n = self.place.normal;
         let first = n.any_orthonormal_vector();
         let tangents = [first, n.cross(first)];
         let apart = n.dot(self.place.on_a - self.place.on_b);
-        let bend = |p: &Parameter| p.bend.length();
-        let length = self.parameters[..self.count].iter().map(bend).filter(|k| *k > 0.0).map(f64::recip);
-        let length = length.fold(apart.abs(), f64::max);
+        let parameters = &self.parameters[..self.count];
+        let radius = |p: &Parameter| Some(p.bend.length().recip()).filter(|r| r.is_finite());
+        let length = parameters.iter().filter_map(radius).fold(apart.abs(), f64::max);
         let length = if length > 0.0 { length } else { 1.0 };
+        let unit = |p: &Parameter| radius(p).unwrap_or(length);
         let size = 2 + self.count;
         let (mut matrix, mut right) = ([[0.0; MOST]; MOST], [0.0; MOST]);
         for (row, tangent) in tangents.iter().enumerate() {
             matrix[row][row] = apart / length;
             right[row] = tangent.dot(velocity);
         }
-        for (index, parameter) in self.parameters[..self.count].iter().enumerate() {
-            let (sign, spin) = if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) };
+        for (index, parameter) in parameters.iter().enumerate() {
+            let (sign, spin) = sign_and_spin(parameter, a, b);
             let row = 2 + index;
             for (column, tangent) in tangents.iter().enumerate() {
-                matrix[column][row] = -sign * tangent.dot(parameter.along);
+                matrix[column][row] = -sign * tangent.dot(parameter.along) * (unit(parameter) / length);
                 matrix[row][column] = tangent.dot(parameter.along);
             }
-            matrix[row][row] = length * n.dot(parameter.bend);
+            matrix[row][row] = unit(parameter) * n.dot(parameter.bend);
             right[row] = -length * n.dot(spin.cross(parameter.along));
         }
         let solution = solve(matrix, right, size)?;
-        Some(Rates {
+        let mut rates = Rates {
             normal: (tangents[0] * solution[0] + tangents[1] * solution[1]) / length,
-            parameters: [solution[2], solution[3], solution[4]],
-        })
+            parameters: [solution[2], solution[3]],
+        };
+        for (rate, parameter) in rates.parameters.iter_mut().zip(parameters) {
+            *rate *= unit(parameter) / length;
+        }
+        Some(rates)
     }
 }
 
@@ -164,7 +206,12 @@ const NORMAL_UNKNOWNS: usize = 2;
 
 struct Rates {
     normal: DVec3,
-    parameters: [f64; 3],
+    parameters: [f64; 2],
+}
+
+/// The sign and the angular velocity of a parameter's body.
+fn sign_and_spin(parameter: &Parameter, a: &Velocity, b: &Velocity) -> (f64, DVec3) {
+    if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) }
 }
 
 /// Gaussian elimination with exchange of rows. A parameter whose pivot is zero to rounding does not matter, for every
@@ -202,6 +249,13 @@ fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -
         solution[row] = (right[row] - known) / matrix[row][row];
     }
     Some(solution)
+}
+
+/// Whether a point lies on a line or a circle itself, where any motion may turn the normal at once.
+fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool {
+    let point = |e: &Element<'_>| matches!(e.locus, Locus::Point(_));
+    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
+    place.on_a == place.on_b && ((point(a) && curve(b)) || (point(b) && curve(a)))
 }
 
 /// The common normal that makes a contact: on the named branch, within the borders of both elements if there is such a

@@ -38,6 +38,11 @@ impl Bounds {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
     }
 
+    /// Whether every bound is finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
     /// Distance of two boxes, m; zero when they share a point.
     pub(crate) fn distance(&self, other: &Self) -> f64 {
         (other.min - self.max).max(self.min - other.max).max(DVec3::ZERO).length()
@@ -62,9 +67,11 @@ pub(crate) struct BoxTree {
 
 impl BoxTree {
     pub(crate) fn new(boxes: &[Bounds]) -> Self {
-        let mut tree = Self { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
-        let mut items = std::mem::take(&mut tree.items);
-        tree.grow(boxes, &mut items, 0);
+        let mut tree = Self::default();
+        let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
+        if !items.is_empty() {
+            tree.grow(boxes, &mut items, 0);
+        }
         tree.items = items;
         tree
     }
@@ -96,21 +103,27 @@ impl BoxTree {
 
     /// Calls `visit` with the items of every leaf that meets a box, in no stated order; some of them may not.
     pub(crate) fn overlaps(&self, with: &Bounds, visit: &mut impl FnMut(u32)) {
-        // The depth is that of halving, at most 32.
-        self.descend(0, with, visit);
+        self.passing(&|bounds| bounds.overlaps(with), visit);
     }
 
-    fn descend(&self, at: usize, with: &Bounds, visit: &mut impl FnMut(u32)) {
+    /// Calls `visit` with the items of every leaf whose box passes, as those of all nodes above it do; boxes within one
+    /// that does not pass must not pass either.
+    pub(crate) fn passing(&self, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(u32)) {
+        // The depth is that of halving, at most 32.
+        self.descend(0, passes, visit);
+    }
+
+    fn descend(&self, at: usize, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(u32)) {
         let Some(node) = self.nodes.get(at) else { return };
-        if !node.bounds.overlaps(with) {
+        if !passes(&node.bounds) {
             return;
         }
         if node.count > 0 {
             self.items[node.link as usize..(node.link + node.count) as usize].iter().for_each(|&item| visit(item));
             return;
         }
-        self.descend(at + 1, with, visit);
-        self.descend(node.link as usize, with, visit);
+        self.descend(at + 1, passes, visit);
+        self.descend(node.link as usize, passes, visit);
     }
 
     /// The least value of `measure` over the items, nearest boxes first. `bound` is a lower bound of the values in a box;
