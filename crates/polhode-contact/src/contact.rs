@@ -67,7 +67,8 @@ pub struct Manifold {
     /// distance that is zero exactly when they touch (and the distance itself when a face or a smooth shape decides).
     /// Beyond the reach the search stops at the first axis that shows it, and this is the separation along that axis.
     pub separation: f64,
-    /// What decided the separation.
+    /// What decided the contacts: of two polyhedra the axis with this separation, and a face where edges separate by no more
+    /// than the clearance of places above the best one.
     pub axis: SeparatingAxis,
 }
 
@@ -79,11 +80,6 @@ impl Default for Manifold {
 }
 
 impl Manifold {
-    /// No contact, at a given separation.
-    pub(crate) const fn empty(separation: f64, axis: SeparatingAxis) -> Self {
-        Self { contacts: Vec::new(), separation, axis }
-    }
-
     /// Forgets the contacts, and takes a separation.
     pub(crate) fn set_empty(&mut self, separation: f64, axis: SeparatingAxis) {
         self.contacts.clear();

@@ -1,9 +1,9 @@
-//! After some steps that fill the buffers, steps of the broad and the narrow phase allocate nothing.
+//! After some steps that fill the buffers, steps of the broad and the narrow phase allocate nothing, whatever the shapes.
 //!
 //! A binary of its own: the counting allocator that `allocation-counter` installs serves the whole program.
 
-use polhode_contact::{Aabb, BroadPhase, Bvh, ConvexPolyhedron, NarrowPhase, Shape, swept_aabb};
-use polhode_spatial::{DVec3, Pose, Rotation, Still};
+use polhode_contact::{Aabb, BroadPhase, Bvh, ConvexPolyhedron, NarrowPhase, Shape, ShapeError, swept_aabb};
+use polhode_spatial::{DVec3, Pose, Rotation, Still, UnitVector};
 
 const REACH: f64 = 0.05;
 
@@ -78,6 +78,93 @@ impl Detection {
         });
         self.contacts += self.narrow_phase.pairs().flat_map(|pair| pair.changes()).count();
     }
+}
+
+/// Cylinders, cones, capsules, rings, compounds and boxes, every kind beside every kind, on a ground.
+fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
+    let part = |shape: Result<Shape, ShapeError>, x: f64| {
+        shape.and_then(|part| part.translated(DVec3::X * x)).expect("a small part")
+    };
+    let angle = vec![
+        part(Shape::cuboid(DVec3::new(0.5, 1.0, 0.9)), -0.25),
+        part(Shape::cuboid(DVec3::new(0.5, 0.5, 1.0)), 0.25),
+        part(Shape::sphere(0.3), 0.3),
+        part(Shape::cylinder(0.2, 1.0), 0.4),
+    ];
+    let kinds = [
+        Shape::cylinder(0.5, 1.0),
+        Shape::cone(0.5, 1.0),
+        Shape::capsule(0.35, 0.4),
+        Shape::torus(0.35, 0.15),
+        Shape::compound(angle),
+        Shape::cuboid(DVec3::ONE),
+    ];
+    let kinds = kinds.map(|kind| kind.expect("positive sizes"));
+    let (mut shapes, mut poses) = (vec![ground], vec![Pose::IDENTITY]);
+    for k in 0..36_u32 {
+        let (x, y, z) = (k % 3, k / 3 % 4, k / 12);
+        // Neighbours along x differ by one kind, along y by two, upwards by three, and by none.
+        shapes.push(kinds[((x + 2 * y + [0, 3, 3][z as usize]) % 6) as usize].clone());
+        let turn = Rotation::from_rotation_vector(DVec3::X * (f64::from(k % 2) * std::f64::consts::FRAC_PI_2));
+        poses.push(Pose::new(turn, (DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + 0.5) * 0.97));
+    }
+    (shapes, poses)
+}
+
+/// A surface of triangles that is plane on one side and rolls on the other.
+fn rolling_ground() -> Shape {
+    let place = |k: u32| f64::from(k) * 0.5 - 1.0;
+    let height = |x: f64| if x < 1.0 { 0.0 } else { 0.05 * libm::sin(5.0 * x) };
+    let vertex = |k: u32| DVec3::new(place(k % 13), place(k / 13), height(place(k % 13)));
+    let halves = |k: u32| {
+        let low = k / 12 * 13 + k % 12;
+        [[low, low + 1, low + 14], [low, low + 14, low + 13]]
+    };
+    let triangles = (0..144).flat_map(halves).collect();
+    Shape::triangle_mesh((0..169).map(vertex).collect(), triangles).expect("a mesh")
+}
+
+/// Frames of the motion that one step passes, so that fewer steps come back to where they began.
+const STRIDE: u32 = 5;
+
+/// Rounds of the motion until the buffers are full: pairs that begin take the buffers of pairs that have ended, of any kind.
+const ROUNDS: u32 = 8;
+
+/// Steps through the motion until the buffers are full, then counts what further steps allocate; and the contacts of a step.
+fn allocations_of(shapes: &[Shape], start: &[Pose]) -> (u64, usize) {
+    let mut detection = Detection::default();
+    for step in 0..ROUNDS * PERIOD / STRIDE {
+        let poses = frame(start, STRIDE * step);
+        detection.find_pairs(shapes, &poses);
+        detection.find_contacts(shapes, &poses);
+    }
+    let mut allocations = 0;
+    detection.contacts = 0;
+    for step in 0..PERIOD / STRIDE {
+        let poses = frame(start, STRIDE * step);
+        let info = allocation_counter::measure(|| {
+            detection.find_pairs(shapes, &poses);
+            detection.find_contacts(shapes, &poses);
+        });
+        allocations += info.count_total;
+    }
+    (allocations, detection.contacts / (PERIOD / STRIDE) as usize)
+}
+
+#[test]
+fn round_shapes_and_compounds_on_a_half_space_allocate_nothing() {
+    let (shapes, start) = mixture(Shape::half_space(UnitVector::Z));
+    let (allocations, contacts) = allocations_of(&shapes, &start);
+    assert_eq!(allocations, 0);
+    assert!(contacts > 300, "{contacts}");
+}
+
+#[test]
+fn round_shapes_and_compounds_on_a_mesh_allocate_nothing() {
+    let (shapes, start) = mixture(rolling_ground());
+    let (allocations, contacts) = allocations_of(&shapes, &start);
+    assert_eq!(allocations, 0);
+    assert!(contacts > 300, "{contacts}");
 }
 
 #[test]

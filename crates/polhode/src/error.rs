@@ -4,6 +4,7 @@ use crate::scene::SceneError;
 use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_response::ResponseError;
+use polhode_spatial::DVec3;
 use thiserror::Error;
 
 /// Why a simulation could not be made or could not go on.
@@ -73,6 +74,25 @@ pub enum SimulationError {
         t: f64,
         /// Shortest step allowed, s.
         smallest_s: f64,
+    },
+    /// Many steps have not advanced time.
+    #[error(
+        "no progress at t = {t} s: {steps} steps have advanced by {advanced_s:e} s while {body_a} touches {body_b} at {point} m: \
+         the contact changes faster than it can be followed; raise method.tolerance, or move the start a little"
+    )]
+    NoProgress {
+        /// When, s.
+        t: f64,
+        /// How many steps.
+        steps: u64,
+        /// How far they advanced, s.
+        advanced_s: f64,
+        /// A body of a contact then; empty when there is none.
+        body_a: String,
+        /// The other body.
+        body_b: String,
+        /// Where they touch, m.
+        point: DVec3,
     },
     /// A time of impact could not be found.
     #[error("time of impact of bodies {body_a} and {body_b} not found at t = {t} s: {source}")]

@@ -42,6 +42,7 @@ mod stacks;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;
+mod valleys;
 
 use crate::reference::Reference;
 use crate::row::Row;
@@ -188,6 +189,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-10", rows: table_edge::rc_10 },
     Case { name: "falling shapes", rows: falling_shapes::times },
     Case { name: "resting shapes", rows: falling_shapes::rest },
+    Case { name: "round bodies in valleys", rows: valleys::rows },
     Case { name: "least-force bound", rows: resting_contact::least_force_bound },
     Case { name: "diamonds stand", rows: diamonds::stand },
     Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },

@@ -84,7 +84,7 @@ pub(crate) fn vertices(pair: &Pair<'_>, exact: &ExactPair<'_>, faces: [usize; 2]
         pair,
         exact,
         loops,
-        normal: pair.face_normal(0, faces[0]).normalize_or_zero(),
+        normal: pair.face_normal(0, faces[0]),
         exact_normal: exact.face_normal(0, faces[0]),
     };
     let mut found = Vec::new();

@@ -8,6 +8,7 @@
 use super::dyadic::{Dyadic, ExactVector};
 use glam::{DMat3, DVec3};
 use polhode_contact::ConvexPolyhedron;
+use polhode_contact::clearance::COINCIDENCE;
 use polhode_spatial::Pose;
 use std::cmp::Ordering;
 
@@ -29,6 +30,13 @@ pub(crate) struct Axis {
     pub(crate) sine: f64,
 }
 
+impl Axis {
+    /// Whether f64 says what the separation along the axis is.
+    pub(crate) fn is_told(&self) -> bool {
+        self.sine >= UNCERTAIN_SINE
+    }
+}
+
 /// Two polyhedra at poses, in f64 with B relative to A's origin: plain sums over all axes.
 #[derive(Debug)]
 pub(crate) struct Pair<'a> {
@@ -36,12 +44,21 @@ pub(crate) struct Pair<'a> {
     poses: [&'a Pose; 2],
     /// Vertices in axes of the world, from A's origin, m.
     pub(crate) vertices: [Vec<DVec3>; 2],
+    /// Outward unit normals of the faces and unit vectors along the edges, in axes of the world.
+    normals: [Vec<DVec3>; 2],
+    directions: [Vec<DVec3>; 2],
     /// The largest length of the pair, m.
     pub(crate) scale: f64,
 }
 
 /// Below this sine of the angle between two edges f64 does not say what the separation along their normal is.
 const UNCERTAIN_SINE: f64 = 1e-4;
+
+/// Sine of the angle in a triangle below which its normal is summed exactly.
+const SLENDER: f64 = 0.1;
+
+/// Part of the clearance that is rounding, in units of the machine's epsilon times the scale.
+const CLEARANCE_ULPS: f64 = 16.0;
 
 /// Edges bear the supports when they stand no further behind them than this, relative to the scale.
 const BEARING: f64 = 1e-11;
@@ -62,6 +79,24 @@ fn turning(pose: &Pose) -> DMat3 {
     DMat3::from_cols(columns[0] / square, columns[1] / square, columns[2] / square)
 }
 
+/// Unit normal of a loop of vertices by the sum of the areas of a fan of triangles; exactly summed where the triangles are
+/// so slender that f64 would lose digits.
+fn unit_normal(vertices: &[DVec3], corners: &[u32]) -> DVec3 {
+    let Some((&first, rest)) = corners.split_first() else { return DVec3::NAN };
+    let from = |v: u32| vertices[v as usize] - vertices[first as usize];
+    let fan = || rest.windows(2).map(|e| [from(e[0]), from(e[1])]);
+    let normal: DVec3 = fan().map(|[p, q]| p.cross(q)).sum();
+    let products: f64 = fan().map(|[p, q]| p.length() * q.length()).sum();
+    if normal.length() > SLENDER * products {
+        return normal.normalize();
+    }
+    let exact = |v: u32| &ExactVector::from(vertices[v as usize]) - &ExactVector::from(vertices[first as usize]);
+    let zero = ExactVector::from(DVec3::ZERO);
+    let normal = rest.windows(2).fold(zero, |sum, e| &sum + &exact(e[0]).cross(&exact(e[1])));
+    let square = normal.dot(&normal);
+    DVec3::from_array(normal.0.map(|component| component.over_root_less(&square, 0.0)))
+}
+
 fn supports(points: &[DVec3], n: DVec3) -> (f64, f64) {
     points.iter().map(|p| p.dot(n)).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)))
 }
@@ -73,26 +108,54 @@ impl<'a> Pair<'a> {
             a.vertices().iter().map(|&v| turn_a * v).collect(),
             b.vertices().iter().map(|&v| turn_b * v + between).collect::<Vec<_>>(),
         ];
-        Self { bodies: [a, b], poses: [pose_a, pose_b], vertices, scale: a.size() + b.size() + between.length() }
+        // In the body's frame the differences of vertices have no rounding of a turn, which short edges would show.
+        let normals = [(a, turn_a), (b, turn_b)]
+            .map(|(body, turn)| body.faces().map(|face| turn * unit_normal(body.vertices(), face.vertices)).collect());
+        let along = |body: &ConvexPolyhedron, [from, to]: [u32; 2]| {
+            (body.vertices()[to as usize] - body.vertices()[from as usize]).normalize()
+        };
+        let directions = [(a, turn_a), (b, turn_b)]
+            .map(|(body, turn)| body.edges().iter().map(|edge| turn * along(body, edge.vertices)).collect());
+        let scale = a.size() + b.size() + between.length();
+        Self { bodies: [a, b], poses: [pose_a, pose_b], vertices, normals, directions, scale }
     }
 
-    /// Outward normal of a face, of no particular length, from its vertices.
+    /// Axes whose separations differ by no more than this are equally good, m: the clearance that the crate states for
+    /// features in one place.
+    pub(crate) fn clearance(&self) -> f64 {
+        let [a, b] = self.bodies.map(ConvexPolyhedron::size);
+        COINCIDENCE * a.min(b) + CLEARANCE_ULPS * f64::EPSILON * self.scale
+    }
+
+    /// Outward unit normal of a face.
     pub(crate) fn face_normal(&self, body: usize, face: usize) -> DVec3 {
-        let at = &self.vertices[body];
-        let corners = self.bodies[body].face(face).map_or(&[][..], |f| f.vertices);
-        let Some((&first, rest)) = corners.split_first() else { return DVec3::NAN };
-        let origin = at[first as usize];
-        rest.windows(2).map(|e| (at[e[0] as usize] - origin).cross(at[e[1] as usize] - origin)).sum()
+        self.normals[body].get(face).copied().unwrap_or(DVec3::NAN)
     }
 
     /// Unit vector along an edge.
     pub(crate) fn direction(&self, body: usize, edge: usize) -> DVec3 {
-        let [from, to] = self.bodies[body].edges()[edge].vertices;
-        (self.vertices[body][to as usize] - self.vertices[body][from as usize]).normalize()
+        self.directions[body].get(edge).copied().unwrap_or(DVec3::NAN)
+    }
+
+    /// The common perpendicular of an edge of A and one of B, on the side from B to A by the directions out of the bodies.
+    pub(crate) fn across(&self, i: usize, j: usize) -> Axis {
+        let cross = self.direction(0, i).cross(self.direction(1, j));
+        let sign = if cross.dot(self.outward(1, j) - self.outward(0, i)) < 0.0 { -1.0 } else { 1.0 };
+        let sine = cross.length();
+        let normal = cross * (sign / sine);
+        Axis { of: AxisOf::Edges(i, j), normal, separation: self.along(normal), sine }
+    }
+
+    /// A direction out of a body at an edge: the sum of the normals of its two faces and, in either face, of the direction
+    /// out of it across the edge.
+    fn outward(&self, body: usize, edge: usize) -> DVec3 {
+        let along = self.direction(body, edge);
+        let [left, right] = self.bodies[body].edges()[edge].faces.map(|face| self.face_normal(body, face as usize));
+        left + right + along.cross(left) - along.cross(right)
     }
 
     /// Separation along a unit vector from B to A, m.
-    fn along(&self, normal: DVec3) -> f64 {
+    pub(crate) fn along(&self, normal: DVec3) -> f64 {
         supports(&self.vertices[0], normal).0 - supports(&self.vertices[1], normal).1
     }
 
@@ -108,17 +171,13 @@ impl<'a> Pair<'a> {
             }
         };
         for face in 0..self.bodies[0].face_count() {
-            offer(AxisOf::FaceA(face), -self.face_normal(0, face).normalize(), 1.0);
+            offer(AxisOf::FaceA(face), -self.face_normal(0, face), 1.0);
         }
         for face in 0..self.bodies[1].face_count() {
-            offer(AxisOf::FaceB(face), self.face_normal(1, face).normalize(), 1.0);
+            offer(AxisOf::FaceB(face), self.face_normal(1, face), 1.0);
         }
-        let directions = |body: usize| -> Vec<DVec3> {
-            (0..self.bodies[body].edges().len()).map(|edge| self.direction(body, edge)).collect()
-        };
-        let (along_a, along_b) = (directions(0), directions(1));
-        for (i, a) in along_a.iter().enumerate() {
-            for (j, b) in along_b.iter().enumerate() {
+        for (i, a) in self.directions[0].iter().enumerate() {
+            for (j, b) in self.directions[1].iter().enumerate() {
                 let cross = a.cross(*b);
                 let sine = cross.length();
                 if sine > 0.0 {
@@ -141,17 +200,29 @@ impl<'a> Pair<'a> {
         a.max(b) - c.min(d)
     }
 
-    /// The axes whose separation in f64 is near the best, the best first; and all that f64 cannot tell, when `exact`
-    /// numbers will.
-    pub(crate) fn near_best(&self, axes: &[Axis], exact: bool) -> Vec<Axis> {
-        let told = |axis: &Axis| axis.sine >= UNCERTAIN_SINE;
-        let best = axes.iter().filter(|x| told(x)).map(|x| x.separation).fold(f64::NEG_INFINITY, f64::max);
-        let least = best - NEAR_BEST * self.scale;
-        let near = |axis: &&Axis| if told(axis) { axis.separation >= least } else { exact };
-        let mut near: Vec<Axis> = axes.iter().filter(near).copied().collect();
-        near.sort_by(|x, y| y.separation.total_cmp(&x.separation));
-        near
+    /// The axes whose separation in f64 is near the best, the best first, and all that f64 cannot tell: exact numbers will.
+    pub(crate) fn near_best(&self, axes: &[Axis]) -> Vec<Axis> {
+        let least = best_told(axes) - NEAR_BEST * self.scale;
+        in_order(axes.iter().filter(|axis| !axis.is_told() || axis.separation >= least))
     }
+
+    /// The axes that f64 can tell and whose separation is the best to twice the clearance, the best first: faces may decide
+    /// when edges separate by no more than the clearance above the best of them, and any face that is as good as that one.
+    pub(crate) fn equally_good(&self, axes: &[Axis]) -> Vec<Axis> {
+        let least = best_told(axes) - 2.0 * self.clearance();
+        in_order(axes.iter().filter(|axis| axis.is_told() && axis.separation >= least))
+    }
+}
+
+/// The largest separation that f64 can tell.
+fn best_told(axes: &[Axis]) -> f64 {
+    axes.iter().filter(|axis| axis.is_told()).map(|axis| axis.separation).fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn in_order<'a>(axes: impl Iterator<Item = &'a Axis>) -> Vec<Axis> {
+    let mut axes: Vec<Axis> = axes.copied().collect();
+    axes.sort_by(|x, y| y.separation.total_cmp(&x.separation));
+    axes
 }
 
 /// The same pair in exact numbers.
@@ -244,6 +315,14 @@ impl<'a> ExactPair<'a> {
             }
         };
         (!normal.is_zero()).then_some(normal)
+    }
+
+    /// An axis that f64 cannot tell with its exact normal and separation, rounded once; nothing when it has no direction.
+    pub(crate) fn told(&self, axis: &Axis) -> Option<Axis> {
+        let normal = self.normal(axis)?;
+        let (square, separation) = (normal.dot(&normal), self.along(&normal).less(0.0));
+        let unit = normal.0.map(|component| component.over_root_less(&square, 0.0));
+        Some(Axis { of: axis.of, normal: DVec3::from_array(unit), separation, sine: 1.0 })
     }
 
     /// Separation along a vector of any length, from B to A.

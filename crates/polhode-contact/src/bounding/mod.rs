@@ -6,7 +6,7 @@
 //! | [`bounding_sphere`] | smallest ball | one distance |
 //! | [`oriented_box`] | box in any direction | separating axes, fifteen of them |
 //!
-//! [`box_tree`] sorts many boxes into a tree. All volumes are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
+//! `box_tree` sorts many boxes into a tree. All volumes are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
 
 pub mod aabb;
 pub mod bounding_sphere;

@@ -286,6 +286,12 @@ impl<'a> Window<'a> {
         }
     }
 
+    /// The angular velocity perpendicular to an axis with which it turns as a body does.
+    pub(crate) fn turn_of(&self, body: Side, axis: DVec3) -> DVec3 {
+        let spin = self.sides(body).0.velocity.angular;
+        spin - axis * axis.dot(spin)
+    }
+
     /// How long two polyhedra stay apart along the common perpendicular of two edges, which turns with them.
     pub(crate) fn across_edges(
         &mut self,

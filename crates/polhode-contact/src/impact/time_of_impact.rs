@@ -17,6 +17,7 @@
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::composite_impact::{find_composite, is_composite};
 use crate::impact::impact_bounds::Window;
+use crate::impact::ring_arcs::RingArcs;
 use crate::impact::root_bracket::{Sample, last_open};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::nearest_feature;
@@ -485,8 +486,8 @@ impl Search<'_> {
         }
     }
 
-    /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) the
-    /// distance over the largest speed at which a point of one can move relative to the other.
+    /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) arc by
+    /// arc, or the distance over the largest speed at which a point of one can move relative to the other.
     fn ring_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let Some(gap) = self.gap else { return 0.0 };
         let [a, b] = self.shapes;
@@ -494,7 +495,11 @@ impl Search<'_> {
         let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
         let step = (now.separation / speed).max(self.center_clear_of_ring(now, window, speed));
         let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
-        step.max(self.clear_beside_lines(now, window, &gap))
+        let step = step.max(self.clear_beside_lines(now, window, &gap));
+        if step >= window.length() {
+            return step;
+        }
+        RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window)))
     }
 
     /// From a moment at which the pair touches: see the module's description.

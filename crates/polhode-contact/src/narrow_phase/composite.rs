@@ -10,7 +10,7 @@ use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::compound_surface::on_whole;
 use crate::narrow_phase::evaluate::evaluate;
-use crate::narrow_phase::manifold::{is_upward, manifold_with};
+use crate::narrow_phase::manifold::{is_upward, manifold_into};
 use crate::narrow_phase::part_feature::globalized;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
@@ -25,11 +25,10 @@ const SAME_PLACE: f64 = 8.0;
 const SAME_NORMAL: f64 = 1e-9;
 
 /// A contact of one part of each body.
-#[derive(Clone, Copy)]
-pub(crate) struct Candidate<'a> {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Candidate {
     /// With numbers within the parts.
     pub(crate) feature: ContactFeature,
-    pub(crate) shapes: [&'a Shape; 2],
     pub(crate) parts: [usize; 2],
     /// About A's origin.
     pub(crate) geometry: ContactGeometry,
@@ -53,83 +52,92 @@ pub(crate) fn compound_separation(workspace: &mut Workspace, shapes: [&Shape; 2]
     Some(compound.tree.least(f64::INFINITY, 0.0, &near, &mut measure))
 }
 
-/// All contacts of a pair of which one is a compound; nothing for other pairs.
+/// What is kept from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct CompositeBuffers {
+    pairs: Vec<[usize; 2]>,
+    /// Of one pair of parts.
+    of_parts: Manifold,
+    candidates: Vec<Candidate>,
+    kept: Vec<Candidate>,
+    near: Vec<usize>,
+}
+
+/// All contacts of a pair of which one is a compound.
 pub(crate) fn compound_manifold(
     workspace: &mut Workspace,
     shapes: [&Shape; 2],
     poses: [&Pose; 2],
     reach: f64,
-) -> Option<Manifold> {
-    if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
-        return None;
-    }
+    found: &mut Manifold,
+) {
+    let mut buffers = std::mem::take(&mut workspace.composite);
+    of_compound(workspace, &mut buffers, shapes, poses, reach, found);
+    workspace.composite = buffers;
+}
+
+fn of_compound(
+    workspace: &mut Workspace,
+    CompositeBuffers { pairs, of_parts, candidates, kept, near: near_parts }: &mut CompositeBuffers,
+    shapes: [&Shape; 2],
+    poses: [&Pose; 2],
+    reach: f64,
+    found: &mut Manifold,
+) {
     // About A's origin.
     let near_a = Pose { translation: glam::DVec3::ZERO, ..*poses[0] };
     let near_b = Pose { translation: poses[1].translation - poses[0].translation, ..*poses[1] };
     let near = [&near_a, &near_b];
     let tolerance = place_tolerance(least_part(shapes[0]), least_part(shapes[1]), near_b.translation);
-    let mut found = Found { candidates: Vec::new(), separation: f64::INFINITY, axis: SeparatingAxis::None };
-    let mut pairs = Vec::new();
-    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, &mut pairs);
-    for parts in pairs {
-        let pair = [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
-        let manifold = manifold_with(workspace, pair[0], near[0], pair[1], near[1], reach);
-        found.add(&manifold, shapes, pair, parts);
+    found.set_empty(f64::INFINITY, SeparatingAxis::None);
+    candidates.clear();
+    pairs.clear();
+    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, pairs);
+    let pair_of = |parts: [usize; 2]| [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
+    for &parts in pairs.iter() {
+        let pair = pair_of(parts);
+        manifold_into(workspace, pair[0], near[0], pair[1], near[1], reach, of_parts);
+        if of_parts.separation < found.separation || of_parts.separation.is_nan() {
+            found.separation = of_parts.separation;
+            found.axis = axis_of_whole(of_parts.axis, shapes, parts);
+        }
+        let candidate = |c: &Contact| Candidate { feature: c.feature, parts, geometry: c.geometry, replaced: false };
+        candidates.extend(of_parts.contacts.iter().map(candidate));
     }
     if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
         let separation = separation_with(workspace, shapes[0], poses[0], shapes[1], poses[1]);
         let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
-        return Some(Manifold::empty(separation, axis));
+        return found.set_empty(separation, axis);
     }
-    let kept = found.candidates.iter().filter_map(|&candidate| {
+    kept.clear();
+    kept.extend(candidates.iter().filter_map(|&candidate| {
+        let pair = pair_of(candidate.parts);
         let kept = match shapes[0] {
-            Shape::Compound(c) => on_whole(candidate, c, Side::A, near, tolerance)?,
+            Shape::Compound(c) => on_whole(candidate, pair, (c, Side::A), near, tolerance, near_parts)?,
             _ => candidate,
         };
         match shapes[1] {
-            Shape::Compound(c) => on_whole(kept, c, Side::B, near, tolerance),
+            Shape::Compound(c) => on_whole(kept, pair, (c, Side::B), near, tolerance, near_parts),
             _ => Some(kept),
         }
-    });
-    let mut kept: Vec<Candidate<'_>> = kept.collect();
+    }));
     if kept.is_empty() && found.separation <= tolerance {
         // Bodies that touch have a contact, also where the parts hide it: they overlap more than a part is thick.
-        kept.extend(found.candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
+        kept.extend(candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
     }
-    let mut named: Vec<Contact> = kept
-        .iter()
-        .map(|c| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry })
-        .collect();
-    keep_one_each(&mut named, SAME_PLACE * tolerance);
-    let contacts = named.iter().filter_map(|contact| {
-        let feature = contact.feature;
-        let geometry = evaluate(feature, shapes[0], poses[0], shapes[1], poses[1])?;
-        Some(Contact { feature, geometry })
+    let named = |c: &Candidate| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry };
+    found.contacts.extend(kept.iter().map(named));
+    workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    measure_again(&mut found.contacts, shapes, poses);
+}
+
+/// Gives contacts the geometry that [`evaluate`] gives them at these poses.
+pub(crate) fn measure_again(contacts: &mut Vec<Contact>, shapes: [&Shape; 2], poses: [&Pose; 2]) {
+    contacts.retain_mut(|contact| {
+        let geometry = evaluate(contact.feature, shapes[0], poses[0], shapes[1], poses[1]);
+        contact.geometry = geometry.unwrap_or(contact.geometry);
+        geometry.is_some()
     });
-    Some(Manifold { contacts: contacts.collect(), separation: found.separation, axis: found.axis })
-}
-
-/// What the pairs of parts gave.
-struct Found<'a> {
-    candidates: Vec<Candidate<'a>>,
-    separation: f64,
-    axis: SeparatingAxis,
-}
-
-impl<'a> Found<'a> {
-    fn add(&mut self, manifold: &Manifold, shapes: [&Shape; 2], pair: [&'a Shape; 2], parts: [usize; 2]) {
-        if manifold.separation < self.separation || manifold.separation.is_nan() {
-            self.separation = manifold.separation;
-            self.axis = axis_of_whole(manifold.axis, shapes, parts);
-        }
-        self.candidates.extend(manifold.contacts.iter().map(|contact| Candidate {
-            feature: contact.feature,
-            shapes: pair,
-            parts,
-            geometry: contact.geometry,
-            replaced: false,
-        }));
-    }
 }
 
 /// An axis with the numbers of the whole bodies.
@@ -182,32 +190,49 @@ pub(crate) fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, p
     pairs.sort_unstable();
 }
 
-/// Keeps one contact for each place and normal, in the order of features.
-pub(crate) fn keep_one_each(contacts: &mut Vec<Contact>, tolerance: f64) {
-    contacts.sort_unstable_by_key(|contact| contact.feature);
-    contacts.dedup_by_key(|contact| contact.feature);
-    let mut order: Vec<usize> = (0..contacts.len()).collect();
-    order.sort_by(|&i, &j| contacts[i].geometry.point.x.total_cmp(&contacts[j].geometry.point.x).then(i.cmp(&j)));
-    let mut dropped = vec![false; contacts.len()];
-    for (k, &i) in order.iter().enumerate() {
-        let first = contacts[i];
-        for &j in &order[k + 1..] {
-            let second = contacts[j];
-            if second.geometry.point.x - first.geometry.point.x > tolerance {
-                break;
-            }
-            let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_NORMAL;
-            if alike && !dropped[i] && !dropped[j] && first.geometry.point.distance(second.geometry.point) <= tolerance
-            {
-                dropped[if goes_before(&first, &second) { j } else { i }] = true;
+/// Buffers of [`SamePlaces::keep_one_each`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SamePlaces {
+    order: Vec<usize>,
+    dropped: Vec<bool>,
+}
+
+impl SamePlaces {
+    /// Keeps one contact for each place and normal, in the order of features.
+    pub(crate) fn keep_one_each(&mut self, contacts: &mut Vec<Contact>, tolerance: f64) {
+        let Self { order, dropped } = self;
+        contacts.sort_unstable_by_key(|contact| contact.feature);
+        contacts.dedup_by_key(|contact| contact.feature);
+        order.clear();
+        order.extend(0..contacts.len());
+        order.sort_unstable_by(|&i, &j| {
+            contacts[i].geometry.point.x.total_cmp(&contacts[j].geometry.point.x).then(i.cmp(&j))
+        });
+        dropped.clear();
+        dropped.resize(contacts.len(), false);
+        for (k, &i) in order.iter().enumerate() {
+            let first = contacts[i];
+            for &j in &order[k + 1..] {
+                let second = contacts[j];
+                if second.geometry.point.x - first.geometry.point.x > tolerance {
+                    break;
+                }
+                let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_NORMAL;
+                if alike
+                    && !dropped[i]
+                    && !dropped[j]
+                    && first.geometry.point.distance(second.geometry.point) <= tolerance
+                {
+                    dropped[if goes_before(&first, &second) { j } else { i }] = true;
+                }
             }
         }
+        let mut index = 0;
+        contacts.retain(|_| {
+            index += 1;
+            !dropped[index - 1]
+        });
     }
-    let mut index = 0;
-    contacts.retain(|_| {
-        index += 1;
-        !dropped[index - 1]
-    });
 }
 
 /// Whether the first of two contacts in one place stays.

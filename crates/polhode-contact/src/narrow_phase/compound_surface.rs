@@ -36,21 +36,23 @@ const ALONG: f64 = 1.0 - 1e-12;
 struct Place<'a> {
     compound: &'a Compound,
     part: usize,
-    near: Vec<usize>,
+    near: &'a [usize],
     x: DVec3,
     v: DVec3,
     tolerance: f64,
     probe: f64,
 }
 
-/// The contact as one of the whole body `side`, or nothing when it is none. Poses are those of the candidate.
-pub(crate) fn on_whole<'a>(
-    mut candidate: Candidate<'a>,
-    compound: &Compound,
-    side: Side,
+/// The contact of two parts as one of the whole body `side`, or nothing when it is none. Poses are those of the candidate;
+/// `near` is a buffer.
+pub(crate) fn on_whole(
+    mut candidate: Candidate,
+    shapes: [&Shape; 2],
+    (compound, side): (&Compound, Side),
     poses: [&Pose; 2],
     tolerance: f64,
-) -> Option<Candidate<'a>> {
+    near: &mut Vec<usize>,
+) -> Option<Candidate> {
     let at = usize::from(side == Side::B);
     let geometry = candidate.geometry;
     let (sign, pose) = if side == Side::A { (-1.0, poses[0]) } else { (1.0, poses[1]) };
@@ -58,7 +60,7 @@ pub(crate) fn on_whole<'a>(
     let v = pose.rotation.inverse_rotate(geometry.normal * sign);
     let part = candidate.parts[at];
     let probe = (PROBE * compound.parts[part].size()).max(32.0 * tolerance);
-    let mut near = Vec::new();
+    near.clear();
     let reach = Bounds { min: x, max: x }.inflated(2.0 * probe);
     compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
     near.retain(|&other| other != part);
@@ -66,7 +68,7 @@ pub(crate) fn on_whole<'a>(
         return Some(candidate);
     }
     let place = Place { compound, part, near, x, v, tolerance, probe };
-    let Shape::Convex(own) = candidate.shapes[at] else { return (!place.is_covered()).then_some(candidate) };
+    let Shape::Convex(own) = shapes[at] else { return (!place.is_covered()).then_some(candidate) };
     match element(candidate.feature, side) {
         Element::Face(face) => place.is_exposed(own, face).then_some(candidate),
         Element::Edge(edge) => {
@@ -85,7 +87,7 @@ pub(crate) fn on_whole<'a>(
             let border = if geometry.margin > 8.0 * tolerance {
                 Border::Inside
             } else {
-                at_border(candidate.shapes[1 - at], candidate.feature, x_other, 8.0 * tolerance)
+                at_border(shapes[1 - at], candidate.feature, x_other, 8.0 * tolerance)
             };
             match border {
                 Border::Vertex(other) if !candidate.replaced => {

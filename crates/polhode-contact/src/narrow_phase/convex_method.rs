@@ -87,8 +87,8 @@ fn along_best_axis(
     pose_b: &Pose,
 ) -> Separation {
     let axes = search_axes(workspace, a, pose_a, b, pose_b, f64::INFINITY);
-    let edges = axes.deciding_edges();
-    if let Some(crossed) = edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b)) {
+    let crossed = axes.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+    if let Some(crossed) = crossed.filter(|crossed| crossed.separation > axes.face_separation()) {
         return Separation { distance: crossed.separation, normal: crossed.normal };
     }
     let face = |polyhedron: &ConvexPolyhedron, pose: &Pose, face: u32| {

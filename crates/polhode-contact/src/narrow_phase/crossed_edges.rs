@@ -12,11 +12,12 @@
 //! separation that may be rounding.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Shape};
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge, Shape};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
 /// Two lines at their nearest places, in world axes.
+#[derive(Clone, Copy)]
 pub(crate) struct CrossedEdges {
     /// Unit normal from B to A.
     pub(crate) normal: DVec3,
@@ -46,13 +47,8 @@ pub(crate) struct EdgeLine {
 impl EdgeLine {
     fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
         let edge = polyhedron.edges.get(index as usize)?;
-        let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
-        Some(Self {
-            ends: edge.vertices.map(|v| polyhedron.vertices[v as usize]),
-            direction: edge.direction,
-            length: edge.length,
-            outward: outward(edge.direction, left, right),
-        })
+        let ends = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
     }
 }
 
@@ -73,18 +69,13 @@ impl Shape {
 }
 
 /// An edge in world axes, relative to its body's centre of mass.
-struct PlacedEdge {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PlacedEdge {
     middle: DVec3,
     along: DVec3,
     half_length: f64,
     /// A direction out of the body.
     outward: DVec3,
-}
-
-/// A direction out of a body at an edge: the bisector of the normals of its faces by their sum, and by the sum of the
-/// directions out of the faces across the edge, which does not vanish where the faces are two sides of a plate.
-pub(crate) fn outward(direction: DVec3, left: DVec3, right: DVec3) -> DVec3 {
-    (left + right) + direction.cross(left - right)
 }
 
 impl PlacedEdge {
@@ -96,6 +87,40 @@ impl PlacedEdge {
             half_length: 0.5 * edge.length,
             outward: pose.rotation.rotate(edge.outward),
         }
+    }
+
+    pub(crate) fn of_polyhedron(edge: &Edge, pose: &Pose) -> Self {
+        Self {
+            middle: pose.rotation.rotate(edge.middle),
+            along: pose.rotation.rotate(edge.direction),
+            half_length: 0.5 * edge.length,
+            outward: pose.rotation.rotate(edge.outward),
+        }
+    }
+}
+
+/// The common perpendicular of two edges.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Perpendicular {
+    cross: DVec3,
+    sine: f64,
+    /// Unit normal from B to A.
+    pub(crate) normal: DVec3,
+    along_a: DVec3,
+}
+
+impl Perpendicular {
+    /// Nothing when the edges are parallel.
+    #[inline]
+    pub(crate) fn new(a: &PlacedEdge, b: &PlacedEdge) -> Option<Self> {
+        let cross = a.along.cross(b.along);
+        let sine = cross.length();
+        if sine.is_nan() || sine <= PARALLEL_SINE {
+            return None;
+        }
+        let (normal, along_a) =
+            if cross.dot(b.outward - a.outward) >= 0.0 { (cross / sine, a.along) } else { (-cross / sine, -a.along) };
+        Some(Self { cross, sine, normal, along_a })
     }
 }
 
@@ -109,25 +134,35 @@ impl CrossedEdges {
         pose_b: &Pose,
         edge_b: u32,
     ) -> Option<Self> {
-        Self::between(&EdgeLine::of_polyhedron(a, edge_a)?, pose_a, &EdgeLine::of_polyhedron(b, edge_b)?, pose_b)
+        let a = PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, pose_a);
+        let b = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, pose_b);
+        let perpendicular = Perpendicular::new(&a, &b)?;
+        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
     }
 
     /// Nothing when the edges are parallel.
     pub(crate) fn between(a: &EdgeLine, pose_a: &Pose, b: &EdgeLine, pose_b: &Pose) -> Option<Self> {
         let (a, b) = (PlacedEdge::new(a, pose_a), PlacedEdge::new(b, pose_b));
-        let cross = a.along.cross(b.along);
-        let sine = cross.length();
-        if sine.is_nan() || sine <= PARALLEL_SINE {
-            return None;
-        }
-        let (normal, along_a) =
-            if cross.dot(b.outward - a.outward) >= 0.0 { (cross / sine, a.along) } else { (-cross / sine, -a.along) };
+        let perpendicular = Perpendicular::new(&a, &b)?;
+        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
+    }
+
+    /// Of bodies with these origins in the world.
+    #[inline]
+    pub(crate) fn along(
+        perpendicular: &Perpendicular,
+        a: &PlacedEdge,
+        origin_a: DVec3,
+        b: &PlacedEdge,
+        origin_b: DVec3,
+    ) -> Self {
+        let Perpendicular { cross, sine, normal, along_a } = *perpendicular;
         // Places of the nearest points, measured from the middles of the edges, where the lever is shortest.
-        let between = (pose_b.translation - pose_a.translation) + (b.middle - a.middle);
+        let between = (origin_b - origin_a) + (b.middle - a.middle);
         let on_a = between.cross(b.along).dot(cross) / (sine * sine);
         let on_b = between.cross(a.along).dot(cross) / (sine * sine);
         let (to_a, to_b) = (a.along * on_a, b.along * on_b);
-        Some(Self {
+        Self {
             normal,
             sine,
             along_a,
@@ -136,8 +171,8 @@ impl CrossedEdges {
             arm_b: b.middle + to_b,
             separation: normal.dot((to_a - to_b) - between),
             margin: (a.half_length - on_a.abs()).min(b.half_length - on_b.abs()),
-            origin_a: pose_a.translation,
-        })
+            origin_a,
+        }
     }
 
     pub(crate) fn geometry(&self) -> ContactGeometry {

@@ -12,8 +12,7 @@
 //! it is when `q` is no higher above the neighbour than above the face, again because of the cap.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::narrow_phase::crossed_edges::outward;
-use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace, plane_of_b};
+use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, FaceAxis, Workspace, plane_of_b};
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -27,7 +26,7 @@ pub(crate) const AXIS_ULPS: f64 = 8.0;
 pub(crate) const AXIS_SLACK: f64 = 1e-8;
 
 /// Rounding of a square of a sum of products, relative to it, with room.
-const SQUARE_SLACK: f64 = 1e-9;
+pub(crate) const SQUARE_SLACK: f64 = 1e-9;
 
 /// What the search for edges keeps from call to call.
 #[derive(Debug, Clone, Default)]
@@ -38,15 +37,13 @@ pub(crate) struct EdgeBuffers {
     /// The edges that are searched, ascending.
     pub(crate) of_a: Vec<u32>,
     pub(crate) of_b: Vec<u32>,
-    /// Sine of the angle of each of these edges to each face of the other body, `direction . normal`.
-    a_to_faces_b: Vec<f64>,
-    b_to_faces_a: Vec<f64>,
 }
 
 impl Axes {
-    /// Pairs of edges that separate by no more than this need not be found: faces do better, or the bodies touch anyway.
+    /// Pairs of edges that separate by no more than this need not be found: faces do as well to rounding, or the bodies
+    /// touch anyway.
     pub(crate) fn edge_threshold(&self, stop: f64) -> f64 {
-        (self.face_separation() + self.tolerance).min(0.0).min(stop)
+        (self.face_separation() + self.rounding).min(0.0).min(stop)
     }
 
     /// Separations below which edges of A and of B are left out, m: those of the best face, or touch, less a margin.
@@ -95,97 +92,42 @@ impl Workspace {
         axes: &Axes,
         stop: f64,
     ) -> Option<EdgeAxis> {
-        self.leave_edges_under_a(a, axes);
+        let over = OverBestFaces::new(self, a, x_ab, axes);
+        self.edges.of_a.retain(|&i| !over.leaves_a(a, i));
         if self.edges.of_a.is_empty() {
             return None;
         }
-        self.leave_edges_under_b(a, b, x_ab, axes);
-        if self.edges.of_b.is_empty() {
-            return None;
-        }
+        let mut of_b = std::mem::take(&mut self.edges.of_b);
+        of_b.retain(|&j| !over.leaves_b(self, b, j));
+        self.edges.of_b = of_b;
         self.best_edges(a, b, axes.edge_threshold(stop), stop, axes.tolerance)
-    }
-
-    /// Leaves out the edges of A's best face inside which the lowest vertex above this face stands: none of them separates
-    /// better than the face.
-    fn leave_edges_under_a(&mut self, a: &ConvexPolyhedron, axes: &Axes) {
-        let of_a = &mut self.edges.of_a;
-        let best_a = axes.face_a.face as usize;
-        let height = |point: DVec3, face: usize| a.faces[face].normal.dot(point) - a.faces[face].offset;
-        if let Some(point) = lowest_point(&self.vertices, a.faces[best_a].normal) {
-            of_a.retain(|&index| {
-                let edge = &a.edges[index as usize];
-                let Some((turn, beside)) = sides_of(edge, best_a) else { return true };
-                let out = edge.direction.cross(a.faces[best_a].normal) * turn;
-                let outside = out.dot(point - a.vertices[edge.vertices[0] as usize]);
-                !is_over(outside, height(point, beside), axes.face_a.separation, axes.tolerance)
-            });
-        }
-    }
-
-    /// As [`Self::leave_edges_under_a`], for B's best face.
-    fn leave_edges_under_b(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) {
-        let of_b = &mut self.edges.of_b;
-        let best_b = axes.face_b.face as usize;
-        let (normals, directions) = (&self.normals, &self.directions);
-        let height = |point: DVec3, face: usize| normals[face].dot(point) - plane_of_b(b, face, normals[face], x_ab);
-        if let Some(point) = lowest_point(&a.vertices, normals[best_b]) {
-            of_b.retain(|&index| {
-                let edge = &b.edges[index as usize];
-                let Some((turn, beside)) = sides_of(edge, best_b) else { return true };
-                let out = directions[index as usize].cross(normals[best_b]) * turn;
-                let outside = out.dot(point - self.vertices[edge.vertices[0] as usize]);
-                !is_over(outside, height(point, beside), axes.face_b.separation, axes.tolerance)
-            });
-        }
     }
 
     /// The pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
     /// than `threshold` (at most `stop`) may be left out.
     pub(crate) fn best_edges(
-        &mut self,
+        &self,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         threshold: f64,
         stop: f64,
         tolerance: f64,
     ) -> Option<EdgeAxis> {
-        let mut edges = std::mem::take(&mut self.edges);
-        edges.a_to_faces_b.clear();
-        for &i in &edges.of_a {
-            let direction = a.edges[i as usize].direction;
-            edges.a_to_faces_b.extend(self.normals.iter().map(|n| n.dot(direction)));
-        }
-        edges.b_to_faces_a.clear();
-        for &j in &edges.of_b {
-            let direction = self.directions[j as usize];
-            edges.b_to_faces_a.extend(a.faces.iter().map(|f| f.normal.dot(direction)));
-        }
-        let best = self.best_of(&edges, a, b, (threshold, stop), tolerance);
-        self.edges = edges;
-        best
-    }
-
-    fn best_of(
-        &self,
-        edges: &EdgeBuffers,
-        a: &ConvexPolyhedron,
-        b: &ConvexPolyhedron,
-        (threshold, stop): (f64, f64),
-        tolerance: f64,
-    ) -> Option<EdgeAxis> {
+        let edges = &self.edges;
         let mut best: Option<EdgeAxis> = None;
-        for (&i, against_b) in edges.of_a.iter().zip(edges.a_to_faces_b.chunks_exact(b.faces.len())) {
+        for &i in &edges.of_a {
             let edge_a = &a.edges[i as usize];
-            for (&j, against_a) in edges.of_b.iter().zip(edges.b_to_faces_a.chunks_exact(a.faces.len())) {
+            let of_a = edge_a.faces.map(|f| a.faces[f as usize].normal);
+            for &j in &edges.of_b {
                 let edge_b = &b.edges[j as usize];
                 // With B's normals turned round, the arcs (n1, n2) and (-m1, -m2) cross when m1 and m2 lie on opposite
                 // sides of A's arc, n1 and n2 on opposite sides of B's, and both arcs on one hemisphere.
-                let (x, y) = (against_b[edge_b.faces[0] as usize], against_b[edge_b.faces[1] as usize]);
+                let [x, y] = edge_b.faces.map(|f| self.normals[f as usize].dot(edge_a.direction));
                 if x * y >= 0.0 {
                     continue;
                 }
-                let (z, w) = (-against_a[edge_a.faces[0] as usize], -against_a[edge_a.faces[1] as usize]);
+                let direction = self.directions[j as usize];
+                let [z, w] = of_a.map(|normal| -normal.dot(direction));
                 if z * w >= 0.0 || x * w <= 0.0 {
                     continue;
                 }
@@ -210,8 +152,7 @@ impl Workspace {
     fn are_outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, [i, j]: [usize; 2], tolerance: f64) -> bool {
         let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
         let cross = edge_a.direction.cross(self.directions[j]);
-        let [left, right] = edge_a.faces.map(|f| a.faces[f as usize].normal);
-        let sign = if cross.dot(outward(edge_a.direction, left, right)) >= 0.0 { 1.0 } else { -1.0 };
+        let sign = if cross.dot(edge_a.outward) >= 0.0 { 1.0 } else { -1.0 };
         let v = cross * (sign / cross.length());
         let highest = a.vertices[edge_a.vertices[0] as usize].dot(v) + tolerance;
         let lowest = self.vertices[edge_b.vertices[0] as usize].dot(v) - tolerance;
@@ -229,10 +170,8 @@ impl Workspace {
     ) -> Option<f64> {
         let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
         let cross = edge_a.direction.cross(self.directions[j]);
-        let [left, right] = edge_a.faces.map(|f| a.faces[f as usize].normal);
-        let outward = outward(edge_a.direction, left, right);
         let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
-        let upward = cross.dot(outward) >= 0.0;
+        let upward = cross.dot(edge_a.outward) >= 0.0;
         // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.
         let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
         if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SQUARE_SLACK) {
@@ -248,10 +187,79 @@ impl Workspace {
     }
 }
 
+/// The lowest vertices above the best face of each body, which shut out edges of that face inside which they stand: none of
+/// these separates better than the face.
+struct OverBestFaces {
+    tolerance: f64,
+    a: OverFace,
+    b: OverFace,
+    /// From A's origin to B's, A's frame.
+    translation: DVec3,
+}
+
+/// The lowest vertex above a face.
+struct OverFace {
+    face: usize,
+    normal: DVec3,
+    separation: f64,
+    point: DVec3,
+}
+
+impl OverBestFaces {
+    fn new(workspace: &Workspace, a: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) -> Self {
+        let over = |FaceAxis { separation, face }: FaceAxis, normal: DVec3, points: &[DVec3]| OverFace {
+            face: face as usize,
+            normal,
+            separation,
+            point: lowest_point(points, normal),
+        };
+        let normal_a = a.faces[axes.face_a.face as usize].normal;
+        let normal_b = workspace.normals[axes.face_b.face as usize];
+        Self {
+            tolerance: axes.tolerance,
+            a: over(axes.face_a, normal_a, &workspace.vertices),
+            b: over(axes.face_b, normal_b, &a.vertices),
+            translation: x_ab.translation,
+        }
+    }
+
+    fn leaves_a(&self, a: &ConvexPolyhedron, edge: u32) -> bool {
+        let edge = &a.edges[edge as usize];
+        self.a.leaves(edge, edge.direction, a.vertices[edge.vertices[0] as usize], self.tolerance, |face, point| {
+            a.faces[face].normal.dot(point) - a.faces[face].offset
+        })
+    }
+
+    fn leaves_b(&self, workspace: &Workspace, b: &ConvexPolyhedron, index: u32) -> bool {
+        let edge = &b.edges[index as usize];
+        let (direction, from) = (workspace.directions[index as usize], workspace.vertices[edge.vertices[0] as usize]);
+        self.b.leaves(edge, direction, from, self.tolerance, |face, point| {
+            let normal = workspace.normals[face];
+            normal.dot(point) - (normal.dot(self.translation) + b.faces[face].offset)
+        })
+    }
+}
+
+impl OverFace {
+    /// `height` is that of a point above a face of the same body.
+    fn leaves(
+        &self,
+        edge: &Edge,
+        direction: DVec3,
+        from: DVec3,
+        tolerance: f64,
+        height: impl Fn(usize, DVec3) -> f64,
+    ) -> bool {
+        let Some((turn, beside)) = sides_of(edge, self.face) else { return false };
+        let outside = (direction.cross(self.normal) * turn).dot(self.point - from);
+        is_over(outside, || height(beside, self.point), self.separation, tolerance)
+    }
+}
+
 /// Whether a point at a signed distance outside an edge of a face, and heights above the neighbour across the edge and
 /// above the face itself (`separation`), is clearly over the face, m.
-fn is_over(outside: f64, height: f64, separation: f64, tolerance: f64) -> bool {
-    outside <= -tolerance && (separation >= 0.0 || height <= separation - tolerance)
+fn is_over(outside: f64, height: impl FnOnce() -> f64, separation: f64, tolerance: f64) -> bool {
+    outside <= -tolerance && (separation >= 0.0 || height() <= separation - tolerance)
 }
 
 /// Of an edge of a face: 1 when the face's loop runs along it and -1 when against it, and the face across it.
@@ -260,16 +268,14 @@ fn sides_of(edge: &Edge, face: usize) -> Option<(f64, usize)> {
     if first == face { Some((1.0, second)) } else { (second == face).then_some((-1.0, first)) }
 }
 
-/// The first of the lowest points along a direction.
-fn lowest_point(points: &[DVec3], direction: DVec3) -> Option<DVec3> {
-    let mut best: Option<(f64, DVec3)> = None;
-    for &point in points {
+/// The first of the lowest points along a direction; the origin when there is none.
+fn lowest_point(points: &[DVec3], direction: DVec3) -> DVec3 {
+    let mut best = (f64::INFINITY, 0);
+    for (index, point) in points.iter().enumerate() {
         let height = point.dot(direction);
-        if best.is_none_or(|(lowest, _)| height < lowest) {
-            best = Some((height, point));
-        }
+        best = if height < best.0 { (height, index) } else { best };
     }
-    best.map(|(_, point)| point)
+    points.get(best.1).copied().unwrap_or_default()
 }
 
 /// The edges that no point of the other body lies below both of whose faces by more than the limit. `heights_over` gives

@@ -152,6 +152,27 @@ impl PointOnSurface {
         Some(Self { center_of, arm, offset, origin, distance, radius_of_point, radius_of_surface })
     }
 
+    /// A vertex of a polyhedron V over a face of another, E, whose normal in the world is given; nothing when it is
+    /// higher than `reach` (m). The operations are those of [`Self::new`].
+    fn above_face(
+        center_of: Side,
+        (vertex, pose_v): (DVec3, &Pose),
+        (polyhedron, face, pose_e): (&ConvexPolyhedron, &Face<'_>, &Pose),
+        normal: DVec3,
+        reach: f64,
+    ) -> Option<Self> {
+        let arm = pose_v.rotation.rotate(vertex);
+        let offset = (pose_v.translation - pose_e.translation) + arm;
+        let y = pose_e.rotation.inverse_rotate(offset);
+        let height = face.normal.dot(y) - face.offset;
+        if height.is_nan() || height > reach {
+            return None;
+        }
+        let distance = from_plane(normal, height, face_margin(polyhedron, face, y));
+        let origin = pose_v.translation;
+        Some(Self { center_of, arm, offset, origin, distance, radius_of_point: 0.0, radius_of_surface: 0.0 })
+    }
+
     fn geometry(&self) -> ContactGeometry {
         let gradient = self.distance.gradient;
         let separation = self.distance.value - self.radius_of_point - self.radius_of_surface;
@@ -176,6 +197,18 @@ impl PointOnSurface {
             acceleration_bias: g.dot(centripetal) + 2.0 * u.dot(e.angular.cross(g)) + bending,
         }
     }
+}
+
+/// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, as [`evaluate`]
+/// would give it; nothing when its separation exceeds `reach` (m).
+pub(crate) fn vertex_above_face(
+    vertex_of: Side,
+    vertex: (DVec3, &Pose),
+    face: (&ConvexPolyhedron, &Face<'_>, &Pose),
+    normal: DVec3,
+    reach: f64,
+) -> Option<ContactGeometry> {
+    PointOnSurface::above_face(vertex_of, vertex, face, normal, reach).map(|contact| contact.geometry())
 }
 
 /// Distance of the place `y` (frame of the shape) from one of the shape's features.

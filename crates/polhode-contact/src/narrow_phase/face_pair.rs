@@ -55,6 +55,8 @@ struct PlacedFace {
     kept: Vec<bool>,
     /// Whether each side may be crossed by one of the other face.
     crossable: Vec<bool>,
+    /// 1 where a corner is clearly outside a side of the other face, -1 where clearly inside; corner after corner.
+    signs: Vec<i8>,
 }
 
 impl PlacedFace {
@@ -68,11 +70,6 @@ impl PlacedFace {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
         self.crossable.clear();
-        if corners * sides < FEW_PAIRS {
-            self.deep.resize(corners, false);
-            self.crossable.resize(corners, true);
-            return;
-        }
         let margin = DEEP_PLACES * tolerance;
         let middle = other.corners.iter().sum::<DVec3>() / sides as f64;
         let inner = (0..sides).map(|j| -other.outside(middle, j)).fold(f64::INFINITY, f64::min) - margin;
@@ -88,6 +85,26 @@ impl PlacedFace {
             let between_deep = self.deep[i] && self.deep[following(i, corners)];
             let beyond = self.outside(middle, i).abs() > outer * (1.0 + CIRCLE_SLACK);
             self.crossable.push(!(between_deep || beyond));
+        }
+    }
+
+    /// On which side of every side of the other face each corner is, and which corners are contacts.
+    fn take_signs(&mut self, other: &Self, tolerance: f64) {
+        let (corners, sides) = (self.corners.len(), other.corners.len());
+        self.deep.clear();
+        self.deep.resize(corners, false);
+        self.kept.clear();
+        self.kept.resize(corners, true);
+        self.signs.clear();
+        self.signs.resize(corners * sides, 0);
+        let rows = self.signs.chunks_exact_mut(sides);
+        for ((corner, kept), row) in self.corners.iter().zip(&mut self.kept).zip(rows) {
+            for ((from, side), sign) in other.corners.iter().zip(&other.sides).zip(row) {
+                let distance = side.dot(*corner - *from);
+                let outside = distance > tolerance;
+                *sign = if outside { 1 } else { -i8::from(distance < -tolerance) };
+                *kept &= !outside;
+            }
         }
     }
 
@@ -124,24 +141,29 @@ pub(crate) fn collect(
     upper: Side,
 ) {
     let (Some(face_a), Some(face_b)) = (a.face(index_a as usize), b.face(index_b as usize)) else { return };
-    let mut buffers = std::mem::take(&mut workspace.face_pair);
+    let Workspace { x_ab, vertices, normals, directions, features, face_pair: buffers, .. } = workspace;
+    let normal_b = normals[index_b as usize];
     buffers.a.corners.clear();
     buffers.a.corners.extend(face_a.vertices.iter().map(|&v| a.vertices[v as usize]));
     buffers.a.sides.clear();
     buffers.a.sides.extend_from_slice(face_a.sides);
     buffers.b.corners.clear();
-    buffers.b.corners.extend(face_b.vertices.iter().map(|&v| workspace.vertices[v as usize]));
+    buffers.b.corners.extend(face_b.vertices.iter().map(|&v| vertices[v as usize]));
     buffers.b.sides.clear();
-    buffers.b.sides.extend(sides_of_placed(b, &face_b, index_b, workspace));
-    let normal_b = workspace.normals[index_b as usize];
-    buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
-    buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
-    buffers.a.keep_inside(&buffers.b, tolerance);
-    buffers.b.keep_inside(&buffers.a, tolerance);
-    drop_coincident(&mut buffers, &face_a, &face_b, (index_a, index_b), tolerance, upper);
-    let highest = reach + axis_slack(a, b, &workspace.x_ab);
-    let plane_b = plane_of_b(b, index_b as usize, normal_b, &workspace.x_ab);
-    let features = &mut workspace.features;
+    buffers.b.sides.extend(sides_of_placed(b, &face_b, normal_b, directions));
+    let few = face_a.vertices.len() * face_b.vertices.len() < FEW_PAIRS;
+    if few {
+        buffers.a.take_signs(&buffers.b, tolerance);
+        buffers.b.take_signs(&buffers.a, tolerance);
+    } else {
+        buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
+        buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
+        buffers.a.keep_inside(&buffers.b, tolerance);
+        buffers.b.keep_inside(&buffers.a, tolerance);
+    }
+    drop_coincident(buffers, &face_a, &face_b, (index_a, index_b), tolerance, upper);
+    let highest = reach + axis_slack(a, b, x_ab);
+    let plane_b = plane_of_b(b, index_b as usize, normal_b, x_ab);
     for ((&vertex, corner), _) in
         face_a.vertices.iter().zip(&buffers.a.corners).zip(&buffers.a.kept).filter(|(_, k)| **k)
     {
@@ -156,20 +178,22 @@ pub(crate) fn collect(
             features.push(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: index_a });
         }
     }
-    cross_edges(&buffers, &face_a, &face_b, tolerance, &mut workspace.features);
-    workspace.face_pair = buffers;
+    if few {
+        cross_by_signs(buffers, &face_a, &face_b, features);
+    } else {
+        cross_edges(buffers, &face_a, &face_b, tolerance, features);
+    }
 }
 
 /// Outward sides of a face of B in A's frame.
 fn sides_of_placed<'a>(
     b: &'a ConvexPolyhedron,
     face: &Face<'a>,
-    index: u32,
-    workspace: &'a Workspace,
+    normal: DVec3,
+    directions: &'a [DVec3],
 ) -> impl Iterator<Item = DVec3> + 'a {
-    let normal = workspace.normals[index as usize];
     face.vertices.iter().zip(face.edges).map(move |(&vertex, &edge)| {
-        let along = workspace.directions[edge as usize];
+        let along = directions[edge as usize];
         let along = if b.edges[edge as usize].vertices[0] == vertex { along } else { -along };
         along.cross(normal)
     })
@@ -232,6 +256,22 @@ fn cross_edges(
             let end = b.outside(a.corners[next_i], j);
             before = Some(end);
             if opposite(start, end) && opposite(a.outside(b.corners[j], i), a.outside(b.corners[next_j], i)) {
+                features.push(ContactFeature::EdgeEdge { edge_a: face_a.edges[i], edge_b: face_b.edges[j] });
+            }
+        }
+    }
+}
+
+/// As [`cross_edges`], of faces with few vertices.
+fn cross_by_signs(buffers: &Buffers, face_a: &Face<'_>, face_b: &Face<'_>, features: &mut Vec<ContactFeature>) {
+    let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
+    for j in 0..count_b {
+        let next_j = following(j, count_b);
+        for i in 0..count_a {
+            let next_i = following(i, count_a);
+            let of_a = buffers.a.signs[i * count_b + j] * buffers.a.signs[next_i * count_b + j];
+            let of_b = buffers.b.signs[j * count_a + i] * buffers.b.signs[next_j * count_a + i];
+            if of_a < 0 && of_b < 0 {
                 features.push(ContactFeature::EdgeEdge { edge_a: face_a.edges[i], edge_b: face_b.edges[j] });
             }
         }

@@ -13,6 +13,7 @@ use crate::clearance::place_tolerance;
 use crate::narrow_phase::composite::compound_manifold;
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::evaluate::evaluate;
+use crate::narrow_phase::face_contacts::FacePair;
 use crate::narrow_phase::face_pair;
 use crate::narrow_phase::mesh_pair::mesh_manifold;
 use crate::narrow_phase::nearest_feature;
@@ -23,12 +24,13 @@ use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace};
 use crate::narrow_phase::separation::separation_with;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::round::is_round;
-use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
+use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Normals within this angle of each other belong to one contact region (cosine; 0.01 rad): bodies that lie on each
-/// other and rock, as opposed to bodies that touch at an angle.
+/// Normals within this angle belong to one contact region (cosine; 0.01 rad): bodies that lie on each other and rock, as
+/// opposed to bodies that touch at an angle. Contacts are measured against the normal of the face that decides, and this
+/// face, where a crossing decides, against the crossing's.
 pub(crate) const ALIKE: f64 = 0.999_95;
 
 /// Directions whose components differ by less than this are the same when one of several equal axes is chosen.
@@ -63,9 +65,8 @@ pub fn manifold_with(
     found
 }
 
-/// As [`manifold`], with buffers and a result that the caller keeps: of polyhedra, spheres, points and half-spaces nothing is
-/// allocated once they are large enough; round shapes, compounds and meshes allocate.
-/// What stood in the result before is forgotten.
+/// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough. What
+/// stood in the result before is forgotten.
 pub fn manifold_into(
     workspace: &mut Workspace,
     shape_a: &Shape,
@@ -78,13 +79,12 @@ pub fn manifold_into(
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return found.set_empty(f64::NAN, SeparatingAxis::None);
     }
-    if let Some(manifold) = compound_manifold(workspace, [shape_a, shape_b], [pose_a, pose_b], reach) {
-        *found = manifold;
-        return;
+    let (shapes, poses) = ([shape_a, shape_b], [pose_a, pose_b]);
+    if shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
+        return compound_manifold(workspace, shapes, poses, reach, found);
     }
-    if let Some(manifold) = mesh_manifold(workspace, [shape_a, shape_b], [pose_a, pose_b], reach) {
-        *found = manifold;
-        return;
+    if shapes.iter().any(|shape| matches!(shape, Shape::TriangleMesh(_))) {
+        return mesh_manifold(workspace, shapes, poses, reach, found);
     }
     let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
     workspace.features.clear();
@@ -137,7 +137,7 @@ fn of_round(workspace: &mut Workspace, a: Placed<'_>, b: Placed<'_>, reach: f64,
             };
         }
         if gap.separation <= reach {
-            found.contacts.extend(region::contacts(features, pair_a, pair_b, &gap, reach));
+            region::contacts(features, pair_a, pair_b, &gap, reach, &mut found.contacts);
         }
     };
     let half_space = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
@@ -202,8 +202,12 @@ pub(crate) fn along_axes(
     reach: f64,
     found: &mut Manifold,
 ) {
-    let separation = axes.separation(polyhedron_a, a.pose, polyhedron_b, b.pose);
+    let crossed =
+        axes.edges.and_then(|e| CrossedEdges::new(polyhedron_a, a.pose, e.edge_a, polyhedron_b, b.pose, e.edge_b));
+    let separation = axes.largest(crossed.as_ref());
+    // Edges in a tie with a face do not decide.
     let edges = axes.deciding_edges();
+    let crossed = crossed.filter(|_| edges.is_some());
     let axis = match edges {
         Some(EdgeAxis { edge_a, edge_b, .. }) => SeparatingAxis::Edges(edge_a, edge_b),
         None if axes.face_a.separation >= axes.face_b.separation => SeparatingAxis::FaceA(axes.face_a.face),
@@ -216,23 +220,29 @@ pub(crate) fn along_axes(
     workspace.features.clear();
     let contacts = &mut found.contacts;
     let pair = match edges {
-        Some(edges) => faces_beside(workspace, (polyhedron_a, a.pose), (polyhedron_b, b.pose), edges),
+        Some(edges) => crossed
+            .and_then(|crossed| faces_beside(workspace, polyhedron_a, polyhedron_b, a.pose, edges, crossed.normal)),
         None => Some(facing(workspace, polyhedron_a, polyhedron_b, axes, a.pose)),
     };
     if let Some(pair) = pair {
         let toward_a = -a.pose.rotation.rotate(polyhedron_a.faces[pair.0 as usize].normal);
         let upper = if is_upward(toward_a) { Side::A } else { Side::B };
         face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, (axes.tolerance, reach), upper);
-        measure(&mut workspace.features, a, b, reach, contacts);
         // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
         // crossings of the two outlines do not keep the bodies apart.
-        let crossing = edges.and_then(|EdgeAxis { edge_a, edge_b, .. }| {
-            CrossedEdges::new(polyhedron_a, a.pose, edge_a, polyhedron_b, b.pose, edge_b)
-        });
-        let deciding = deciding_normals(workspace, polyhedron_a, axes, pair, a.pose, crossing.map(|c| c.normal));
-        contacts.retain(|c| deciding.iter().flatten().any(|normal| c.geometry.normal.dot(*normal) >= ALIKE));
-        if let (Some(edges), [None, Some(_)] | [Some(_), None]) = (edges, deciding) {
-            along_edge(contacts, edges, (a, b), axes.tolerance);
+        let normals = normals_of(workspace, polyhedron_a, pair, a.pose);
+        let alike = normals.map(|normal| crossed.is_none_or(|c| c.normal.dot(normal) >= ALIKE));
+        let deciding = deciding_faces(workspace, axes, pair, alike);
+        let faces = FacePair {
+            polyhedra: [polyhedron_a, polyhedron_b],
+            poses: [a.pose, b.pose],
+            faces: [pair.0, pair.1],
+            deciding: [0, 1].map(|k| deciding[k].then_some(normals[k])),
+            reach,
+        };
+        faces.measure(&mut workspace.features, &mut workspace.placed_edges, contacts);
+        if let (Some(edges), Some(crossed), [false, true] | [true, false]) = (edges, crossed, alike) {
+            along_edge(contacts, edges, &crossed.geometry(), axes.tolerance);
         }
     } else {
         if let Some(EdgeAxis { edge_a, edge_b, .. }) = edges {
@@ -253,37 +263,29 @@ pub(crate) fn along_axes(
 /// Contacts of an edge that lies almost in a face: the other face beside the edge stands at an angle, so that its outline,
 /// seen along the face's normal, is not where its own sides say when the bodies overlap deeply. Crossings beyond the ends
 /// of their edges are left out, and the deciding one is always there.
-fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, (a, b): (Placed<'_>, Placed<'_>), tolerance: f64) {
+fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, crossing: &ContactGeometry, tolerance: f64) {
     contacts.retain(|c| c.geometry.margin >= -tolerance);
     let feature = ContactFeature::EdgeEdge { edge_a: edges.edge_a, edge_b: edges.edge_b };
-    let Some(geometry) = evaluate(feature, a.shape, a.pose, b.shape, b.pose) else { return };
-    let beside = |c: &Contact| c.geometry.point.distance(geometry.point) <= SAME_PLACES * tolerance;
-    if geometry.margin < -tolerance || contacts.iter().any(|c| c.feature == feature || beside(c)) {
+    let beside = |c: &Contact| c.geometry.point.distance(crossing.point) <= SAME_PLACES * tolerance;
+    if crossing.margin < -tolerance || contacts.iter().any(|c| c.feature == feature || beside(c)) {
         return;
     }
-    contacts.push(Contact { feature, geometry });
-    contacts.sort_by_key(|c| c.feature);
+    let place = contacts.partition_point(|c| c.feature < feature);
+    contacts.insert(place, Contact { feature, geometry: *crossing });
 }
 
-/// Unit normals of a contact region in the world, from B to A: that of the face of the pair that separates better, or
-/// both when they separate equally well (edges of two tilted bodies that meet: the places of the edge may lie under
-/// either face). Where a crossing decides, only a face that is almost perpendicular to its normal counts.
-fn deciding_normals(
-    workspace: &Workspace,
-    a: &ConvexPolyhedron,
-    axes: &Axes,
-    (face_a, face_b): (u32, u32),
-    pose_a: &Pose,
-    crossing: Option<DVec3>,
-) -> [Option<DVec3>; 2] {
-    let along = [workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]];
+/// Unit normals of two faces in the world, from B to A.
+fn normals_of(workspace: &Workspace, a: &ConvexPolyhedron, (face_a, face_b): (u32, u32), pose_a: &Pose) -> [DVec3; 2] {
     let normals = [-a.faces[face_a as usize].normal, workspace.normals[face_b as usize]];
-    let normals = normals.map(|normal| pose_a.rotation.rotate(normal));
-    let counts = normals.map(|normal| crossing.is_none_or(|crossing| crossing.dot(normal) >= ALIKE));
-    [(0, 1), (1, 0)].map(|(own, other)| {
-        let separates = !counts[other] || along[own] >= along[other] - axes.tolerance;
-        (counts[own] && separates).then_some(normals[own])
-    })
+    normals.map(|normal| pose_a.rotation.rotate(normal))
+}
+
+/// Which faces of a pair say what belongs to the contact region: the one that separates better, or both when they
+/// separate equally well (edges of two tilted bodies that meet: the places of the edge may lie under either face). Where
+/// a crossing decides, only a face that is almost perpendicular to its normal counts: `alike`.
+fn deciding_faces(workspace: &Workspace, axes: &Axes, (face_a, face_b): (u32, u32), alike: [bool; 2]) -> [bool; 2] {
+    let along = [workspace.along_faces_a[face_a as usize], workspace.along_faces_b[face_b as usize]];
+    [(0, 1), (1, 0)].map(|(own, other)| alike[own] && (!alike[other] || along[own] >= along[other] - axes.tolerance))
 }
 
 /// Whether a direction points up: by z, or else y, or else x.
@@ -310,12 +312,13 @@ fn deciding_contact(workspace: &Workspace, a: &ConvexPolyhedron, axes: &Axes) ->
 /// almost in the face, and more of it than the crossing may touch.
 fn faces_beside(
     workspace: &Workspace,
-    (a, pose_a): (&ConvexPolyhedron, &Pose),
-    (b, pose_b): (&ConvexPolyhedron, &Pose),
+    a: &ConvexPolyhedron,
+    b: &ConvexPolyhedron,
+    pose_a: &Pose,
     edges: EdgeAxis,
+    normal: DVec3,
 ) -> Option<(u32, u32)> {
-    let crossed = CrossedEdges::new(a, pose_a, edges.edge_a, b, pose_b, edges.edge_b)?;
-    let normal = pose_a.rotation.inverse_rotate(crossed.normal);
+    let normal = pose_a.rotation.inverse_rotate(normal);
     let best = |faces: [u32; 2], along: &dyn Fn(u32) -> f64| {
         let [first, second] = faces.map(|face| (face, along(face)));
         if second.1 > first.1 { second } else { first }

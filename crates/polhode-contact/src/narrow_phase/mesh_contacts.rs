@@ -3,16 +3,19 @@
 use crate::narrow_phase::compound_surface::{Border, at_border};
 use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::face_pair;
-use crate::narrow_phase::manifold::{ALIKE, is_upward, manifold_with};
+use crate::narrow_phase::manifold::{ALIKE, is_upward, manifold_into};
 use crate::narrow_phase::mesh_feature::{Flatness, Part, nearest_on};
-use crate::narrow_phase::mesh_pair::MeshContact;
+use crate::narrow_phase::mesh_pair::{DEEPER, MeshContact};
+use crate::narrow_phase::round::gap::{Body, Gap};
+use crate::narrow_phase::round::region;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
 use crate::narrow_phase::triangle_axes::{Decision, Triangle, TriangleAxes};
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::shape::topology::flat_triangle;
-use crate::{Contact, ContactFeature, Shape, Side, SurfaceFeature};
+use crate::shape::round::is_round;
+use crate::shape::topology::{flat_triangle, set_flat_triangle};
+use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -28,19 +31,28 @@ pub(crate) struct MeshPair<'a> {
     pub(crate) reach: f64,
 }
 
-/// The other body in the mesh's frame.
-pub(crate) struct Surroundings {
-    /// Offsets of the faces of a polyhedron, m.
-    pub(crate) offsets: Vec<f64>,
+/// Places a polyhedron in the mesh's frame, and gives the offsets of its faces there, m.
+pub(crate) fn place_other(workspace: &mut Workspace, other: &Shape, x: &Pose, offsets: &mut Vec<f64>) {
+    offsets.clear();
+    if let Shape::Convex(polyhedron) = other {
+        workspace.place(polyhedron, x);
+        let faces = polyhedron.faces.iter().zip(&workspace.normals);
+        offsets.extend(faces.map(|(face, normal)| normal.dot(x.translation) + face.offset));
+    }
 }
 
-impl Surroundings {
-    pub(crate) fn new(workspace: &mut Workspace, other: &Shape, x: &Pose) -> Self {
-        let Shape::Convex(polyhedron) = other else { return Self { offsets: Vec::new() } };
-        workspace.place(polyhedron, x);
-        let offset =
-            |(face, normal): (&crate::shape::polyhedron::FaceRecord, &DVec3)| normal.dot(x.translation) + face.offset;
-        Self { offsets: polyhedron.faces.iter().zip(&workspace.normals).map(offset).collect() }
+/// A triangle as a shape, kept from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct FlatTriangle(Option<Shape>);
+
+impl FlatTriangle {
+    fn set(&mut self, triangle: &Triangle) -> &Shape {
+        let Triangle { corners, normal, .. } = *triangle;
+        let shape = self.0.get_or_insert_with(|| Shape::Convex(flat_triangle(corners, normal)));
+        if let Shape::Convex(flat) = shape {
+            set_flat_triangle(flat, corners, normal);
+        }
+        shape
     }
 }
 
@@ -51,7 +63,7 @@ pub(crate) fn of_polyhedron(
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
     axes: &TriangleAxes,
-    contacts: &mut Vec<MeshContact>,
+    (flat, contacts): (&mut FlatTriangle, &mut Vec<MeshContact>),
 ) {
     let (tolerance, reach) = (pair.tolerance, pair.reach);
     workspace.features.clear();
@@ -59,8 +71,8 @@ pub(crate) fn of_polyhedron(
     if let Some((side, face)) = faces_of(workspace, triangle, polyhedron, axes, tolerance) {
         let outward = if side == 0 { triangle.normal } else { -triangle.normal };
         let upper = if is_upward(-outward) { Side::A } else { Side::B };
-        let flat = flat_triangle(triangle.corners, triangle.normal);
-        face_pair::collect(workspace, &flat, polyhedron, (side, face), (tolerance, reach), upper);
+        let Shape::Convex(flat) = flat.set(triangle) else { return };
+        face_pair::collect(workspace, flat, polyhedron, (side, face), (tolerance, reach), upper);
         let of_face = workspace.normals[face as usize];
         // Normals from B to A.
         deciding = Some(match axes.decision {
@@ -213,7 +225,7 @@ impl OnTriangle<'_> {
                     return None;
                 }
                 let straight = match mesh.flatness(vertex, outward, tolerance) {
-                    Flatness::Corner => return Some(MeshContact { contact, on_convex_edge: false }),
+                    Flatness::Corner => return Some(MeshContact { contact, order: 0, on_convex_edge: false }),
                     Flatness::Straight(direction) => Some(direction),
                     Flatness::Inner => None,
                 };
@@ -229,25 +241,25 @@ impl OnTriangle<'_> {
                         } else {
                             contact
                         };
-                        Some(MeshContact { contact, on_convex_edge: false })
+                        Some(MeshContact { contact, order: 0, on_convex_edge: false })
                     }
                     (Border::Edge(along), Some(straight)) => {
                         let across = self.pair.x.rotation.rotate(along).cross(straight).length();
-                        (across > PARALLEL).then_some(MeshContact { contact, on_convex_edge: false })
+                        (across > PARALLEL).then_some(MeshContact { contact, order: 0, on_convex_edge: false })
                     }
-                    (Border::Unknown, _) => Some(MeshContact { contact, on_convex_edge: false }),
+                    (Border::Unknown, _) => Some(MeshContact { contact, order: 0, on_convex_edge: false }),
                     (Border::Inside | Border::Edge(_), _) => None,
                 }
             }
             ContactFeature::EdgeEdge { edge_a, .. } => {
                 let stands =
                     !mesh.edges[edge_a as usize].flat && mesh.supports_at_edge(edge_a, outward, tolerance, SLOPE);
-                stands.then_some(MeshContact { contact, on_convex_edge: false })
+                stands.then_some(MeshContact { contact, order: 0, on_convex_edge: false })
             }
             _ => {
                 let part = self.part_at(place);
                 let supported = self.supports(part, outward, 0.0);
-                Some(MeshContact { contact, on_convex_edge: part != Part::Face && supported })
+                Some(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported })
             }
         }
     }
@@ -317,7 +329,7 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
             _ => ContactFeature::Smooth { center_of: Side::B, center: number, against },
         };
         let on_convex_edge = near.part != Part::Face && supported;
-        contacts.extend(judge.measure_whole(feature).map(|contact| MeshContact { contact, on_convex_edge }));
+        contacts.extend(judge.measure_whole(feature).map(|contact| MeshContact { contact, order: 0, on_convex_edge }));
     }
     least
 }
@@ -381,6 +393,7 @@ pub(crate) fn separation_of_part(
     triangle: &Triangle,
     other: &Shape,
     x: &Pose,
+    flat: &mut FlatTriangle,
 ) -> f64 {
     match other {
         Shape::Sphere(_) | Shape::Points(_) => {
@@ -390,10 +403,7 @@ pub(crate) fn separation_of_part(
             let near = |&c: &DVec3| NearTriangle::new(triangle, x.transform_point(c), side, tolerance).distance;
             centers.iter().map(near).fold(f64::INFINITY, f64::min) - radius
         }
-        _ => {
-            let flat = Shape::Convex(flat_triangle(triangle.corners, triangle.normal));
-            separation_with(workspace, &flat, &Pose::IDENTITY, other, x)
-        }
+        _ => separation_with(workspace, flat.set(triangle), &Pose::IDENTITY, other, x),
     }
 }
 
@@ -402,27 +412,75 @@ pub(crate) fn of_parts(
     workspace: &mut Workspace,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
+    (flat, manifold): (&mut FlatTriangle, &mut Manifold),
     contacts: &mut Vec<MeshContact>,
 ) -> f64 {
     let MeshPair { mesh, other, x, reach, .. } = pair;
-    let flat = Shape::Convex(flat_triangle(triangle.corners, triangle.normal));
-    let manifold = manifold_with(workspace, &flat, &Pose::IDENTITY, other, x, *reach);
+    manifold_into(workspace, flat.set(triangle), &Pose::IDENTITY, other, x, *reach, manifold);
     let judge = OnTriangle { pair, triangle };
+    let mut lost = false;
     for local in &manifold.contacts {
         let Some(contact) = judge.measure(local.feature) else { continue };
         let place = local.geometry.point + local.geometry.normal * (0.5 * local.geometry.separation);
         let part = judge.part_at(place);
         let flat_edge =
             matches!(part, Part::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
-        let on_face = matches!(
-            local.feature,
-            ContactFeature::VertexFace { vertex_of: Side::B, .. }
-                | ContactFeature::Smooth { center_of: Side::B, against: SurfaceFeature::Face(_), .. }
-                | ContactFeature::Elements { a: SurfaceFeature::Face(_), .. }
-        );
-        if (on_face || !flat_edge) && judge.supports(part, -local.geometry.normal, SLOPE) {
-            contacts.push(MeshContact { contact, on_convex_edge: part != Part::Face });
+        let supported = judge.supports(part, -local.geometry.normal, SLOPE);
+        // A face has its own normal as far as its border, also where the next face rises: in a valley both bear.
+        if is_on_face(local.feature) || (supported && !flat_edge) {
+            contacts.push(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported });
+        } else {
+            lost = true;
         }
     }
+    if lost && is_round(other) {
+        on_own_face(workspace, &judge, flat.set(triangle), manifold, contacts);
+    }
     manifold.separation
+}
+
+/// Whether a contact of a triangle as a flat polyhedron lies on one of its faces.
+const fn is_on_face(feature: ContactFeature) -> bool {
+    matches!(
+        feature,
+        ContactFeature::VertexFace { vertex_of: Side::B, .. }
+            | ContactFeature::Smooth { center_of: Side::B, against: SurfaceFeature::Face(_), .. }
+            | ContactFeature::Elements { a: SurfaceFeature::Face(_), .. }
+    )
+}
+
+/// The contacts of a round body on a triangle's face, where others that the surface does not have stood for them: in the
+/// bottom of a valley a disc passes by the edge of either side, and a vertex of the mesh lies on the disc where a point of
+/// the rim lies on the face. The contacts of `manifold`, which have been taken over, make room for them.
+fn on_own_face(
+    workspace: &mut Workspace,
+    judge: &OnTriangle<'_>,
+    flat: &Shape,
+    manifold: &mut Manifold,
+    contacts: &mut Vec<MeshContact>,
+) {
+    let MeshPair { other, x, reach, tolerance, .. } = judge.pair;
+    let slack = 8.0 * *tolerance;
+    let body = Body::whole(other, *x);
+    for (side, sign) in [(0, 1.0), (1, -1.0)] {
+        let outward = judge.triangle.normal * sign;
+        let along = -body.support(-outward) - judge.triangle.offset * sign;
+        if along > *reach || along < manifold.separation.min(0.0) * DEEPER - slack {
+            continue;
+        }
+        let gap = Gap {
+            separation: along,
+            normal: -outward,
+            a: SurfaceFeature::Face(side),
+            b: body.farthest(-outward),
+            tolerance: *tolerance,
+        };
+        let pair = ((flat, &Pose::IDENTITY), (*other, x));
+        manifold.contacts.clear();
+        let found = &mut manifold.contacts;
+        region::contacts_where(&mut workspace.features, pair.0, pair.1, &gap, *reach, is_on_face, found);
+        let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
+        let within = measured.filter(|contact| contact.geometry.margin >= -slack);
+        contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));
+    }
 }

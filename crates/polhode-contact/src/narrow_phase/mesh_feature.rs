@@ -17,7 +17,7 @@ pub(crate) fn distance_of(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3
         SurfaceFeature::Face(face) => {
             let plane = mesh.face_plane(face)?;
             let value = plane.normal.dot(y) - plane.offset;
-            Some(from_plane(plane.normal, value, patch_margin(mesh, face / 2, y - plane.normal * value)))
+            Some(from_plane(plane.normal, value, patch_margin(mesh, face, y - plane.normal * value)))
         }
         SurfaceFeature::Edge(edge) => {
             let line = mesh.edges.get(edge as usize)?;
@@ -41,9 +41,11 @@ pub(crate) fn distance_of(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3
     }
 }
 
-/// How far a place in a patch's plane is from the border of the patch, m: inside, from the border edges of the triangles
-/// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle.
-pub(crate) fn patch_margin(mesh: &TriangleMesh, patch: u32, y: DVec3) -> f64 {
+/// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
+/// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
+/// which the surface rises it is zero: what has sunk in there lies under both faces, and both bear it.
+pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
+    let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();
     let mut inside: Option<f64> = None;
     mesh.tree.overlaps(&Bounds { min: y, max: y }.inflated(4.0 * slack), &mut |triangle| {
@@ -66,13 +68,22 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, patch: u32, y: DVec3) -> f64 {
     }
     let here = Bounds { min: y, max: y };
     let near = |bounds: &Bounds| bounds.distance(&here);
-    -mesh.tree.least(f64::INFINITY, 0.0, &near, &mut |triangle, _| {
-        if mesh.patch_of[triangle as usize] == patch {
-            nearest_on(mesh.corner_places(triangle), y).0.distance(y)
-        } else {
-            f64::INFINITY
+    let mut nearest = (f64::INFINITY, None);
+    let distance = mesh.tree.least(f64::INFINITY, 0.0, &near, &mut |triangle, _| {
+        if mesh.patch_of[triangle as usize] != patch {
+            return f64::INFINITY;
         }
-    })
+        let (place, part) = nearest_on(mesh.corner_places(triangle), y);
+        let distance = place.distance(y);
+        if distance < nearest.0 {
+            nearest = (distance, Some((triangle, part)));
+        }
+        distance
+    });
+    match nearest.1 {
+        Some((triangle, Part::Edge(k))) if mesh.rises_at(mesh.edges_of[triangle as usize][k], face) => 0.0,
+        _ => -distance,
+    }
 }
 
 /// Part of a triangle.
@@ -119,6 +130,14 @@ pub(crate) fn nearest_on([a, b, c]: [DVec3; 3], p: DVec3) -> (DVec3, Part) {
 }
 
 impl TriangleMesh {
+    /// Whether at an edge of a face's patch the surface rises above the face.
+    fn rises_at(&self, edge: u32, face: u32) -> bool {
+        let Some(plane) = self.face_plane(face) else { return false };
+        let height = COINCIDENCE * self.bounds_size();
+        let others = self.at_edge.of(edge).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
+        others.flat_map(|&t| self.corner_places(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
+    }
+
     /// Corners of a triangle that exists.
     pub(crate) fn corner_places(&self, triangle: u32) -> [DVec3; 3] {
         self.joined[triangle as usize].map(|v| self.vertices[v as usize])
@@ -154,13 +173,18 @@ impl TriangleMesh {
     pub(crate) fn supports_at_edge(&self, edge: u32, v: DVec3, height: f64, slope: f64) -> bool {
         let Some(line) = self.edges.get(edge as usize) else { return false };
         let x = self.vertices[line.vertices[0] as usize];
-        self.at_edge.of(edge).iter().flat_map(|&t| self.corner_places(t)).all(|w| falls_away(w - x, v, height, slope))
+        let falls = |&t: &u32| self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope));
+        self.at_edge.of(edge).iter().all(falls)
     }
 
     /// The same at a vertex.
     pub(crate) fn supports_at_vertex(&self, vertex: u32, v: DVec3, height: f64, slope: f64) -> bool {
         let Some(&x) = self.vertices.get(vertex as usize) else { return false };
-        self.neighbours(vertex).all(|w| falls_away(w - x, v, height, slope))
+        let falls = |&t: &u32| {
+            // Of the vertex itself the step is zero.
+            self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
+        };
+        self.at_vertex.of(vertex).iter().all(falls)
     }
 
     /// How the surface goes on around a vertex within the plane across `v`.
@@ -217,5 +241,7 @@ pub(crate) enum Flatness {
 }
 
 fn falls_away(step: DVec3, v: DVec3, height: f64, slope: f64) -> bool {
-    v.dot(step) <= height + slope * step.length()
+    let rise = v.dot(step);
+    // Most slopes are zero, and need no length.
+    rise <= height || (slope > 0.0 && rise <= height + slope * step.length())
 }

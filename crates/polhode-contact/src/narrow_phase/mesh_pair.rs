@@ -8,10 +8,9 @@
 //! All is computed in the mesh's frame, and the same whichever body is called A.
 
 use crate::clearance::place_tolerance;
-use crate::narrow_phase::composite::keep_one_each;
-use crate::narrow_phase::evaluate::evaluate;
+use crate::narrow_phase::composite::measure_again;
 use crate::narrow_phase::mesh_contacts::{
-    MeshPair, Surroundings, deciding_contact, of_centers, of_parts, of_polyhedron,
+    FlatTriangle, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other, separation_of_part,
 };
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::triangle_axes::{Decision, Triangle, TriangleAxes, triangle_axes};
@@ -23,7 +22,7 @@ use polhode_spatial::Pose;
 const SAME_PLACE: f64 = 8.0;
 
 /// How much deeper along a triangle's axis than as a whole a body may overlap there.
-const DEEPER: f64 = 1.5;
+pub(crate) const DEEPER: f64 = 1.5;
 
 /// The mesh of a pair and the other body; nothing when none is a mesh.
 fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
@@ -48,18 +47,22 @@ pub(crate) fn mesh_separation(workspace: &mut Workspace, shapes: [&Shape; 2], po
     let x = poses[at].relative(poses[1 - at]);
     let bounds = other.bounds_at(&x);
     let tolerance = tolerance_of(mesh, other, &x);
-    let around = Surroundings::new(workspace, other, &x);
+    let mut buffers = std::mem::take(&mut workspace.mesh);
+    let MeshBuffers { offsets, flat, .. } = &mut buffers;
+    place_other(workspace, other, &x, offsets);
     let mut measure = |index: u32, best: f64| {
         let triangle = Triangle::new(mesh, index);
         match other {
             Shape::Convex(polyhedron) => {
                 let limits = (tolerance, best.max(0.0));
-                triangle_axes(workspace, &around.offsets, mesh, &triangle, polyhedron, limits).separation
+                triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, limits).separation
             }
-            _ => crate::narrow_phase::mesh_contacts::separation_of_part(workspace, mesh, &triangle, other, &x),
+            _ => separation_of_part(workspace, mesh, &triangle, other, &x, flat),
         }
     };
-    Some(mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure))
+    let least = mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure);
+    workspace.mesh = buffers;
+    Some(least)
 }
 
 fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
@@ -67,81 +70,112 @@ fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
     place_tolerance(size, mesh.bounds_size(), x.translation)
 }
 
-/// All contacts of a pair of which one is a mesh; nothing for other pairs.
+/// What is kept from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct MeshBuffers {
+    /// Offsets of the faces of the other body, a polyhedron, m.
+    offsets: Vec<f64>,
+    triangles: Vec<u32>,
+    near: Vec<(Triangle, TriangleAxes)>,
+    contacts: Vec<MeshContact>,
+    flat: FlatTriangle,
+    /// Of one triangle.
+    of_part: Manifold,
+}
+
+/// All contacts of a pair of which one is a mesh.
 pub(crate) fn mesh_manifold(
     workspace: &mut Workspace,
     shapes: [&Shape; 2],
     poses: [&Pose; 2],
     reach: f64,
-) -> Option<Manifold> {
-    let (at, mesh, other) = sides_of(shapes)?;
+    found: &mut Manifold,
+) {
+    found.set_empty(f64::INFINITY, SeparatingAxis::None);
+    let Some((at, mesh, other)) = sides_of(shapes) else { return };
     if never_meets(other) {
-        return Some(Manifold::empty(f64::INFINITY, SeparatingAxis::None));
+        return;
     }
     let x = poses[at].relative(poses[1 - at]);
-    let tolerance = tolerance_of(mesh, other, &x);
-    let pair = MeshPair { shape: shapes[at], mesh, other, x, tolerance, reach };
-    let around = Surroundings::new(workspace, other, &x);
-    let bounds = other.bounds_at(&x).inflated(reach.max(0.0) + SAME_PLACE * tolerance);
-    let mut triangles = Vec::new();
+    let pair = MeshPair { shape: shapes[at], mesh, other, x, tolerance: tolerance_of(mesh, other, &x), reach };
+    let mut buffers = std::mem::take(&mut workspace.mesh);
+    of_triangles(workspace, &mut buffers, &pair, found);
+    let is_near = !(found.separation.is_nan() || reach.is_nan() || found.separation > reach);
+    if is_near {
+        of_surface(workspace, &mut buffers, &pair, found);
+    }
+    workspace.mesh = buffers;
+    if is_near {
+        if at == 1 {
+            found.axis = swapped(found.axis);
+            found.contacts.iter_mut().for_each(|contact| contact.feature = contact.feature.swapped());
+        }
+        measure_again(&mut found.contacts, shapes, poses);
+        found.contacts.sort_unstable_by_key(|contact| contact.feature);
+        return;
+    }
+    let separation = mesh_separation(workspace, shapes, poses).unwrap_or(f64::INFINITY);
+    let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
+    found.set_empty(separation, axis);
+}
+
+/// The separation of the triangles within reach and, of bodies that are no polyhedra, their contacts.
+fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { offsets, triangles, near, contacts, flat, of_part } = buffers;
+    let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
+    place_other(workspace, other, x, offsets);
+    triangles.clear();
+    contacts.clear();
+    near.clear();
+    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE * tolerance);
     mesh.tree.overlaps(&bounds, &mut |triangle| triangles.push(triangle));
     triangles.sort_unstable();
-    let mut found = Found { contacts: Vec::new(), separation: f64::INFINITY, axis: SeparatingAxis::None };
-    let mut near: Vec<(Triangle, TriangleAxes)> = Vec::new();
-    for index in triangles {
+    let mut note = |separation: f64, axis: SeparatingAxis| {
+        if separation < found.separation || separation.is_nan() {
+            (found.separation, found.axis) = (separation, axis);
+        }
+    };
+    for &index in triangles.iter() {
         let triangle = Triangle::new(mesh, index);
         match other {
             Shape::Convex(polyhedron) => {
-                let axes = triangle_axes(workspace, &around.offsets, mesh, &triangle, polyhedron, (tolerance, reach));
-                found.note(axes.separation, axis_of(mesh, &triangle, axes.decision));
+                let axes = triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, (tolerance, reach));
+                note(axes.separation, axis_of(mesh, &triangle, axes.decision));
                 if axes.separation <= reach {
                     near.push((triangle, axes));
                 }
             }
             Shape::Sphere(_) | Shape::Points(_) => {
-                let least = of_centers(&pair, &triangle, &mut found.contacts);
-                found.note(least, SeparatingAxis::Nearest);
+                note(of_centers(pair, &triangle, contacts), SeparatingAxis::Nearest);
             }
             _ => {
-                let least = of_parts(workspace, &pair, &triangle, &mut found.contacts);
-                found.note(least, SeparatingAxis::Nearest);
+                let least = of_parts(workspace, pair, &triangle, (flat, of_part), contacts);
+                note(least, SeparatingAxis::Nearest);
             }
         }
     }
-    if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
-        let separation = mesh_separation(workspace, shapes, poses)?;
-        let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
-        return Some(Manifold::empty(separation, axis));
-    }
-    if let Shape::Convex(polyhedron) = other {
+}
+
+/// The contacts of the whole surface, in the mesh's frame with the mesh as A.
+fn of_surface(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { near, contacts, flat, .. } = buffers;
+    let tolerance = pair.tolerance;
+    if let Shape::Convex(polyhedron) = pair.other {
         // A triangle along whose own axes the body overlaps more than it does as a whole touches it with a vertex or an
         // edge only, and the triangles beside it have the axis.
         near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE * tolerance);
-        for (triangle, axes) in &near {
-            of_polyhedron(workspace, &pair, triangle, polyhedron, axes, &mut found.contacts);
+        for (triangle, axes) in near.iter() {
+            of_polyhedron(workspace, pair, triangle, polyhedron, axes, (flat, contacts));
         }
     }
-    let mut kept = one_on_convex_edges(found.contacts, SAME_PLACE * tolerance);
-    keep_one_each(&mut kept, SAME_PLACE * tolerance);
+    one_on_convex_edges(contacts, SAME_PLACE * tolerance);
+    found.contacts.extend(contacts.iter().map(|c| c.contact));
+    workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
     let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
-    if let (true, true, Some((triangle, axes))) = (kept.is_empty(), found.separation <= tolerance, deepest) {
+    if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {
         // Bodies that touch have a contact, also where tolerances left none.
-        kept.extend(deciding_contact(workspace, &pair, triangle, axes));
+        found.contacts.extend(deciding_contact(workspace, pair, triangle, axes));
     }
-    let axis = if at == 0 { found.axis } else { swapped(found.axis) };
-    Some(Manifold { contacts: measured(&kept, at, shapes, poses), separation: found.separation, axis })
-}
-
-/// Contacts found with the mesh as A, as they are of the pair given (the mesh stands there at `at`), sorted.
-fn measured(found: &[Contact], at: usize, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Vec<Contact> {
-    let measure = |contact: &Contact| {
-        let feature = if at == 0 { contact.feature } else { contact.feature.swapped() };
-        let geometry = evaluate(feature, shapes[0], poses[0], shapes[1], poses[1])?;
-        Some(Contact { feature, geometry })
-    };
-    let mut contacts: Vec<Contact> = found.iter().filter_map(measure).collect();
-    contacts.sort_unstable_by_key(|contact| contact.feature);
-    contacts
 }
 
 const fn swapped(axis: SeparatingAxis) -> SeparatingAxis {
@@ -166,29 +200,20 @@ fn axis_of(mesh: &TriangleMesh, triangle: &Triangle, decision: Decision) -> Sepa
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeshContact {
     pub(crate) contact: Contact,
+    /// Its place among those found.
+    pub(crate) order: u32,
     /// It lies on an edge or corner of its triangle at which the surface falls away on all sides.
     pub(crate) on_convex_edge: bool,
 }
 
-struct Found {
-    contacts: Vec<MeshContact>,
-    separation: f64,
-    axis: SeparatingAxis,
-}
-
-impl Found {
-    fn note(&mut self, separation: f64, axis: SeparatingAxis) {
-        if separation < self.separation || separation.is_nan() {
-            (self.separation, self.axis) = (separation, axis);
-        }
-    }
-}
-
-/// Of contacts of one vertex at a convex edge or corner, with each of its faces, the one with the lowest face.
-fn one_on_convex_edges(mut found: Vec<MeshContact>, tolerance: f64) -> Vec<Contact> {
-    found.sort_by_key(|c| c.contact.feature);
-    let mut kept: Vec<MeshContact> = Vec::with_capacity(found.len());
-    for next in found {
+/// Of contacts of one vertex at a convex edge or corner, with each of its faces, the one with the lowest face stays.
+fn one_on_convex_edges(found: &mut Vec<MeshContact>, tolerance: f64) {
+    // Of equal features the first found goes first.
+    (0..).zip(found.iter_mut()).for_each(|(order, c)| c.order = order);
+    found.sort_unstable_by_key(|c| (c.contact.feature, c.order));
+    let mut count = 0;
+    for k in 0..found.len() {
+        let (kept, next) = (&found[..count], found[k]);
         let vertex = |c: &MeshContact| match c.contact.feature {
             ContactFeature::VertexFace { vertex_of: crate::Side::B, vertex, .. } => Some(vertex),
             _ => None,
@@ -202,8 +227,9 @@ fn one_on_convex_edges(mut found: Vec<MeshContact>, tolerance: f64) -> Vec<Conta
             && vertex(&next).is_some()
             && kept.iter().rev().take_while(|before| vertex(before) == vertex(&next)).any(hides);
         if !covered {
-            kept.push(next);
+            found[count] = next;
+            count += 1;
         }
     }
-    kept.into_iter().map(|c| c.contact).collect()
+    found.truncate(count);
 }

@@ -10,6 +10,7 @@ pub(crate) mod crossed_edges;
 mod edge_axes;
 pub(crate) mod epa;
 pub mod evaluate;
+pub(crate) mod face_contacts;
 pub(crate) mod face_pair;
 pub(crate) mod gjk;
 pub mod manifold;

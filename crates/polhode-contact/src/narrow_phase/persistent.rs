@@ -3,14 +3,13 @@
 //! [`NarrowPhase::update`] gives the contacts of all pairs of a broad phase at the poses of now, the same bit for bit as
 //! [`manifold()`](crate::manifold()) would. From the step before it keeps, for each pair, which features need not be
 //! searched (`coherence.rs`), the identities of the contacts with a value of the caller's for each (the impulse for a warm
-//! start), and all buffers: once these are large enough, a step allocates nothing for polyhedra, spheres, points and
-//! half-spaces (round shapes, compounds and meshes allocate their results). Pairs that end leave their buffers to pairs
-//! that begin.
+//! start), and all buffers: once these are large enough, a step allocates nothing. Pairs that end leave their buffers to
+//! pairs that begin.
 
 use crate::narrow_phase::coherence::Coherence;
 use crate::narrow_phase::manifold::{Placed, along_axes, manifold_into};
 use crate::narrow_phase::separating_axis::Workspace;
-use crate::{ContactFeature, Manifold, SeparatingAxis, Shape};
+use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 use thiserror::Error;
 
@@ -268,6 +267,12 @@ impl<T> Record<T> {
 impl<T: Copy + Default> Record<T> {
     /// Every contact takes the value it had before; both lists are sorted by feature.
     fn carry_data(&mut self) {
+        let contacts = &self.manifold.contacts;
+        let same = |(feature, contact): (&ContactFeature, &Contact)| *feature == contact.feature;
+        if self.previous.len() == contacts.len() && self.previous.iter().zip(contacts).all(same) {
+            std::mem::swap(&mut self.data, &mut self.previous_data);
+            return;
+        }
         self.data.clear();
         let mut before = self.previous.iter().zip(&self.previous_data).peekable();
         for contact in &self.manifold.contacts {

@@ -27,8 +27,13 @@ pub struct Workspace {
     /// Separation along the normal of each face of A and of B, m.
     pub(crate) along_faces_a: Vec<f64>,
     pub(crate) along_faces_b: Vec<f64>,
+    pub(crate) triangle: crate::narrow_phase::triangle_axes::TriangleBuffers,
     pub(crate) face_pair: crate::narrow_phase::face_pair::Buffers,
     pub(crate) features: Vec<ContactFeature>,
+    pub(crate) placed_edges: crate::narrow_phase::face_contacts::PlacedEdges,
+    pub(crate) composite: crate::narrow_phase::composite::CompositeBuffers,
+    pub(crate) mesh: crate::narrow_phase::mesh_pair::MeshBuffers,
+    pub(crate) same_places: crate::narrow_phase::composite::SamePlaces,
     pub(crate) bounds: [Vec<crate::impact::quadratic_bound::Quadratic>; 2],
 }
 
@@ -56,6 +61,8 @@ pub(crate) struct Axes {
     pub(crate) edges: Option<EdgeAxis>,
     /// Distance up to which features are in one place, m.
     pub(crate) tolerance: f64,
+    /// Differences of separations up to this are rounding, m.
+    pub(crate) rounding: f64,
 }
 
 impl FaceAxis {
@@ -73,7 +80,8 @@ impl Axes {
     /// Nothing found yet.
     pub(crate) fn none(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
         let tolerance = place_tolerance(a.size, b.size, x_ab.translation);
-        Self { face_a: FaceAxis::NONE, face_b: FaceAxis::NONE, edges: None, tolerance }
+        let rounding = f64::EPSILON * (a.size + b.size + x_ab.translation.length());
+        Self { face_a: FaceAxis::NONE, face_b: FaceAxis::NONE, edges: None, tolerance, rounding }
     }
 
     /// Largest separation over the faces.
@@ -87,12 +95,16 @@ impl Axes {
     }
 
     /// Largest separation over all axes; that of edges measured between their nearest places, where it is most accurate.
+    /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts.
     pub(crate) fn separation(&self, a: &ConvexPolyhedron, pose_a: &Pose, b: &ConvexPolyhedron, pose_b: &Pose) -> f64 {
-        let measured = |e: EdgeAxis| {
-            let crossed = CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b);
-            crossed.map_or(e.separation, |crossed| crossed.separation)
-        };
-        self.deciding_edges().map_or(self.face_separation(), measured)
+        let crossed = self.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+        self.largest(crossed.as_ref())
+    }
+
+    /// The same when the edges have been placed.
+    pub(crate) fn largest(&self, crossed: Option<&CrossedEdges>) -> f64 {
+        let faces = self.face_separation();
+        crossed.map(|crossed| crossed.separation).filter(|&across| across > faces).unwrap_or(faces)
     }
 }
 
@@ -174,12 +186,25 @@ pub(crate) fn plane_of_b(b: &ConvexPolyhedron, face: usize, normal: DVec3, x_ab:
 
 /// Least coordinate of some points along a direction; the coordinates of all are added to a list.
 fn lowest_of(heights: &mut Vec<f64>, points: &[DVec3], direction: DVec3) -> f64 {
-    let first = heights.len();
-    heights.extend(points.iter().map(|p| p.dot(direction)));
-    heights[first..].iter().copied().fold(f64::INFINITY, f64::min)
+    let mut least = f64::INFINITY;
+    heights.extend(points.iter().map(|p| {
+        let height = p.dot(direction);
+        least = if height < least { height } else { least };
+        height
+    }));
+    least
 }
 
 /// Least coordinate of some points along a direction.
 pub(crate) fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
-    points.iter().map(|p| p.dot(direction)).fold(f64::INFINITY, f64::min)
+    range(points, direction).0
+}
+
+/// Least and largest coordinate of some points along a direction.
+#[inline]
+pub(crate) fn range(points: &[DVec3], direction: DVec3) -> (f64, f64) {
+    points.iter().map(|p| p.dot(direction)).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+        // Compared by hand: `min` and `max` also have to ask for what is no number.
+        (if height < low { height } else { low }, if height > high { height } else { high })
+    })
 }

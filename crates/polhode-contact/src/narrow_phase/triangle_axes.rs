@@ -6,14 +6,14 @@
 //! axes count that the surface has at the triangle's feature ([`TriangleMesh::supports_at_edge`]).
 
 use crate::clearance::PARALLEL_SINE;
-use crate::narrow_phase::edge_axes::AXIS_ULPS;
-use crate::narrow_phase::separating_axis::Workspace;
+use crate::narrow_phase::edge_axes::{AXIS_SLACK, AXIS_ULPS, SQUARE_SLACK};
+use crate::narrow_phase::separating_axis::{Workspace, range};
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 
 /// A triangle and its plane, the mesh's frame.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Triangle {
     pub(crate) index: u32,
     pub(crate) corners: [DVec3; 3],
@@ -53,18 +53,14 @@ pub(crate) struct TriangleAxes {
 /// Searches the axes; the polyhedron must have been placed in the mesh's frame, `offsets` are those of its faces there.
 /// Ends early with what it has when the triangle is apart by more than `stop`.
 pub(crate) fn triangle_axes(
-    workspace: &Workspace,
+    workspace: &mut Workspace,
     offsets: &[f64],
     mesh: &TriangleMesh,
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
     (tolerance, stop): (f64, f64),
 ) -> TriangleAxes {
-    let (low, high) = workspace
-        .vertices
-        .iter()
-        .map(|v| v.dot(triangle.normal))
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+    let (low, high) = range(&workspace.vertices, triangle.normal);
     let sides = [low - triangle.offset, triangle.offset - high];
     let outer = sides[0] >= sides[1] - tolerance;
     let best = if outer { sides[0] } else { sides[1] };
@@ -72,20 +68,71 @@ pub(crate) fn triangle_axes(
     if axes.separation > stop {
         return axes;
     }
-    for (face, (&normal, &offset)) in workspace.normals.iter().zip(offsets).enumerate() {
+    let mut buffers = std::mem::take(&mut workspace.triangle);
+    buffers.over_faces.clear();
+    // Most triangles are apart, and of those nobody asks what the surface is like.
+    for (&normal, &offset) in workspace.normals.iter().zip(offsets) {
         let heights = triangle.corners.map(|c| c.dot(normal));
-        let separation = heights[0].min(heights[1]).min(heights[2]) - offset;
-        axes.separation = axes.separation.max(separation);
+        axes.separation = axes.separation.max(least_of(heights) - offset);
         if axes.separation > stop {
-            return axes;
+            break;
         }
-        if separation > axes.supported + tolerance && rests_on(mesh, triangle, -normal, heights, tolerance) {
-            axes.supported = separation;
-            axes.decision = Decision::Face(face as u32);
+        buffers.over_faces.push(heights);
+    }
+    if axes.separation <= stop {
+        for (face, (&heights, &offset)) in buffers.over_faces.iter().zip(offsets).enumerate() {
+            let separation = least_of(heights) - offset;
+            let outward = workspace.normals[face];
+            if separation > axes.supported + tolerance && rests_on(mesh, triangle, -outward, heights, tolerance) {
+                axes.supported = separation;
+                axes.decision = Decision::Face(face as u32);
+            }
+        }
+        let rounding = AXIS_SLACK * (polyhedron.size + workspace.x_ab.translation.length());
+        buffers.select(polyhedron, offsets, axes.wanted(tolerance).min(0.0) - rounding);
+        search_edges(workspace, &mut buffers, mesh, triangle, polyhedron, (tolerance, stop), &mut axes);
+    }
+    workspace.triangle = buffers;
+    axes
+}
+
+/// What the search keeps from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct TriangleBuffers {
+    /// `normal . corner` of the triangle's corners for every face of the polyhedron, m.
+    over_faces: Vec<[f64; 3]>,
+    /// Edges of the polyhedron that may separate well enough.
+    edges: Vec<u32>,
+    /// Components of an edge of the triangle along the face normals of the polyhedron.
+    along_normals: Vec<f64>,
+}
+
+impl TriangleBuffers {
+    /// Chooses the edges that no corner of the triangle lies below both of whose faces by more than the limit (negative):
+    /// the others separate worse than the limit along every direction of their arcs (`edge_axes.rs`).
+    fn select(&mut self, polyhedron: &ConvexPolyhedron, offsets: &[f64], limit: f64) {
+        self.edges.clear();
+        for (index, edge) in polyhedron.edges.iter().enumerate() {
+            let [left, right] = edge.faces.map(|face| face as usize);
+            let ([a, b, c], [d, e, f]) = (self.over_faces[left], self.over_faces[right]);
+            let (level_left, level_right) = (limit + offsets[left], limit + offsets[right]);
+            let below = |l: f64, r: f64| l < level_left && r < level_right;
+            if !(below(a, d) || below(b, e) || below(c, f)) {
+                self.edges.push(index as u32);
+            }
         }
     }
-    search_edges(workspace, mesh, triangle, polyhedron, (tolerance, stop), &mut axes);
-    axes
+}
+
+impl TriangleAxes {
+    /// Axes that separate by no more than this change nothing, m.
+    fn wanted(&self, tolerance: f64) -> f64 {
+        self.separation.min(self.supported + tolerance)
+    }
+}
+
+fn least_of(heights: [f64; 3]) -> f64 {
+    heights[0].min(heights[1]).min(heights[2])
 }
 
 /// Whether the surface has the normal `v` at the corners of a triangle that lie lowest on a face.
@@ -105,8 +152,10 @@ fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3
     }
 }
 
+/// The chosen edges of the polyhedron against those of the triangle.
 fn search_edges(
     workspace: &Workspace,
+    TriangleBuffers { edges, along_normals, .. }: &mut TriangleBuffers,
     mesh: &TriangleMesh,
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
@@ -118,24 +167,34 @@ fn search_edges(
         let (from, to) = (triangle.corners[k], triangle.corners[(k + 1) % 3]);
         let along = (to - from) / mesh.edges[own[k] as usize].length;
         let out = mesh.sides[triangle.index as usize][k];
-        for (j, edge) in polyhedron.edges.iter().enumerate() {
-            let direction = workspace.directions[j];
-            let [first, second] = edge.faces.map(|f| along.dot(workspace.normals[f as usize]));
+        along_normals.clear();
+        along_normals.extend(workspace.normals.iter().map(|normal| along.dot(*normal)));
+        for j in edges.iter().map(|&j| j as usize) {
+            let edge = &polyhedron.edges[j];
+            let [first, second] = edge.faces.map(|f| along_normals[f as usize]);
             // The arc of the polyhedron's edge, turned round, crosses the half circle of the triangle's.
-            let tilt = direction.dot(triangle.normal);
-            if first * second >= 0.0 || first * tilt <= 0.0 {
+            if first * second >= 0.0 {
+                continue;
+            }
+            let direction = workspace.directions[j];
+            if first * direction.dot(triangle.normal) <= 0.0 {
                 continue;
             }
             let cross = along.cross(direction);
+            let between = workspace.vertices[edge.vertices[0] as usize] - from;
+            let upward = cross.dot(out) >= 0.0;
+            let wanted = axes.wanted(tolerance);
+            if is_clearly_below(if upward { between.dot(cross) } else { -between.dot(cross) }, cross, between, wanted) {
+                continue;
+            }
             let sine = cross.length();
             if sine.is_nan() || sine <= PARALLEL_SINE {
                 continue;
             }
-            let v = if cross.dot(out) >= 0.0 { cross / sine } else { -cross / sine };
-            let between = workspace.vertices[edge.vertices[0] as usize] - from;
+            let v = if upward { cross / sine } else { -cross / sine };
             let rounding = AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
             let separation = between.dot(v) - rounding;
-            if separation <= axes.separation.min(axes.supported + tolerance) {
+            if separation <= wanted {
                 continue;
             }
             // Where an edge lies in the triangle's plane, rounding decides the signs above: both edges must be
@@ -156,4 +215,12 @@ fn search_edges(
             }
         }
     }
+}
+
+/// Whether the separation `lever / |cross|` (m) is below a wanted one by more than the rounding of either, so that it need
+/// not be computed.
+fn is_clearly_below(lever: f64, cross: DVec3, between: DVec3, wanted: f64) -> bool {
+    let wanted = wanted.min(0.0);
+    let square = wanted * wanted * (1.0 + SQUARE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();
+    lever < 0.0 && lever * lever > square * cross.length_squared()
 }

@@ -36,6 +36,10 @@ pub struct Edge {
     pub direction: DVec3,
     /// Length, m.
     pub length: f64,
+    /// Middle of its ends, m.
+    pub(crate) middle: DVec3,
+    /// A direction out of the body.
+    pub(crate) outward: DVec3,
 }
 
 /// What a polyhedron keeps of a face.
@@ -125,6 +129,7 @@ impl ConvexPolyhedron {
         turned.faces.iter_mut().for_each(|face| face.normal = rotation.rotate(face.normal));
         turned.edges.iter_mut().for_each(|edge| edge.direction = rotation.rotate(edge.direction));
         turned.corner_sides.iter_mut().for_each(|side| *side = rotation.rotate(*side));
+        topology::complete_edges(&mut turned);
         turned
     }
 
@@ -141,6 +146,7 @@ impl ConvexPolyhedron {
         for face in &mut moved.faces {
             face.offset += face.normal.dot(by);
         }
+        topology::complete_edges(&mut moved);
         Ok(moved)
     }
 

@@ -69,6 +69,13 @@ pub(crate) struct Circles {
     count: usize,
 }
 
+impl Circles {
+    pub(crate) const NONE: Self = {
+        let none = Circle { center: DVec3::ZERO, axis: DVec3::Z, radius: 0.0 };
+        Self { items: [none, none], count: 0 }
+    };
+}
+
 impl std::ops::Deref for Circles {
     type Target = [Circle];
     fn deref(&self) -> &[Circle] {
@@ -91,10 +98,7 @@ pub(crate) fn circles(shape: &Shape) -> Circles {
             let ring = Circle { center: t.center, axis: t.axis, radius: t.major };
             Circles { items: [ring, ring], count: 1 }
         }
-        _ => {
-            let none = Circle { center: DVec3::ZERO, axis: DVec3::Z, radius: 0.0 };
-            Circles { items: [none, none], count: 0 }
-        }
+        _ => Circles::NONE,
     }
 }
 

@@ -39,35 +39,48 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
     };
     polyhedron.edges.iter().try_for_each(|edge| check_length("edge length", edge.length))?;
     check_geometry(&polyhedron)?;
-    polyhedron.corner_sides = sides_of(&polyhedron);
+    set_sides(&mut polyhedron);
+    complete_edges(&mut polyhedron);
     Ok(polyhedron)
 }
 
 /// A triangle as a polyhedron without thickness: face 0 with the given unit normal, face 1 turned the other way.
 pub(crate) fn flat_triangle(corners: [DVec3; 3], normal: DVec3) -> ConvexPolyhedron {
-    let [a, b, c] = corners;
-    let edge = |from: usize, to: usize| {
-        let along = corners[to] - corners[from];
-        let length = along.length();
-        Edge { vertices: [from as u32, to as u32], faces: [0, 1], direction: along / length, length }
-    };
-    let offset = (normal.dot(a) + normal.dot(b) + normal.dot(c)) / 3.0;
+    let edge = |from: u32, to: u32| bare_edge([from, to], [0, 1], DVec3::ZERO, 0.0);
+    let face = |first: usize| FaceRecord { first, count: 3, normal, offset: 0.0 };
     let mut polyhedron = ConvexPolyhedron {
         vertices: corners.to_vec(),
         edges: vec![edge(0, 1), edge(1, 2), edge(2, 0)],
-        faces: vec![
-            FaceRecord { first: 0, count: 3, normal, offset },
-            FaceRecord { first: 3, count: 3, normal: -normal, offset: -offset },
-        ],
+        faces: vec![face(0), face(3)],
         corner_vertices: vec![0, 1, 2, 0, 2, 1],
         corner_edges: vec![0, 1, 2, 2, 1, 0],
         corner_sides: Vec::new(),
         faces_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 1, 0, 1, 0, 1] },
         edges_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 2, 0, 1, 1, 2] },
-        size: (b - a).length().max((c - b).length()).max((a - c).length()),
+        size: 0.0,
     };
-    polyhedron.corner_sides = sides_of(&polyhedron);
+    set_flat_triangle(&mut polyhedron, corners, normal);
     polyhedron
+}
+
+/// Gives a polyhedron that [`flat_triangle`] has made other corners.
+pub(crate) fn set_flat_triangle(polyhedron: &mut ConvexPolyhedron, corners: [DVec3; 3], normal: DVec3) {
+    let [a, b, c] = corners;
+    polyhedron.vertices.clear();
+    polyhedron.vertices.extend(corners);
+    for edge in &mut polyhedron.edges {
+        let [from, to] = edge.vertices.map(|v| v as usize);
+        let along = corners[to] - corners[from];
+        edge.length = along.length();
+        edge.direction = along / edge.length;
+    }
+    let offset = (normal.dot(a) + normal.dot(b) + normal.dot(c)) / 3.0;
+    for (face, sign) in polyhedron.faces.iter_mut().zip([1.0, -1.0]) {
+        (face.normal, face.offset) = (normal * sign, offset * sign);
+    }
+    polyhedron.size = (b - a).length().max((c - b).length()).max((a - c).length());
+    set_sides(polyhedron);
+    complete_edges(polyhedron);
 }
 
 /// Edges in the order in which the loops first run along them.
@@ -124,12 +137,34 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     Ok(joined)
 }
 
+/// An edge of which the polyhedron has not been asked yet ([`complete_edges`]).
+const fn bare_edge(vertices: [u32; 2], faces: [u32; 2], direction: DVec3, length: f64) -> Edge {
+    Edge { vertices, faces, direction, length, middle: DVec3::ZERO, outward: DVec3::ZERO }
+}
+
+/// What edges take from the vertices and faces: their middles and the directions out of the body.
+pub(crate) fn complete_edges(polyhedron: &mut ConvexPolyhedron) {
+    let ConvexPolyhedron { vertices, faces, edges, .. } = polyhedron;
+    for edge in edges {
+        let [from, to] = edge.vertices.map(|v| vertices[v as usize]);
+        let [left, right] = edge.faces.map(|f| faces[f as usize].normal);
+        edge.middle = 0.5 * (from + to);
+        edge.outward = outward(edge.direction, left, right);
+    }
+}
+
+/// A direction out of a body at an edge: the bisector of the normals of its faces by their sum, and by the sum of the
+/// directions out of the faces across the edge, which does not vanish where the faces are two sides of a plate.
+fn outward(direction: DVec3, left: DVec3, right: DVec3) -> DVec3 {
+    (left + right) + direction.cross(left - right)
+}
+
 /// Directions and lengths.
 fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> Vec<Edge> {
     let edge = |(&[from, to], &faces): (&[u32; 2], &[u32; 2])| {
         let along = vertices[to as usize] - vertices[from as usize];
         let length = along.length();
-        Edge { vertices: [from, to], faces, direction: along / length, length }
+        bare_edge([from, to], faces, along / length, length)
     };
     endpoints.iter().zip(faces).map(edge).collect()
 }
@@ -154,16 +189,16 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
 }
 
 /// Outward directions in the plane of each face, across each of its edges.
-fn sides_of(polyhedron: &ConvexPolyhedron) -> Vec<DVec3> {
-    let mut sides = Vec::with_capacity(polyhedron.corner_vertices.len());
-    for face in &polyhedron.faces {
+fn set_sides(polyhedron: &mut ConvexPolyhedron) {
+    let ConvexPolyhedron { faces, edges, corner_vertices, corner_edges, corner_sides, .. } = polyhedron;
+    corner_sides.clear();
+    for face in faces {
         for corner in face.first..face.first + face.count {
-            let edge = &polyhedron.edges[polyhedron.corner_edges[corner] as usize];
-            let forward = edge.vertices[0] == polyhedron.corner_vertices[corner];
-            sides.push(if forward { edge.direction } else { -edge.direction }.cross(face.normal));
+            let edge = &edges[corner_edges[corner] as usize];
+            let forward = edge.vertices[0] == corner_vertices[corner];
+            corner_sides.push(if forward { edge.direction } else { -edge.direction }.cross(face.normal));
         }
     }
-    sides
 }
 
 /// For each vertex the loops (faces, or edges as loops of two) that contain it, in order.

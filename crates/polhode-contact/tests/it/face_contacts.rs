@@ -142,3 +142,35 @@ fn edges_that_meet_keep_both_ends() {
         }
     }
 }
+
+/// A bar that lies almost flat across a corner of a plate, deep in it, slides along: the contact region has four corners at
+/// every step. Where a corner of the plate comes to an edge of the bar, the crossing there lies beyond the end of an edge
+/// when it is measured along its own normal, which differs by the small angle from that of the faces; it stays a corner.
+#[test]
+fn no_corner_is_missing_where_faces_at_a_small_angle_overlap_deeply() {
+    let (bar, plate) = (cuboid(2.0, 0.1, 0.1), cuboid(1.0, 1.0, 1.0));
+    let tilt = Rotation::from_rotation_vector(DVec3::new(0.004, 0.003, 0.0));
+    for k in 0..200 {
+        let pose = Pose::new(tilt * yaw(0.2), DVec3::new(0.24 + 2e-4 * f64::from(k), 0.4, 0.35));
+        let result = manifold(&bar, &pose, &plate, &Pose::IDENTITY, 0.0);
+        assert_eq!(result.contacts.len(), 4, "at step {k}: {result:#?}");
+    }
+}
+
+/// Two bars laid crosswise, each tilted along itself by less than what tells features apart: the faces decide what touches,
+/// and the separation is that of the edges, which is larger: with the tilts `alpha` and `beta` the long edges bear, and the
+/// bars' half widths times the tilts are lost, as against half lengths for the faces.
+#[test]
+fn the_separation_is_not_that_of_a_face_where_edges_in_a_tie_separate_by_more() {
+    let (along_x, along_y) = (cuboid(2.0, 0.25, 0.25), cuboid(0.25, 2.0, 0.25));
+    let (alpha, beta) = (2e-13, 3e-13);
+    let upper = Pose::new(Rotation::from_rotation_vector(DVec3::Y * -alpha), DVec3::Z * 0.25);
+    let lower = Pose::new(Rotation::from_rotation_vector(DVec3::X * beta), DVec3::ZERO);
+    let result = manifold(&along_x, &upper, &along_y, &lower, 1e-9);
+    assert_eq!(result.contacts.len(), 4, "{result:#?}");
+    // To a rounding of the sum of half heights.
+    let expected = -0.125 * (alpha + beta);
+    assert!((result.separation - expected).abs() <= 1e-16, "{:e} for {expected:e}", result.separation);
+    let mirrored = manifold(&along_y, &lower, &along_x, &upper, 1e-9);
+    assert_eq!(mirrored.separation, result.separation);
+}

@@ -79,6 +79,26 @@ fn distances_that_overflow_give_no_contact() {
     }
 }
 
+/// A cone deep in a polyhedron (a fuzz finding): of the two normals that an edge and the cone's side have in common one leads
+/// through the polyhedron, and is no contact: none is farther apart than the bodies, which are as deep as the search says.
+#[test]
+fn a_cone_deep_in_a_polyhedron_touches_no_edge_from_inside() {
+    let mut random = Random(71);
+    let cone = Shape::cone(0.7, 1.4).expect("a cone");
+    for case in 0..3000 {
+        let corners: Vec<DVec3> = (0..6).map(|_| random.vector() * 4.0).collect();
+        let Ok(body) = polhode_contact::ConvexPolyhedron::from_points(&corners) else { continue };
+        let (body, pose) = (Shape::convex(body), Pose::new(random.rotation(), random.vector()));
+        let found = manifold(&body, &Pose::IDENTITY, &cone, &pose, 0.0);
+        if found.separation <= 0.0 {
+            assert!(!found.contacts.is_empty(), "{case}");
+        }
+        for contact in &found.contacts {
+            assert!(contact.geometry.separation <= 1e-9, "{case}: {contact:?} of {}", found.separation);
+        }
+    }
+}
+
 /// A ball whose centre lies on the axis of a capsule, or on the middle line of a ring's tube, to rounding or exactly (a
 /// fuzz finding): the shortest way out is across the axis, whatever direction the rounding of the difference has, and is the
 /// same when the bodies change names.

@@ -15,6 +15,7 @@ mod impact_closed_forms;
 mod impact_random;
 mod line_contacts;
 mod mesh_impacts;
+mod mesh_valleys;
 mod meshes;
 mod persistent;
 mod polyhedra;

@@ -114,3 +114,51 @@ fn kinematics_on_a_mesh_are_the_derivatives_of_the_separation() {
     }
     assert!(kinds.len() >= 4, "{kinds:?}");
 }
+
+/// Bodies that touch the ground at the start: what moves into it strikes at once, from either side, what leaves does not,
+/// and what slides strikes the ramp where it begins. A point has no inside and so no side of a sheet that it lies in: by the
+/// stated choice it may leave on either.
+#[test]
+fn bodies_that_touch_a_mesh_at_the_start() {
+    let mut random = Random(83);
+    let settings = ImpactSearch::default();
+    let still = Still(Pose::IDENTITY);
+    let points = |places: &[DVec3]| Shape::points(places.to_vec()).expect("points");
+    let corners = [DVec3::new(0.1, 0.0, 0.0), DVec3::new(-0.1, 0.1, 0.0), DVec3::new(-0.1, -0.1, 0.0)];
+    // The shape, its lowest place and how far it reaches forward there.
+    let bodies = [
+        ("a cube", cuboid(0.2, 0.2, 0.2), 0.1, 0.1),
+        ("a point", points(&[DVec3::ZERO]), 1e-15, 0.0),
+        ("three points", points(&corners), 1e-15, 0.1),
+    ];
+    let mut wrong = Vec::new();
+    for case in 0..12 {
+        let flat = grid(20, 4.0, 0.3, &mut random, |_, _| 0.0);
+        let ramp = grid(20, 4.0, 0.0, &mut random, |x, _| (x - 0.6).max(0.0));
+        for (name, body, height, reach) in &bodies {
+            for side in [1.0, -1.0] {
+                let start = DVec3::new(random.between(-0.4, 0.0), random.between(-0.3, 0.3), height * side);
+                let fly = |velocity: DVec3| Flight::new(Pose::from_translation(start), velocity, DVec3::ZERO);
+                let time = |flight: &Flight, mesh: &Shape| {
+                    let found = time_of_impact(body, flight, mesh, &still, 0.0, 1.0, &settings).expect("an answer");
+                    let back = time_of_impact(mesh, &still, body, flight, 0.0, 1.0, &settings).expect("an answer");
+                    assert_eq!(found, back, "{name}");
+                    found
+                };
+                let into = time(&fly(DVec3::new(0.3, 0.1, -side)), &flat);
+                let away = time(&fly(DVec3::new(0.3, 0.1, side)), &flat);
+                let along = time(&fly(DVec3::new(0.3, 0.1, 0.0)), &flat);
+                let struck = if side > 0.0 { time(&fly(DVec3::X), &ramp) } else { None };
+                let expected = 0.6 - reach - start.x;
+                let right = into.is_some_and(|t| t < 1e-9) == !matches!(body, Shape::Points(_))
+                    && away.is_none()
+                    && along.is_none()
+                    && (side < 0.0 || struck.is_some_and(|t| (t - expected).abs() < 1e-9));
+                if !right {
+                    wrong.push(format!("{case} {name} {side}: {into:?} {away:?} {along:?} {struck:?} {expected}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -3,8 +3,8 @@
 use crate::impact_random::{Tally, shoot, shooter};
 use crate::round_gaps::{capsule, cone, cylinder, turned};
 use crate::support::{Flight, Random, at, cuboid, prism};
-use polhode_contact::{ContactFeature, ImpactSearch, Shape, find_impact, manifold, separation};
-use polhode_spatial::{DVec3, Pose, Still, UnitVector};
+use polhode_contact::{Contact, ContactFeature, ImpactSearch, Shape, find_impact, manifold, separation};
+use polhode_spatial::{DVec3, Pose, Rotation, Still, UnitVector};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn ring(major: f64, minor: f64) -> Shape {
@@ -167,4 +167,70 @@ fn spinning_shots() {
     }
     assert!(tally.hits > 20 && tally.misses > 10, "{tally:?}");
     println!("{tally:?}");
+}
+
+/// A ring around a shaft of many corners touches it at each of them, also where they lie nearer to each other than any
+/// fixed samples of the ring; moved sideways it touches at the corner or the pair of corners that come first.
+#[test]
+fn around_a_shaft_of_many_corners() {
+    let mut random = Random(61);
+    for sides in [5_u32, 16, 47, 64, 97] {
+        let (major, minor, clearance) = (1.3, 0.3, 0.02);
+        let (ring, shaft) = (ring(major, minor), prism(sides, 1.0, 2.0));
+        let tight = prism(sides, 1.0 + clearance, 2.0);
+        for _ in 0..8 {
+            let all = Pose::new(random.rotation(), random.vector());
+            let turn = random.between(0.0, 6.0);
+            let spin = Pose::new(Rotation::from_rotation_vector(DVec3::Z * turn), DVec3::Z * random.between(-0.2, 0.2));
+            // Coaxial, one fiftieth away from every corner.
+            let found = manifold(&ring, &(all * spin), &tight, &all, 0.0);
+            assert!((found.separation + clearance).abs() < 1e-13, "{sides}: {}", found.separation);
+            assert_eq!(found.contacts.len(), sides as usize, "{sides} corners");
+            // To the side on which a corner stands, and between two of them.
+            for (half, touching) in [(0.0, 1), (0.5, 2)] {
+                let angle = TAU * (3.0 + half) / f64::from(sides);
+                let toward = DVec3::new(angle.cos(), angle.sin(), 0.0);
+                let moved = Pose::from_translation(-toward * clearance) * spin;
+                let found = manifold(&ring, &(all * moved), &shaft, &all, 0.0);
+                // The corner's place and the inner circle of the ring about its centre.
+                let corner = |k: f64| {
+                    let at = TAU * k / f64::from(sides);
+                    DVec3::new(at.cos(), at.sin(), 0.0) + toward * clearance
+                };
+                let apart = (major - minor) - corner(3.0).length();
+                assert!((found.separation - apart).abs() < 1e-13, "{sides} {half}: {} {apart}", found.separation);
+                let level = |c: &&Contact| (c.geometry.separation - apart).abs() < 1e-12;
+                assert_eq!(found.contacts.iter().filter(level).count(), touching, "{sides} {half}");
+            }
+        }
+    }
+}
+
+/// Random polyhedra of all proportions, among them blades far thinner than any fixed samples stand apart: a hundred thousand
+/// samples of the middle line find nothing nearer than the separation.
+#[test]
+fn blades_and_splinters() {
+    let mut random = Random(67);
+    let ring = ring(1.0, 0.1);
+    for case in 0..60 {
+        let size =
+            DVec3::new(random.between(0.0, 1.0).powi(6) + 1e-4, random.between(0.05, 1.5), random.between(0.05, 1.5));
+        let blade = cuboid(size.x, size.y, size.z);
+        let turn = random.rotation();
+        // Near the middle line, wherever on it.
+        let place = random.direction().with_z(0.0).normalize_or(DVec3::X) + random.vector() * 0.4;
+        let pose = Pose::new(turn, place);
+        let found = separation(&ring, &Pose::IDENTITY, &blade, &pose);
+        let mut least = f64::INFINITY;
+        for k in 0..100_000 {
+            let angle = TAU * f64::from(k) / 100_000.0;
+            let p = pose.inverse_transform_point(DVec3::new(angle.cos(), angle.sin(), 0.0));
+            let beyond = p.abs() - 0.5 * size;
+            let distance = beyond.max(DVec3::ZERO).length() + beyond.max_element().min(0.0);
+            least = least.min(distance - 0.1);
+        }
+        assert!(found <= least + 1e-13, "{case}: {found} {least} {size:?}");
+        // The samples stand 6.3e-5 apart, and near a corner the distance falls as steeply as the place moves.
+        assert!(found >= least - 4e-5, "{case}: {found} {least} {size:?}");
+    }
 }

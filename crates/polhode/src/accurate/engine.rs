@@ -1,6 +1,7 @@
 //! The state of a run and one step of it.
 
 use super::hold::Forces;
+use super::progress::Progress;
 use super::projection;
 use super::stepped::Stepper;
 use super::trial::Trial;
@@ -83,6 +84,8 @@ pub(crate) struct Engine {
     pub(super) spins: BTreeMap<usize, Flight>,
     /// When bounces that were summed up at the present instant end, by body, s.
     pub(super) rest_times: BTreeMap<usize, f64>,
+    /// Whether time still advances.
+    pub(super) progress: Progress,
 }
 
 impl Engine {
@@ -125,6 +128,7 @@ impl Engine {
             woken: BTreeSet::new(),
             spins: BTreeMap::new(),
             rest_times: BTreeMap::new(),
+            progress: Progress::default(),
         };
         engine.find_initial_contacts()?;
         Ok(engine)
@@ -181,6 +185,7 @@ impl Engine {
             self.events_in_step = 0;
         }
         self.audit()?;
+        self.note_progress()?;
         self.emit_events(observer);
         self.steps += 1;
         if self.t >= self.world.scene.duration_s() {

@@ -9,6 +9,7 @@ mod engine;
 mod hold;
 mod impact_search;
 mod locate;
+mod progress;
 mod projection;
 mod resolve;
 mod start;

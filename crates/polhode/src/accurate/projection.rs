@@ -15,6 +15,10 @@ use polhode_spatial::Rotation;
 /// that the second step is already at round-off.
 const MAX_NEWTON_STEPS: usize = 3;
 
+/// A separation beyond this fraction of the pair's size is not drift: the contact's place has jumped (a ring's nearest place
+/// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
+const JUMPED_RELATIVE: f64 = 1e-5;
+
 /// Separations below this fraction of the rounding that penetration is judged with are left alone.
 const ROUNDING_FRACTION: f64 = 0.25;
 
@@ -43,8 +47,11 @@ pub(super) fn project_positions(
     contacts: &[ContactId],
 ) -> Result<(), ResponseError> {
     for _ in 0..MAX_NEWTON_STEPS {
-        let geometries: Vec<_> =
-            contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry))).collect();
+        let geometries: Vec<_> = contacts
+            .iter()
+            .filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)))
+            .filter(|(id, geometry)| geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b))
+            .collect();
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));

@@ -1,11 +1,11 @@
 //! Round bodies that have struck each other without restitution part as slowly as their surfaces curve: the search for
 //! their next impact must not count on the gap, which stays near zero for long.
 
-use crate::support::{ball, run};
+use crate::support::{ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
-use polhode::mesh::Capsule;
-use polhode::spatial::{DVec3, Mass, Pose, Rotation, Velocity};
-use polhode::{Body, Effects, Scene};
+use polhode::mesh::{Capsule, Cone, Cylinder};
+use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, Effects, Recorder, Scene, Simulation, SimulationError};
 use std::f64::consts::FRAC_PI_2;
 
 /// Two capsules side by side, one of which flies into the other off its middle: momentum stays, and the run ends.
@@ -70,5 +70,119 @@ fn bodies_on_the_axis_of_a_ring_rest_on_it() {
             Body::movable("upper", properties).geometry(ring().into()).pose(Pose::from_translation(DVec3::Z * start));
         let end = on_ring(upper);
         assert!((end - DVec3::Z * 0.2).length() < 1e-12, "{start}: {end}");
+    }
+}
+
+/// A valley of two slopes (rad) along y.
+#[derive(Clone, Copy, Debug)]
+enum Walls {
+    HalfSpaces,
+    Mesh,
+}
+
+/// A scene of one body in a valley.
+fn in_valley(walls: Walls, slopes: [f64; 2], restitution: f64, body: Body) -> Scene {
+    let slick = |body: Body| body.material(elastic(restitution));
+    let builder = Scene::builder("valley").duration_s(1.5);
+    let builder = match walls {
+        Walls::HalfSpaces => [(slopes[0], 1.0), (slopes[1], -1.0)].iter().fold(builder, |builder, &(slope, side)| {
+            let normal = UnitVector::new(DVec3::new(side * slope.sin(), 0.0, slope.cos())).unwrap();
+            builder.body(slick(Body::fixed(format!("wall {side}")).geometry(Shape::half_space(normal).into())))
+        }),
+        Walls::Mesh => {
+            let vertex = |k: u32| {
+                let (x, y) = (f64::from(k / 5) * 2.0 - 4.0, f64::from(k % 5) * 2.0 - 4.0);
+                DVec3::new(x, y, if x < 0.0 { -x * slopes[0].tan() } else { x * slopes[1].tan() })
+            };
+            let cells = (0..16).map(|k| (k / 4) * 5 + k % 4);
+            let triangles = cells.flat_map(|a| [[a, a + 5, a + 6], [a, a + 6, a + 1]]).collect();
+            let mesh = Shape::triangle_mesh((0..25).map(vertex).collect(), triangles).unwrap();
+            builder.body(slick(Body::fixed("ground").geometry(mesh.into())))
+        }
+    };
+    builder.body(slick(body)).build().unwrap()
+}
+
+fn cone(at: DVec3, turn: DVec3, spin: DVec3) -> Body {
+    let properties = Cone::new(0.25, 0.6).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
+    Body::movable("cone", properties)
+        .geometry(Shape::cone(0.25, 0.6).unwrap().into())
+        .pose(Pose::new(Rotation::from_rotation_vector(turn), at))
+        .velocity(Velocity::new(DVec3::ZERO, spin))
+}
+
+fn cylinder(at: DVec3, turn: DVec3, spin: DVec3) -> Body {
+    let properties = Cylinder::new(0.25, 0.4).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
+    Body::movable("cylinder", properties)
+        .geometry(Shape::cylinder(0.25, 0.4).unwrap().into())
+        .pose(Pose::new(Rotation::from_rotation_vector(turn), at))
+        .velocity(Velocity::new(DVec3::ZERO, spin))
+}
+
+/// Cones and cylinders that fall into a valley come to lie flush on one side and slide: the run ends, no energy comes from
+/// nowhere, nothing sinks in. In the valley of a mesh they move as in that of two half-spaces until they touch both.
+#[test]
+fn discs_that_slide_flush_in_a_valley_do_not_stop_time() {
+    let level = DVec3::ZERO;
+    let starts = [
+        (DVec3::new(0.1, 0.0, 2.2), level, level),
+        (DVec3::new(-0.2, -0.12, 2.2), DVec3::new(0.4, 0.3, 0.1), level),
+        (DVec3::new(0.2, 0.1, 2.4), DVec3::new(FRAC_PI_2, 0.0, 0.0), DVec3::new(1.0, 2.0, 3.0)),
+    ];
+    for walls in [Walls::HalfSpaces, Walls::Mesh] {
+        for slopes in [[45.0_f64, 45.0], [30.0, 70.0], [50.0, 50.0]] {
+            for (restitution, (at, turn, spin)) in [0.0, 0.0, 0.5].into_iter().zip(starts) {
+                for body in [cone(at, turn, spin), cylinder(at, turn, spin)] {
+                    let scene = in_valley(walls, slopes.map(f64::to_radians), restitution, body);
+                    let (report, _) = run(&scene, Effects::Planned);
+                    let what = format!("{walls:?} {slopes:?} from {at}");
+                    assert!(report.certificate.max_penetration_m < 1e-12, "{what}: {:?}", report.certificate);
+                    assert!(report.energy.final_j <= report.energy.initial_j, "{what}");
+                    assert!(report.ledger.numerical.value().abs() < 1e-8, "{what}: {:?}", report.ledger);
+                }
+            }
+        }
+    }
+}
+
+/// A ring that has struck a box without restitution leaves it as slowly as both curve: its next impact is found,
+/// and a place of contact that jumps along the ring throws nobody.
+#[test]
+fn a_ring_that_has_met_a_box_without_restitution_parts() {
+    let ring = |at: DVec3, turn: DVec3| {
+        let properties = polhode::mesh::Torus::new(0.3, 0.1).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
+        let pose = Pose::new(Rotation::from_rotation_vector(turn), at);
+        Body::movable("ring", properties).geometry(Shape::torus(0.3, 0.1).unwrap().into()).pose(pose)
+    };
+    let turn = Rotation::from_rotation_vector(DVec3::new(-0.44, -0.18, -0.77));
+    let upper =
+        brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO).pose(Pose::new(turn, DVec3::new(-0.1, -0.019, 1.9)));
+    let lower = ring(DVec3::Z * 0.7, DVec3::new(0.18, -0.52, 0.81));
+    let scene = Scene::builder("ring and box").duration_s(1.0).body(floor()).body(lower).body(upper).build().unwrap();
+    let (report, _) = run(&scene, Effects::Planned);
+    assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
+    assert!(report.energy.final_j <= report.energy.initial_j);
+}
+
+/// A ring about a cone touches its side at two places that have one name: that cannot be followed, and the run says when,
+/// where and between which bodies instead of going on for ever.
+#[test]
+fn a_run_that_no_longer_advances_ends_with_an_error() {
+    let turned = |turn: DVec3, at: DVec3| Pose::new(Rotation::from_rotation_vector(turn), at);
+    let properties = polhode::mesh::Torus::new(0.3, 0.1).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
+    let ring = Body::movable("ring", properties)
+        .geometry(Shape::torus(0.3, 0.1).unwrap().into())
+        .pose(turned(DVec3::new(-0.51, 0.64, -0.08), DVec3::new(0.091, -0.076, 1.9)));
+    let lower = cone(DVec3::Z * 0.7, DVec3::new(-0.09, 0.42, 0.25), DVec3::ZERO);
+    let scene = Scene::builder("ring about a cone").duration_s(1.5).body(floor()).body(lower).body(ring);
+    let scene = scene.build().unwrap();
+    let result = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Recorder::default());
+    match result {
+        Err(SimulationError::NoProgress { t, body_a, body_b, .. }) => {
+            assert!(t > 0.5 && t < 0.6 && !body_a.is_empty() && !body_b.is_empty(), "{t} {body_a} {body_b}");
+        }
+        // Whoever gives the two places names of their own may put a stronger statement here.
+        Ok(report) => assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate),
+        Err(error) => panic!("{error}"),
     }
 }

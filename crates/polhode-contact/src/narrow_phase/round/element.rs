@@ -69,7 +69,7 @@ pub(crate) enum Border<'a> {
     Apex(ConeSide),
     /// A face of a polyhedron at a pose.
     Polygon(&'a ConvexPolyhedron, u32, Pose),
-    /// A patch of a triangle mesh at a pose.
+    /// A face of a triangle mesh at a pose.
     Patch(&'a TriangleMesh, u32, Pose),
     /// A vertex of a polyhedron at a pose.
     Corner(&'a ConvexPolyhedron, u32, Pose),
@@ -153,7 +153,7 @@ impl<'a> Element<'a> {
                 let place = pose.inverse_transform_point(place);
                 polyhedron.face(index as usize).map_or(f64::INFINITY, |face| face_margin(polyhedron, &face, place))
             }
-            (Border::Patch(mesh, patch, pose), _) => patch_margin(mesh, patch, pose.inverse_transform_point(place)),
+            (Border::Patch(mesh, face, pose), _) => patch_margin(mesh, face, pose.inverse_transform_point(place)),
             (Border::Corner(polyhedron, index, pose), _) => {
                 let outward = pose.rotation.inverse_rotate(outward);
                 let beyond = |&e: &u32| {
@@ -185,7 +185,7 @@ fn face<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
         Shape::TriangleMesh(m) => {
             let patch = m.face_plane(index)?;
             let locus = plane(patch.normal * patch.offset, patch.normal);
-            Some(Element::new(locus, 0.0, Border::Patch(m, index / 2, *pose)))
+            Some(Element::new(locus, 0.0, Border::Patch(m, index, *pose)))
         }
         Shape::Cylinder(_) | Shape::Cone(_) => {
             let rims = circles(shape);

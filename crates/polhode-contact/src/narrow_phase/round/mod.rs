@@ -10,6 +10,7 @@
 //! | `sieve` | which elements of a polyhedron can decide |
 //! | `region` | all contacts of the region in which they touch |
 //! | `ring` | tori |
+//! | `ring_samples` | where a circle is sampled, so that no minimum is missed |
 
 pub(crate) mod curves;
 pub(crate) mod element;
@@ -17,5 +18,6 @@ pub(crate) mod gap;
 pub(crate) mod pairs;
 pub(crate) mod region;
 pub(crate) mod ring;
+mod ring_samples;
 pub(crate) mod sieve;
 pub(crate) mod stationary;

@@ -93,22 +93,38 @@ pub(crate) fn parts(
     Some(if of == Side::A { (first, second) } else { (second, first) })
 }
 
-/// The contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted.
+/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted.
 pub(crate) fn contacts(
+    features: &mut Vec<ContactFeature>,
+    body_a: (&Shape, &Pose),
+    body_b: (&Shape, &Pose),
+    gap: &Gap,
+    reach: f64,
+    contacts: &mut Vec<Contact>,
+) {
+    contacts_where(features, body_a, body_b, gap, reach, |_| true, contacts);
+}
+
+/// As [`contacts`], of the features that are wanted alone: of two in one place another one may be the first of these.
+pub(crate) fn contacts_where(
     features: &mut Vec<ContactFeature>,
     (shape_a, pose_a): (&Shape, &Pose),
     (shape_b, pose_b): (&Shape, &Pose),
     gap: &Gap,
     reach: f64,
-) -> Vec<Contact> {
+    wanted: impl Fn(ContactFeature) -> bool,
+    contacts: &mut Vec<Contact>,
+) {
     features.clear();
     let mut region = Region { a: (shape_a, pose_a), b: (shape_b, pose_b), features };
     region.collect(gap.normal);
     region.features.push(named(gap.a, gap.b));
+    region.features.retain(|&feature| wanted(feature));
     let measure = |feature: ContactFeature| {
         evaluate(feature, shape_a, pose_a, shape_b, pose_b).map(|geometry| Contact { feature, geometry })
     };
-    let mut contacts: Vec<Contact> = Vec::with_capacity(features.len());
+    // Those of other places of the pair stand before.
+    let first = contacts.len();
     for contact in features.iter().filter_map(|&feature| measure(feature)) {
         let geometry = &contact.geometry;
         let fits = geometry.separation <= reach
@@ -119,7 +135,7 @@ pub(crate) fn contacts(
             let lateral = between - gap.normal * gap.normal.dot(between);
             lateral.length() <= SAME_PLACE * gap.tolerance
         };
-        if fits && !contacts.iter().any(near) && !grazes(&contact, (shape_a, pose_a), (shape_b, pose_b), gap) {
+        if fits && !contacts[first..].iter().any(near) && !grazes(&contact, (shape_a, pose_a), (shape_b, pose_b), gap) {
             contacts.push(contact);
         }
     }
@@ -128,16 +144,15 @@ pub(crate) fn contacts(
         let geometry = &contact.geometry;
         let level = (geometry.separation - gap.separation).abs() <= SAME_PLACE * gap.tolerance;
         let near = |other: &Contact| other.geometry.point.distance(geometry.point) <= SAME_PLACE * gap.tolerance;
-        if level && geometry.separation <= reach && !contacts.iter().any(near) {
+        if level && geometry.separation <= reach && !contacts[first..].iter().any(near) {
             contacts.push(contact);
         }
     }
-    if contacts.is_empty() && gap.separation <= gap.tolerance {
+    if contacts.len() == first && gap.separation <= gap.tolerance {
         // Bodies that touch have a contact, also where tolerances left none.
         contacts.extend(measure(named(gap.a, gap.b)));
     }
-    contacts.sort_unstable_by_key(|contact| contact.feature);
-    contacts
+    contacts[first..].sort_unstable_by_key(|contact| contact.feature);
 }
 
 /// The stated points of a ring against the element that it is nearest to: bodies on one axis touch all along a circle,

@@ -1,16 +1,17 @@
 //! Tori: the distance of a circle from another body, less the radius of the tube.
 //!
 //! A ring is not convex and may touch a body at several places. Along its middle line the signed distance of the other
-//! body is sampled; every minimum is polished: as the common normal of the circle and the element that is nearest there
-//! (`pairs.rs`), or, where the nearest element changes (a corner between two of them), by a golden-section search. A minimum
-//! is missed only when two lie within a sample of each other, nearer than an eighth of a radian.
+//! body is sampled (`ring_samples.rs`: so that no minimum is missed); every minimum is polished: as the common normal of the
+//! circle and the element that is nearest there (`pairs.rs`), or, where the nearest element changes (a corner between two
+//! of them), by a golden-section search.
 //!
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
 //! lower bound of how far the ring would have to be moved.
 
 use super::element::{Branch, Element};
 use super::gap::{self, Body, Gap};
-use super::pairs::nearest_on;
+use super::pairs::{Place, nearest_on};
+use super::ring_samples::{Sample, Wanted, each_minimum_of_convex, each_minimum_of_ring};
 use super::stationary::chosen;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::nearest_feature;
@@ -18,10 +19,6 @@ use crate::shape::round::{Circle, circles};
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-use std::f64::consts::TAU;
-
-/// Places of the middle line at which the distance is sampled.
-const SAMPLES: usize = 48;
 
 /// Steps of the golden-section search: each keeps 0.618 of the interval, 40 bring an angle to its square root of rounding.
 const GOLDEN_STEPS: usize = 40;
@@ -29,21 +26,25 @@ const GOLDEN_STEPS: usize = 40;
 /// `(sqrt(5) - 1)/2`.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// A place found on the circle and one sampled are the same minimum within this many samples.
+/// A place found on the circle and one sampled are the same minimum within this many times the way to the next sample.
 const NEAR_SAMPLES: f64 = 1.5;
+
+/// Least angle, rad, within which places are the same minimum: the lowest of samples is no nearer to it than the square root
+/// of rounding.
+const LOCATED: f64 = 1e-6;
 
 /// The distance at a polished place is that of the nearest element within this, relative to the ring's radius.
 const CONSISTENT: f64 = 1e-10;
 
 /// Distance of a point from a body: the nearest element, and the unit vector from there to the point.
-struct FromPoint {
+pub(crate) struct FromPoint {
     distance: f64,
     feature: SurfaceFeature,
-    normal: DVec3,
+    pub(crate) normal: DVec3,
 }
 
 /// A ring in the frame of another body.
-struct Ring<'a> {
+pub(crate) struct Ring<'a> {
     circle: Circle,
     tube: f64,
     east: DVec3,
@@ -88,19 +89,11 @@ fn of_ring(
     reach: f64,
     mut visit: impl FnMut(Gap),
 ) {
-    let (Shape::Torus(torus), Some(own)) = (shape, circles(shape).first().copied()) else { return };
     let x = other_pose.relative(pose);
-    let circle = own.placed(&x);
-    let east = circle.axis.any_orthonormal_vector();
-    let sizes = if other.size() > 0.0 { shape.size().min(other.size()) } else { shape.size() };
-    let ring = Ring {
-        circle,
-        tube: torus.minor,
-        east,
-        north: circle.axis.cross(east),
-        other,
-        tolerance: place_tolerance(sizes, shape.size().max(other.size()), x.translation),
-    };
+    if !x.is_finite() {
+        return;
+    }
+    let Some(ring) = Ring::new(shape, &x, other) else { return };
     let mut report = |gap: Gap| visit(Gap { normal: other_pose.rotation.rotate(gap.normal), ..gap });
     match other {
         Shape::Points(cloud) => {
@@ -114,8 +107,26 @@ fn of_ring(
     }
 }
 
-impl Ring<'_> {
-    fn place(&self, angle: f64) -> DVec3 {
+impl<'a> Ring<'a> {
+    /// A torus at a pose in the frame of the other shape; nothing for other shapes.
+    pub(crate) fn new(shape: &Shape, x: &Pose, other: &'a Shape) -> Option<Self> {
+        let (Shape::Torus(torus), Some(own)) = (shape, circles(shape).first().copied()) else { return None };
+        let circle = own.placed(x);
+        let east = circle.axis.any_orthonormal_vector();
+        let sizes = if other.size() > 0.0 { shape.size().min(other.size()) } else { shape.size() };
+        let tolerance = place_tolerance(sizes, shape.size().max(other.size()), x.translation);
+        Some(Self { circle, tube: torus.minor, east, north: circle.axis.cross(east), other, tolerance })
+    }
+
+    /// The corners of a triangle that holds the arc of the middle line between two angles, less than half a turn apart: its
+    /// ends, and where the tangents there meet.
+    pub(crate) fn corners(&self, from: f64, to: f64) -> [DVec3; 3] {
+        let middle = self.place(0.5 * (from + to)) - self.circle.center;
+        let tip = self.circle.center + middle / libm::cos(0.5 * (to - from));
+        [self.place(from), tip, self.place(to)]
+    }
+
+    pub(crate) fn place(&self, angle: f64) -> DVec3 {
         let (sine, cosine) = libm::sincos(angle);
         self.circle.center + (self.east * cosine + self.north * sine) * self.circle.radius
     }
@@ -129,7 +140,7 @@ impl Ring<'_> {
         Gap { separation, normal, a: SurfaceFeature::Rim(0), b, tolerance: self.tolerance }
     }
 
-    fn distance(&self, p: DVec3) -> FromPoint {
+    pub(crate) fn nearest(&self, p: DVec3) -> FromPoint {
         match self.other {
             Shape::Convex(polyhedron) => {
                 let nearest = nearest_feature(polyhedron, p, self.tolerance);
@@ -151,38 +162,42 @@ impl Ring<'_> {
     }
 
     fn each_minimum(&self, x: &Pose, shape: &Shape, reach: f64, mut report: impl FnMut(Gap)) {
-        let step = TAU / SAMPLES as f64;
-        let samples: [f64; SAMPLES] = std::array::from_fn(|k| self.distance(self.place(step * k as f64)).distance);
-        // The distance changes no faster than the place moves.
-        let spread = self.circle.radius * step;
-        let mut best = samples.iter().copied().fold(f64::INFINITY, f64::min);
-        for k in 0..SAMPLES {
-            let (before, after) = (samples[(k + SAMPLES - 1) % SAMPLES], samples[(k + 1) % SAMPLES]);
-            let lowest = samples[k] <= before && samples[k] < after;
-            // All samples equal: the ring lies flat on a face.
-            let level = k == 0 && samples.iter().all(|s| (s - samples[0]).abs() <= self.tolerance);
-            if !(lowest || level) || samples[k] - spread > best.max(reach + self.tube) {
-                continue;
+        let sample = |angle: f64| {
+            let place = self.place(angle);
+            let FromPoint { distance, feature, normal } = self.nearest(place);
+            Sample { angle, arm: place - self.circle.center, distance, normal, feature }
+        };
+        let wanted = Wanted { reach: reach + self.tube, tolerance: self.tolerance };
+        let mut best = f64::INFINITY;
+        let visit = |lowest: &Sample, width: f64, least: f64| {
+            best = best.min(least);
+            // The distance changes no faster than the place moves.
+            if lowest.distance - self.circle.radius * width <= best.max(wanted.reach) {
+                let gap = self.polished(x, shape, lowest.angle, width);
+                best = best.min(gap.separation + self.tube);
+                report(gap);
             }
-            let gap = self.polished(x, shape, step * k as f64, step);
-            best = best.min(gap.separation + self.tube);
-            report(gap);
+        };
+        match self.other {
+            Shape::Torus(_) => each_minimum_of_ring(sample, wanted, visit),
+            _ => each_minimum_of_convex(&self.circle, sample, wanted, visit),
         }
     }
 
-    /// The minimum near a sampled angle.
+    /// The minimum near a sampled angle, no farther from it than the next samples.
     fn polished(&self, x: &Pose, shape: &Shape, angle: f64, step: f64) -> Gap {
+        use Branch::{Entry, Exit, Nearest};
         let sampled = self.place(angle);
-        let mut from = self.distance(sampled);
+        let mut from = self.nearest(sampled);
         let ring = |branch: Branch| {
             let feature = match branch {
-                Branch::Nearest => SurfaceFeature::Rim(0),
-                Branch::Exit => SurfaceFeature::RimExit(0),
-                Branch::Entry => SurfaceFeature::RimEntry(0),
+                Nearest => SurfaceFeature::Rim(0),
+                Exit => SurfaceFeature::RimExit(0),
+                Entry => SurfaceFeature::RimEntry(0),
             };
             Element::of(shape, feature, x).map(|element| (feature, element))
         };
-        let close = NEAR_SAMPLES * step * self.circle.radius;
+        let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
         let gap = |separation: f64, normal: DVec3, a: SurfaceFeature, b: SurfaceFeature| Gap {
             separation,
             normal,
@@ -190,28 +205,28 @@ impl Ring<'_> {
             b,
             tolerance: self.tolerance,
         };
+        // The element is the nearest at its place, and on the side that the place says.
+        let consistent = |place: &Place, rim: &Element<'_>, element: &Element<'_>| {
+            let there = self.nearest(place.on_a).distance - self.tube;
+            (place.separation(rim, element) - there).abs() <= CONSISTENT * self.circle.radius
+        };
         // First as a common normal with the element that is nearest at the sample, then, further down, at the minimum.
         for _ in 0..2 {
-            let element = Element::of(self.other, from.feature, &Pose::IDENTITY);
-            for branch in [Branch::Nearest, Branch::Exit, Branch::Entry] {
-                let (Some(element), Some((feature, rim))) = (element, ring(branch)) else { continue };
+            let Some(element) = Element::of(self.other, from.feature, &Pose::IDENTITY) else { break };
+            for (feature, rim) in [Nearest, Exit, Entry].into_iter().filter_map(ring) {
                 let Some(place) = chosen(&rim, &element) else { continue };
-                let separation = place.separation(&rim, &element);
-                let there = self.distance(place.on_a).distance - self.tube;
-                if place.on_a.distance(sampled) <= close
-                    && (separation - there).abs() <= CONSISTENT * self.circle.radius
-                {
-                    return gap(separation, place.normal, feature, from.feature);
+                if place.on_a.distance(sampled) <= close && consistent(&place, &rim, &element) {
+                    return gap(place.separation(&rim, &element), place.normal, feature, from.feature);
                 }
             }
-            from = self.distance(self.place(self.golden(angle - step, angle + step)));
+            from = self.nearest(self.place(self.golden(angle - step, angle + step)));
         }
         gap(from.distance - self.tube, from.normal, SurfaceFeature::Rim(0), from.feature)
     }
 
     /// Golden-section search for the least distance between two angles.
     fn golden(&self, left: f64, right: f64) -> f64 {
-        let value = |angle: f64| self.distance(self.place(angle)).distance;
+        let value = |angle: f64| self.nearest(self.place(angle)).distance;
         let (mut left, mut right) = (left, right);
         let (mut low, mut high) = (right - GOLDEN * (right - left), left + GOLDEN * (right - left));
         let (mut value_low, mut value_high) = (value(low), value(high));

@@ -277,7 +277,10 @@ pub(crate) fn chosen(a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
     let within = |place: &Place| margin(place, a, b) >= -border(place);
     let all = places(a, b);
     let fitting = all.iter().filter(|place| on_branch(place, a, b)).map(|place| oriented(*place, a, b));
-    fitting.max_by(|p, q| within(p).cmp(&within(q)).then(score(p).total_cmp(&score(q))))
+    // An edge of a polyhedron has two normals in common with a cone, of which one leads through its own body.
+    let outwards = |place: &Place| place.normal.dot(b.outward - a.outward) >= 0.0;
+    let keys = |place: &Place| (outwards(place), within(place));
+    fitting.max_by(|p, q| keys(p).cmp(&keys(q)).then(score(p).total_cmp(&score(q))))
 }
 
 /// Distance from the border of either element, m.
