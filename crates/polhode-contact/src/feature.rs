@@ -45,9 +45,10 @@ pub enum SurfaceFeature {
     /// The rim of a disc, where it is nearest; or the middle line of a ring.
     Rim(u32),
     /// The rim of a disc that lies almost flat, where an edge leaves the disc in its own direction; against another rim,
-    /// where that leaves it as it runs anticlockwise about the outward normal of its disc.
+    /// where that leaves it as it runs anticlockwise about the outward normal of its disc. Of a ring the place nearest to an
+    /// edge, a side or another circle, on the half towards which the edge or axis points.
     RimExit(u32),
-    /// The same where the edge or the other rim enters the disc.
+    /// The same where the edge or the other rim enters the disc, and on the other half of a ring.
     RimEntry(u32),
 }
 

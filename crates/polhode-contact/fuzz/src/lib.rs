@@ -7,6 +7,10 @@
 //! cargo fuzz run -s none pair fuzz/corpus/pair fuzz/seeds/pair -- -max_total_time=600 -timeout=5 -rss_limit_mb=1024
 //! ```
 
+mod answers;
+
+pub use answers::check_answers;
+
 use polhode_contact::{Contact, ImpactSearch, Shape, evaluate, find_impact, kinematics, manifold, separation};
 use polhode_spatial::{DQuat, DVec3, Motion, MotionBounds, Pose, Rotation, UnitVector, Velocity};
 

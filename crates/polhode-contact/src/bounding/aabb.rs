@@ -1,10 +1,10 @@
 //! Axis-aligned bounding boxes, and boxes that bound a moving shape.
 
-use super::extent::extent;
+use super::extent::extents;
 use crate::Shape;
 use crate::shape::extent::turned;
-use glam::DVec3;
-use polhode_spatial::{Motion, MotionBounds, Pose};
+use glam::{DMat3, DVec3};
+use polhode_spatial::{Motion, MotionBounds, Pose, Rotation};
 use thiserror::Error;
 
 /// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
@@ -65,6 +65,11 @@ impl Aabb {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
     }
 
+    /// Whether all of the other box is in this one; touching borders count.
+    pub fn encloses(&self, other: &Self) -> bool {
+        self.min.cmple(other.min).all() && other.max.cmple(self.max).all()
+    }
+
     /// Whether the point (m) is in the box.
     pub fn contains(&self, point: DVec3) -> bool {
         self.min.cmple(point).all() && point.cmple(self.max).all()
@@ -101,11 +106,7 @@ pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
             Aabb::new(pose.translation * f64::NAN, pose.translation)
         };
     }
-    let (mut low, mut high) = (DVec3::ZERO, DVec3::ZERO);
-    for axis in 0..3 {
-        let direction = pose.rotation.inverse_rotate(DVec3::AXES[axis]);
-        (low[axis], high[axis]) = (-extent(shape, -direction), extent(shape, direction));
-    }
+    let (low, high) = extents(shape, &axes_seen(pose.rotation));
     let place = pose.translation;
     let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()).max_element() + place.abs());
     Aabb::new(place + low - rounding, place + high + rounding)
@@ -153,9 +154,13 @@ fn turning_extent(shape: &Shape, motion: &dyn Motion, bounds: &MotionBounds, t0:
         let around = turned(mesh.bounds(), &Pose { rotation, translation: DVec3::ZERO });
         return (around.min - stray, around.max + stray);
     }
-    let reach = |axis: DVec3| extent(shape, rotation.inverse_rotate(axis));
-    let high = DVec3::new(reach(DVec3::X), reach(DVec3::Y), reach(DVec3::Z));
-    let low = -DVec3::new(reach(DVec3::NEG_X), reach(DVec3::NEG_Y), reach(DVec3::NEG_Z));
+    let (low, high) = extents(shape, &axes_seen(rotation));
     let ball = DVec3::splat(radius);
     ((low - stray).max(-ball), (high + stray).min(ball))
+}
+
+/// The world's axes in the frame of a body at this rotation.
+fn axes_seen(rotation: Rotation) -> DMat3 {
+    let [x, y, z] = DVec3::AXES.map(|axis| rotation.inverse_rotate(axis));
+    DMat3::from_cols(x, y, z)
 }

@@ -29,7 +29,10 @@ impl BoundingSphere {
             Shape::Cone(c) => Some(Self::rounded_up(c.base, c.radius)),
             Shape::Torus(t) => Some(Self::rounded_up(t.center, t.major + t.minor)),
             Shape::Compound(c) => of_parts(&c.parts),
-            Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_) | Shape::Capsule(_) | Shape::TriangleMesh(_) => {
+            Shape::TriangleMesh(mesh) => {
+                of_points(&mut mesh.places().collect::<Vec<_>>()).map(|core| Self::rounded_up(core.center, core.radius))
+            }
+            Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_) | Shape::Capsule(_) => {
                 let (centers, rounding) = shape.centers();
                 let core = of_points(&mut centers.to_vec())?;
                 Some(Self::rounded_up(core.center, core.radius + rounding))

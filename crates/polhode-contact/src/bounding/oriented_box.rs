@@ -1,7 +1,7 @@
 //! Oriented bounding boxes.
 
 use super::aabb::ROUNDING_ULPS;
-use super::extent::extent;
+use super::extent::extents;
 use crate::Shape;
 use glam::{DMat3, DVec3};
 use polhode_spatial::{Pose, Rotation};
@@ -37,10 +37,8 @@ impl OrientedBox {
 
     /// The box about a shape along the axes of a frame.
     fn along(shape: &Shape, rotation: Rotation) -> Self {
-        let axes = rotation.to_matrix();
-        let reach = |k: usize| (-extent(shape, -axes.col(k)), extent(shape, axes.col(k)));
-        let (low, high) = ((0..3).map(|k| reach(k).0), (0..3).map(|k| reach(k).1));
-        Self::between(rotation, vector(low), vector(high))
+        let (low, high) = extents(shape, &rotation.to_matrix());
+        Self::between(rotation, low, high)
     }
 
     /// From the lower and upper bounds along the axes of a frame, with the rounding of coordinates of their size.
@@ -138,13 +136,6 @@ impl OrientedBox {
         let own = self.pose.translation.abs().max_element() + self.half_size.length();
         ROUNDING_ULPS * f64::EPSILON * (own + coordinate)
     }
-}
-
-fn vector(numbers: impl Iterator<Item = f64>) -> DVec3 {
-    numbers.zip(0..3).fold(DVec3::ZERO, |mut vector, (number, k)| {
-        vector[k] = number;
-        vector
-    })
 }
 
 /// Orientations that suit the shape.

@@ -3,8 +3,9 @@
 //! A binary tree whose leaves are the boxes and whose inner nodes bound their children; it is walked against itself,
 //! and a pair of nodes that do not overlap ends the walk. From call to call the leaves are moved, a part of the tree is
 //! built anew by the surface-area heuristic, and inner nodes are fitted to their children (all as rapier3d does). A
-//! changed number of boxes builds the tree anew.
+//! changed number of boxes builds the tree anew. While no box moves far, the tree rests (`candidates.rs`).
 
+use super::candidates::Candidates;
 use super::far_boxes::{self, FarBoxes};
 use super::pair_collector::PairCollector;
 use super::{AllPairs, BroadPhase, BroadPhaseError, begin};
@@ -18,6 +19,13 @@ const FEW: usize = 32;
 /// themselves, and the result is sorted.
 #[derive(Default, Clone)]
 pub struct Bvh {
+    candidates: Candidates,
+    search: Search,
+}
+
+/// The tree, and what a walk over it needs.
+#[derive(Default, Clone)]
+struct Search {
     tree: AabbTree,
     boxes: FarBoxes,
     found: PairCollector,
@@ -26,8 +34,8 @@ pub struct Bvh {
 impl std::fmt::Debug for Bvh {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Bvh")
-            .field("near", &self.boxes.near.len())
-            .field("far", &self.boxes.far_count())
+            .field("candidates", &self.candidates.pairs.len())
+            .field("far", &self.search.boxes.far_count())
             .finish_non_exhaustive()
     }
 }
@@ -38,6 +46,21 @@ impl BroadPhase for Bvh {
         if boxes.len() <= FEW {
             return AllPairs.pairs(boxes, pairs);
         }
+        if !self.candidates.hold(boxes) {
+            if !self.candidates.grow(boxes) {
+                self.search.pairs(boxes, pairs);
+                return Ok(());
+            }
+            self.search.pairs(&self.candidates.grown, &mut self.candidates.pairs);
+        }
+        self.candidates.overlapping(boxes, pairs);
+        Ok(())
+    }
+}
+
+impl Search {
+    /// Puts all pairs of boxes that overlap into `sorted`.
+    fn pairs(&mut self, boxes: &[Aabb], sorted: &mut Vec<(u32, u32)>) {
         self.found.clear();
         if far_boxes::are_near(boxes) {
             let found = &mut self.found;
@@ -52,7 +75,6 @@ impl BroadPhase for Bvh {
                 self.tree.overlaps(&mut |i, j| found.push(index[i as usize], index[j as usize]));
             }
         }
-        self.found.sort_into(boxes.len(), pairs);
-        Ok(())
+        self.found.sort_into(boxes.len(), sorted);
     }
 }

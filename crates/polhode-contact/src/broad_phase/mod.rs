@@ -2,7 +2,7 @@
 //!
 //! | module | method |
 //! |---|---|
-//! | [`bvh`] | hierarchy of bounding boxes, refitted from call to call (default) |
+//! | [`bvh`] | hierarchy of bounding boxes, which rests while they stay close by, or else is refitted (default) |
 //! | [`voxel_grid`] | uniform cells in a hash table |
 //! | [`octree`] | space halved along three axes at once |
 //! | [`kd_tree`] | space halved along one axis, at the median |
@@ -12,11 +12,12 @@
 //!
 //! All give the same pairs in the same order, whatever their history, so that the choice is one of time alone. Boxes
 //! may be infinite, of any spread of sizes, flat, or coincident. After the first calls none allocates, unless there are
-//! more boxes or pairs than ever before.
+//! more boxes, or pairs that overlap or nearly do, than ever before.
 
 pub mod all_pairs;
 pub mod binary_space_partition;
 pub mod bvh;
+pub(crate) mod candidates;
 pub(crate) mod far_boxes;
 pub mod kd_tree;
 pub mod method;

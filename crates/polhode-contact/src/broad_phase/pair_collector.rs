@@ -4,8 +4,10 @@
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PairCollector {
     found: Vec<(u32, u32)>,
-    /// Where the pairs of each first box end in the sorted result, while they are distributed.
-    ends: Vec<usize>,
+    /// Buffers of the sorting: the pairs in the order of their second boxes, and places by first and by second box.
+    by_second: Vec<(u32, u32)>,
+    first_places: Vec<usize>,
+    second_places: Vec<usize>,
 }
 
 impl PairCollector {
@@ -18,30 +20,39 @@ impl PairCollector {
         self.found.push((i.min(j), i.max(j)));
     }
 
-    /// Sorts the pairs of `count` boxes into `sorted`: by counting on the first box, then by comparison within the few
-    /// pairs that share it.
+    /// Sorts the pairs of `count` boxes into `sorted`, by counting: on the second box, then on the first, which leaves
+    /// those of one first box in the order of their second. The time grows as the numbers of pairs and boxes do, even
+    /// when one box meets all others.
     pub(crate) fn sort_into(&mut self, count: usize, sorted: &mut Vec<(u32, u32)>) {
-        self.ends.clear();
-        self.ends.resize(count, 0);
-        for &(i, _) in &self.found {
-            self.ends[i as usize] += 1;
+        for places in [&mut self.first_places, &mut self.second_places] {
+            places.clear();
+            places.resize(count, 0);
         }
-        let mut start = 0;
-        for end in &mut self.ends {
-            // First the start of the group; every member that is put in moves it towards the end.
-            start += std::mem::replace(end, start);
+        for &(i, j) in &self.found {
+            self.first_places[i as usize] += 1;
+            self.second_places[j as usize] += 1;
         }
-        sorted.clear();
-        sorted.resize(self.found.len(), (0, 0));
-        for &pair in &self.found {
-            let place = &mut self.ends[pair.0 as usize];
-            sorted[*place] = pair;
-            *place += 1;
-        }
-        let mut start = 0;
-        for &end in &self.ends {
-            sorted[start..end].sort_unstable_by_key(|&(_, j)| j);
-            start = end;
-        }
+        distribute(&self.found, |pair| pair.1, &mut self.second_places, &mut self.by_second);
+        distribute(&self.by_second, |pair| pair.0, &mut self.first_places, sorted);
+    }
+}
+
+/// Puts pairs in the order of a key, those of one key in the order in which they came. `places` holds the number of
+/// pairs with each key.
+fn distribute(
+    pairs: &[(u32, u32)],
+    key: impl Fn((u32, u32)) -> u32,
+    places: &mut [usize],
+    ordered: &mut Vec<(u32, u32)>,
+) {
+    let mut start = 0;
+    for place in &mut *places {
+        start += std::mem::replace(place, start);
+    }
+    ordered.resize(pairs.len(), (0, 0));
+    for &pair in pairs {
+        let place = &mut places[key(pair) as usize];
+        ordered[*place] = pair;
+        *place += 1;
     }
 }

@@ -130,10 +130,15 @@ impl<'a> Window<'a> {
     /// Bound of the part of a gap's motion that the centres' accelerations make, along an axis from the second body to
     /// the first that turns at most with `spin` (rad/s).
     fn central(&self, first: Side, axis: DVec3, spin: f64) -> Quadratic {
+        // The axis leaves its direction by at most spin * s, which adds spin |relative| s^3/6 over the window.
+        self.central_about(first, axis, spin * self.length / 3.0)
+    }
+
+    /// The same for axes that do not turn and differ from the given one by at most `aside` (length of the difference).
+    fn central_about(&self, first: Side, axis: DVec3, aside: f64) -> Quadratic {
         let (body, other) = self.sides(first);
         let relative = body.mean - other.mean;
-        // The axis leaves its direction by at most spin * s, which adds spin |relative| s^3/6 over the window.
-        let steady = (spin * self.length * relative.length() / 3.0 - axis.dot(relative)).max(0.0);
+        let steady = (aside * relative.length() - axis.dot(relative)).max(0.0);
         let crude = body.bounds.acceleration + other.bounds.acceleration;
         let stray = body.stray + other.stray;
         if stray + 0.5 * steady * self.length < 0.5 * crude * self.length {
@@ -158,6 +163,9 @@ impl<'a> Window<'a> {
         bend: f64,
         plane: impl Fn(usize) -> (DVec3, f64),
     ) -> f64 {
+        if points.0.is_empty() {
+            return self.length;
+        }
         let mut bounds = std::mem::take(&mut self.buffers[0]);
         bounds.clear();
         let (v, e) = self.sides(of);
@@ -376,6 +384,19 @@ impl<'a> Window<'a> {
         let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
         open
+    }
+
+    /// How long points on arms of A and of B (m, at most `arms` long) stay apart along axes that are fixed in the world and
+    /// differ from the given one by at most `aside`, when all of them are at least as far apart now as `gap` says.
+    pub(crate) fn between_points(&self, gap: Quadratic, axis: DVec3, aside: f64, arms: [f64; 2]) -> f64 {
+        let turning = self.a.turning(arms[0]) + self.b.turning(arms[1]);
+        let bound = gap.plus(self.central_about(Side::A, axis, aside));
+        open_until(bound.plus(Quadratic { curvature: turning, ..Quadratic::ZERO }), &[], &[], self.length)
+    }
+
+    /// Velocities of A and of B at the beginning.
+    pub(crate) const fn velocities(&self) -> [Velocity; 2] {
+        [self.a.velocity, self.b.velocity]
     }
 
     /// Length of the window, s.

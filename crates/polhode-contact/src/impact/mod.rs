@@ -4,5 +4,6 @@ mod composite_impact;
 mod impact_bounds;
 pub(crate) mod quadratic_bound;
 mod ring_arcs;
+mod ring_pair;
 mod root_bracket;
 pub mod time_of_impact;

@@ -60,10 +60,16 @@ const MAX_ROUNDS: usize = 64;
 /// From the right: the parabolas that are least at `s` bound `L` from above, so that their root is no earlier than
 /// L's; when the same ones are least at that root, it is L's.
 pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
+    let at = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s));
+    // Hulls that do not separate now may do so later: a gap that opens was not open all along.
+    let start = at(0.0).value;
+    if start.is_nan() || start <= 0.0 {
+        return 0.0;
+    }
     let mut s = window;
     let mut previous = f64::INFINITY;
     for _ in 0..MAX_ROUNDS {
-        let deciding = base.plus(least_at(first, s)).plus(least_at(second, s));
+        let deciding = at(s);
         if deciding.at(s) >= 0.0 || s >= previous {
             return if s < window { s * SHORTENING } else { window };
         }
@@ -71,9 +77,8 @@ pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadrat
         s = deciding.first_root().min(s);
     }
     // The chord from zero to a point below the axis meets the axis before a concave function does.
-    let deciding = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s)).at(s);
-    let (start, end) = (deciding(0.0), deciding(s));
-    if start > 0.0 && end < 0.0 { s * (start / (start - end)) * SHORTENING } else { 0.0 }
+    let end = at(s).at(s);
+    if end < 0.0 { s * (start / (start - end)) * SHORTENING } else { 0.0 }
 }
 
 fn least_at(parabolas: &[Quadratic], s: f64) -> Quadratic {

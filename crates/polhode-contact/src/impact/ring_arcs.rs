@@ -18,23 +18,67 @@ use crate::shape::round::{Circles, Hull, HullPoints};
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 /// Arcs at first.
 const ARCS: u32 = 12;
 
 /// Cuts at most for one window.
-const MOST_CUTS: u32 = 96;
+const MOST_CUTS: u32 = 1024;
 
 /// Cutting the arc that fails first must lengthen its time by this factor for another cut of it.
 const GAIN: f64 = 1.25;
 
-/// An arc of the middle line, and how long it stays clear, s.
+/// A part of two bodies, and how long it stays clear, s. The one that fails first is the greatest.
 #[derive(Debug, Clone, Copy)]
-struct Arc {
-    from: f64,
-    to: f64,
-    clear: f64,
+pub(crate) struct Piece<P> {
+    pub(crate) part: P,
+    pub(crate) clear: f64,
+}
+
+impl<P> Ord for Piece<P> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.clear.total_cmp(&self.clear)
+    }
+}
+
+impl<P> PartialOrd for Piece<P> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<P> PartialEq for Piece<P> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<P> Eq for Piece<P> {}
+
+/// How long all of some pieces stay clear, s, at most `window`: the one that fails first is cut (`cut` adds its parts to a
+/// list) until all are clear for the whole window or cutting gains no more, `most` times at most.
+pub(crate) fn cut_worst<P>(
+    pieces: Vec<Piece<P>>,
+    (window, most): (f64, u32),
+    mut cut: impl FnMut(&P, &mut Vec<Piece<P>>),
+) -> f64 {
+    let mut pieces = BinaryHeap::from(pieces);
+    let mut parts = Vec::new();
+    for _ in 0..most {
+        let Some(Piece { part, clear }) = pieces.peek().filter(|worst| worst.clear < window) else { break };
+        cut(part, &mut parts);
+        let better = parts.iter().map(|piece| piece.clear).fold(f64::INFINITY, f64::min);
+        let enough = *clear > 0.0 && better < GAIN * clear;
+        pieces.pop();
+        pieces.extend(parts.drain(..));
+        if enough {
+            break;
+        }
+    }
+    pieces.peek().map_or(window, |worst| worst.clear.min(window))
 }
 
 /// A ring and another convex shape at one moment.
@@ -70,45 +114,41 @@ impl<'a> RingArcs<'a> {
     /// How long all arcs stay clear, s: at most the length of the window.
     pub(crate) fn clear(&self, window: &mut Window<'_>) -> f64 {
         let step = TAU / f64::from(ARCS);
-        let mut arcs: Vec<Arc> = Vec::with_capacity((ARCS + MOST_CUTS) as usize);
+        let mut arcs = Vec::with_capacity(2 * ARCS as usize);
         for k in 0..ARCS {
             arcs.push(self.arc(window, step * f64::from(k), step * f64::from(k + 1)));
         }
-        for _ in 0..MOST_CUTS {
-            let Some(worst) = (0..arcs.len()).min_by(|&i, &j| arcs[i].clear.total_cmp(&arcs[j].clear)) else { break };
-            let Arc { from, to, clear } = arcs[worst];
+        let length = window.length();
+        cut_worst(arcs, (length, MOST_CUTS), |&(from, to), arcs| {
             let middle = 0.5 * (from + to);
-            if clear >= window.length() || middle <= from || middle >= to {
-                break;
-            }
-            let halves = [self.arc(window, from, middle), self.arc(window, middle, to)];
-            let better = halves[0].clear.min(halves[1].clear);
-            arcs[worst] = halves[0];
-            arcs.push(halves[1]);
-            if clear > 0.0 && better < GAIN * clear {
-                break;
-            }
-        }
-        arcs.iter().map(|arc| arc.clear).fold(window.length(), f64::min)
+            arcs.push(self.arc(window, from, middle));
+            arcs.push(self.arc(window, middle, to));
+        })
     }
 
     /// An arc between two angles.
-    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> Arc {
-        let away = self.ring.nearest(self.ring.place(0.5 * (from + to))).normal;
-        let away = self.other_pose.rotation.rotate(away);
+    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> Piece<(f64, f64)> {
+        let middle = 0.5 * (from + to);
+        let nearest = self.ring.nearest(self.ring.place(middle));
+        let away = self.other_pose.rotation.rotate(nearest.normal);
         let direction = if self.of == Side::A { away } else { -away };
         let corners = self.ring.corners(from, to).map(|corner| self.to_ring.transform_point(corner));
         let own = Hull { points: HullPoints::Listed(&corners), circles: Circles::NONE, ball: self.tube };
         let other = Hull::of(self.other);
-        let turn = window.turn_of(self.of.other(), direction);
+        let across = |line: DVec3| self.other_pose.rotation.rotate(line).cross(direction).try_normalize();
+        let line = nearest.along(self.other).and_then(across);
+        let lines = [across(self.ring.tangent(middle)), line];
+        let lines = if self.of == Side::A { lines } else { [lines[1], lines[0]] };
+        let turns =
+            [window.turn_of(self.of.other(), direction), window.turn_with(lines).unwrap_or_default(), DVec3::ZERO];
         let mut clear: f64 = 0.0;
-        for turn in [turn, DVec3::ZERO] {
+        for turn in turns {
             let (hull_a, hull_b) = if self.of == Side::A { (&own, &other) } else { (&other, &own) };
             clear = clear.max(window.along_turning(direction, turn, hull_a, hull_b));
             if clear >= window.length() {
                 break;
             }
         }
-        Arc { from, to, clear }
+        Piece { part: (from, to), clear }
     }
 }

@@ -18,6 +18,7 @@ use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::composite_impact::{find_composite, is_composite};
 use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
+use crate::impact::ring_pair::RingPair;
 use crate::impact::root_bracket::{Sample, last_open};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::nearest_feature;
@@ -498,6 +499,9 @@ impl Search<'_> {
         let step = step.max(self.clear_beside_lines(now, window, &gap));
         if step >= window.length() {
             return step;
+        }
+        if let Some(rings) = RingPair::new(self.shapes, now.poses) {
+            return step.max(rings.clear(window));
         }
         RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window)))
     }

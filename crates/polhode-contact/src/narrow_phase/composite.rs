@@ -128,15 +128,16 @@ fn of_compound(
     let named = |c: &Candidate| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry };
     found.contacts.extend(kept.iter().map(named));
     workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
-    measure_again(&mut found.contacts, shapes, poses);
+    measure_again(&mut found.contacts, shapes, poses, reach.max(tolerance));
 }
 
-/// Gives contacts the geometry that [`evaluate`] gives them at these poses.
-pub(crate) fn measure_again(contacts: &mut Vec<Contact>, shapes: [&Shape; 2], poses: [&Pose; 2]) {
+/// Gives contacts the geometry that [`evaluate`] gives them at these poses, and leaves out those that it says to be farther
+/// than `most` (m): in the frame of a part they were nearer by rounding.
+pub(crate) fn measure_again(contacts: &mut Vec<Contact>, shapes: [&Shape; 2], poses: [&Pose; 2], most: f64) {
     contacts.retain_mut(|contact| {
         let geometry = evaluate(contact.feature, shapes[0], poses[0], shapes[1], poses[1]);
         contact.geometry = geometry.unwrap_or(contact.geometry);
-        geometry.is_some()
+        geometry.is_some_and(|geometry| geometry.separation <= most)
     });
 }
 

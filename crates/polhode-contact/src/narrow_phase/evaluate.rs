@@ -12,7 +12,7 @@
 //! Edge against edge has a formula of its own (`crossed_edges.rs`), and so have capsules, cylinders, cones and tori
 //! (`round/stationary.rs`).
 
-use crate::clearance::COINCIDENCE;
+use crate::clearance::{COINCIDENCE, joint_size, place_tolerance};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::mesh_feature;
 use crate::narrow_phase::part_feature::{Local, localized};
@@ -94,7 +94,8 @@ fn of_elements(
     let origin_b = pose_b.translation - pose_a.translation;
     let a = Element::of(shape_a, part_a, &Pose::new(pose_a.rotation, DVec3::ZERO))?;
     let b = Element::of(shape_b, part_b, &Pose::new(pose_b.rotation, origin_b))?;
-    Stationary::new(&a, &b, origin_b)
+    let sizes = shape_a.size().max(shape_b.size());
+    Stationary::new(&a, &b, origin_b, place_tolerance(joint_size(shape_a, shape_b), sizes, origin_b))
 }
 
 /// Distance of a point from a feature, in the frame of the feature's body.

@@ -110,7 +110,7 @@ pub(crate) fn mesh_manifold(
             found.axis = swapped(found.axis);
             found.contacts.iter_mut().for_each(|contact| contact.feature = contact.feature.swapped());
         }
-        measure_again(&mut found.contacts, shapes, poses);
+        measure_again(&mut found.contacts, shapes, poses, reach.max(pair.tolerance));
         found.contacts.sort_unstable_by_key(|contact| contact.feature);
         return;
     }

@@ -73,7 +73,8 @@ pub(crate) fn triangle_axes(
     // Most triangles are apart, and of those nobody asks what the surface is like.
     for (&normal, &offset) in workspace.normals.iter().zip(offsets) {
         let heights = triangle.corners.map(|c| c.dot(normal));
-        axes.separation = axes.separation.max(least_of(heights) - offset);
+        let separation = least_of(heights) - offset;
+        axes.separation = if separation > axes.separation { separation } else { axes.separation };
         if axes.separation > stop {
             break;
         }
@@ -101,6 +102,8 @@ pub(crate) fn triangle_axes(
 pub(crate) struct TriangleBuffers {
     /// `normal . corner` of the triangle's corners for every face of the polyhedron, m.
     over_faces: Vec<[f64; 3]>,
+    /// Which corners lie below each face of the polyhedron by more than a limit: a bit for each.
+    below: Vec<u8>,
     /// Edges of the polyhedron that may separate well enough.
     edges: Vec<u32>,
     /// Components of an edge of the triangle along the face normals of the polyhedron.
@@ -111,13 +114,15 @@ impl TriangleBuffers {
     /// Chooses the edges that no corner of the triangle lies below both of whose faces by more than the limit (negative):
     /// the others separate worse than the limit along every direction of their arcs (`edge_axes.rs`).
     fn select(&mut self, polyhedron: &ConvexPolyhedron, offsets: &[f64], limit: f64) {
+        self.below.clear();
+        self.below.extend(self.over_faces.iter().zip(offsets).map(|([a, b, c], offset)| {
+            let level = limit + offset;
+            u8::from(*a < level) | u8::from(*b < level) << 1 | u8::from(*c < level) << 2
+        }));
         self.edges.clear();
         for (index, edge) in polyhedron.edges.iter().enumerate() {
-            let [left, right] = edge.faces.map(|face| face as usize);
-            let ([a, b, c], [d, e, f]) = (self.over_faces[left], self.over_faces[right]);
-            let (level_left, level_right) = (limit + offsets[left], limit + offsets[right]);
-            let below = |l: f64, r: f64| l < level_left && r < level_right;
-            if !(below(a, d) || below(b, e) || below(c, f)) {
+            let [left, right] = edge.faces.map(|face| self.below[face as usize]);
+            if left & right == 0 {
                 self.edges.push(index as u32);
             }
         }
@@ -131,13 +136,15 @@ impl TriangleAxes {
     }
 }
 
-fn least_of(heights: [f64; 3]) -> f64 {
-    heights[0].min(heights[1]).min(heights[2])
+/// Compared by hand, as in [`range`].
+fn least_of([a, b, c]: [f64; 3]) -> f64 {
+    let least = if b < a { b } else { a };
+    if c < least { c } else { least }
 }
 
 /// Whether the surface has the normal `v` at the corners of a triangle that lie lowest on a face.
 fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3], tolerance: f64) -> bool {
-    let least = heights[0].min(heights[1]).min(heights[2]);
+    let least = least_of(heights);
     let low = heights.map(|h| h <= least + tolerance);
     let index = triangle.index as usize;
     match low {

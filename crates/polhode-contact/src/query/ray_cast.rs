@@ -328,30 +328,58 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     [finite(sum / a), finite(c / sum)]
 }
 
+/// Rounding of the area of a triangle as a ray sees it, in epsilons of the distance of its corners times their offset from
+/// the ray: an area below it is that of a triangle seen edge-on, of which the signs say nothing.
+const SEEN_ULPS: f64 = 16.0;
+
 /// Signs of the volumes that the ray spans with the edges; a corner or an edge that the ray meets exactly belongs to both
-/// of its triangles.
+/// of its triangles. A ray in the plane of a triangle meets its neighbours.
 fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
-    let [a, b, c] = corners.map(|corner| corner - ray.origin);
     let d = ray.direction;
-    let parts = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
+    let from_start = corners.map(|corner| corner - ray.origin);
+    // What a corner has along the ray adds nothing to the volumes but rounding; each corner loses it by itself, and looks
+    // the same from both triangles of an edge.
+    let along = from_start.map(|corner| d.dot(corner));
+    let [p, q, r] = [0, 1, 2].map(|k: usize| from_start[k] - d * along[k]);
+    let parts = [d.dot(q.cross(r)), d.dot(r.cross(p)), d.dot(p.cross(q))];
     let total: f64 = parts.iter().sum();
-    if !(parts.iter().all(|&v| v >= 0.0) || parts.iter().all(|&v| v <= 0.0)) || total == 0.0 {
+    let longest = |vectors: [DVec3; 3]| vectors.iter().map(|v| v.length()).fold(0.0, f64::max);
+    let rounding = SEEN_ULPS * f64::EPSILON * longest(from_start) * longest([p, q, r]);
+    if !(parts.iter().all(|&v| v >= 0.0) || parts.iter().all(|&v| v <= 0.0)) || total.abs() <= rounding {
         return None;
     }
     let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     let rate = normal.dot(d);
     // From the plane, which is the same for every ray; for a needle from the corners.
-    let by_plane = normal.dot(a) / rate;
+    let by_plane = normal.dot(from_start[0]) / rate;
     let t = if by_plane.is_finite() {
         by_plane
     } else {
-        (a.dot(d) * parts[0] + b.dot(d) * parts[1] + c.dot(d) * parts[2]) / total
+        (along[0] * parts[0] + along[1] * parts[1] + along[2] * parts[2]) / total
     };
+    // Where the ray all but lies in the plane that is known badly, but no farther than the triangle goes.
+    let (nearest, farthest) = over(along, [p, q, r]);
+    let t = t.max(nearest).min(farthest);
     if !(t >= 0.0 && t.is_finite()) {
         return None;
     }
     let out = if rate < 0.0 { normal } else { -normal };
     surface(t, out.normalize_or(-d), FeatureKind::Face(0))
+}
+
+/// From where to where along a ray a triangle lies over it, seen from the side on which it is longest: of its corners what
+/// they have along the ray, and across it.
+fn over(along: [f64; 3], across: [DVec3; 3]) -> (f64, f64) {
+    let longest = across.iter().fold(DVec3::ZERO, |most, v| if v.length() > most.length() { *v } else { most });
+    let beside = across.map(|v| v.dot(longest));
+    let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+        if beside[i] * beside[j] <= 0.0 && beside[i] != beside[j] {
+            let crossing = along[i] + (along[j] - along[i]) * (beside[i] / (beside[i] - beside[j]));
+            (nearest, farthest) = (nearest.min(crossing), farthest.max(crossing));
+        }
+    }
+    if nearest <= farthest { (nearest, farthest) } else { (f64::NEG_INFINITY, f64::INFINITY) }
 }
 
 /// `F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2`, with lengths in units of `R + r` and `t` from the middle of the ray.

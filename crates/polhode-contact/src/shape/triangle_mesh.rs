@@ -121,7 +121,9 @@ impl TriangleMesh {
         }
         let joined = joined(&vertices, &triangles);
         let normals = normals(&vertices, &joined)?;
-        let size = largest_distance(&vertices);
+        let at_vertex = Lists::new(vertices.len(), items_of(&joined));
+        let places: Vec<DVec3> = places(&vertices, &at_vertex).collect();
+        let size = largest_distance(&places);
         let (mut edges, edges_of) = edges_of(&vertices, &joined);
         let sides_of = |(t, n): (&[u32; 3], &DVec3)| [0, 1, 2].map(|k| side_of(&vertices, t, *n, k));
         let sides: Vec<[DVec3; 3]> = joined.iter().zip(&normals).map(sides_of).collect();
@@ -138,8 +140,7 @@ impl TriangleMesh {
         }
         let corners = |t: &[u32; 3]| Bounds::of_points(t.iter().map(|&v| vertices[v as usize]));
         let boxes: Vec<Bounds> = joined.iter().map(corners).collect();
-        let at_vertex = Lists::new(vertices.len(), items_of(&joined));
-        let reach = joined.iter().flatten().map(|&v| vertices[v as usize].length()).fold(0.0, f64::max);
+        let reach = places.iter().map(|place| place.length()).fold(0.0, f64::max);
         let tree = BoxTree::new(&boxes);
         Ok(Self {
             vertices,
@@ -191,6 +192,11 @@ impl TriangleMesh {
         self.reach
     }
 
+    /// The places of the vertices that a triangle has, m.
+    pub(crate) fn places(&self) -> impl Iterator<Item = DVec3> {
+        places(&self.vertices, &self.at_vertex)
+    }
+
     pub(crate) fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
         self.joined.get(triangle as usize).map(|t| t.map(|v| self.vertices[v as usize]))
     }
@@ -220,6 +226,11 @@ impl TriangleMesh {
 
 fn items_of(of: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
     of.iter().enumerate().flat_map(|(t, keys)| keys.iter().map(move |&key| (key, t as u32)))
+}
+
+/// A vertex of no triangle is no part of the surface.
+fn places(vertices: &[DVec3], at_vertex: &Lists) -> impl Iterator<Item = DVec3> {
+    (0..).zip(vertices).filter(|(index, _)| !at_vertex.of(*index).is_empty()).map(|(_, &place)| place)
 }
 
 /// The triangles with the lowest of the vertices in each place.

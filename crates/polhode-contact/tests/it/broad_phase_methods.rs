@@ -119,6 +119,33 @@ fn moving_boxes() {
     }
 }
 
+/// Boxes that creep, so that what was found before holds for many calls, until they have crept far, one jumps, or their
+/// number changes; in half of the rounds there are boxes without end, in all some that are flat.
+#[test]
+fn creeping_boxes() {
+    let mut random = Random(78);
+    for round in 0..4 {
+        let mut methods = Methods::new();
+        let mut boxes: Vec<_> = (0..200).map(|k| any_box(&mut random, if k % 40 == 7 { 6 } else { 0 })).collect();
+        if round % 2 == 1 {
+            boxes.extend((0..3).map(|_| any_box(&mut random, 8)));
+        }
+        let drift: Vec<_> = boxes.iter().map(|_| random.vector() * [1e-4, 3e-3][round / 2]).collect();
+        for step in 0..60 {
+            for (aabb, &by) in boxes.iter_mut().zip(&drift) {
+                *aabb = Aabb::new(aabb.min() + by, aabb.max() + by).expect("ordered bounds");
+            }
+            match step {
+                20 => boxes[11] = boxes[150],
+                30 => boxes.truncate(180),
+                40 => boxes.swap(3, 90),
+                _ => {}
+            }
+            methods.check(&format!("round {round}, step {step}"), &boxes);
+        }
+    }
+}
+
 /// Thousands of boxes at one place, of one size or of many, and thousands in which nothing overlaps.
 #[test]
 fn degenerate_crowds() {

@@ -99,6 +99,50 @@ fn a_cone_deep_in_a_polyhedron_touches_no_edge_from_inside() {
     }
 }
 
+/// Points at just the reach over a triangle or a box of a compound (a fuzz finding): within it in the frame of the part, and
+/// beyond by rounding in the world. Contacts are listed by what they say of themselves.
+#[test]
+fn a_contact_beyond_reach_by_rounding_is_not_listed() {
+    let mut random = Random(41);
+    let corners = vec![DVec3::new(-9.0, -9.0, 0.0), DVec3::new(9.0, -9.0, 0.0), DVec3::new(0.0, 9.0, 0.0)];
+    let mesh = Shape::triangle_mesh(corners, vec![[0, 1, 2]]).expect("a triangle");
+    let slab = cuboid(9.0, 9.0, 2.0).translated(-DVec3::Z).expect("a slab");
+    let compound = Shape::compound(vec![slab]).expect("a compound");
+    let points: Vec<DVec3> = (0..8).map(|k| DVec3::new(0.1 * f64::from(k), 0.0, 5.5 * f64::from(k % 2))).collect();
+    let points = Shape::points(points).expect("points");
+    let mut listed = 0;
+    for case in 0..500 {
+        let (ground, pose) = (if case % 2 == 0 { &mesh } else { &compound }, random.vector() * 9.0);
+        let pose = Pose::new(random.rotation(), pose);
+        for contact in manifold(ground, &pose, &points, &pose, 5.5).contacts {
+            assert!(contact.geometry.separation <= 5.5, "{case}: {contact:?}");
+            listed += 1;
+        }
+    }
+    assert!(listed >= 4 * 500, "those that touch are: {listed}");
+}
+
+/// A ring deep in a body (a fuzz finding): its deepest place may lie where two elements of the body are equally near, and is
+/// no common normal; the common normal of these elements elsewhere is no contact when it is apart there.
+#[test]
+fn a_ring_deep_in_a_body_has_no_contact_beyond_reach() {
+    let mut random = Random(83);
+    let ring = Shape::torus(2.3, 2.2).expect("a ring");
+    let bodies = [
+        Shape::cone(2.8, 2.4).expect("a cone"),
+        Shape::cylinder(2.8, 2.4).expect("a cylinder"),
+        Shape::capsule(2.0, 2.4).expect("a capsule"),
+        prism(5, 2.8, 2.4),
+    ];
+    for case in 0..4000 {
+        let (body, reach) = (&bodies[case % 4], -random.between(0.0, 3.0));
+        let pose = Pose::new(random.rotation(), random.vector() * 2.0);
+        for contact in manifold(&ring, &pose, body, &Pose::IDENTITY, reach).contacts {
+            assert!(contact.geometry.separation <= 1e-9, "{case}: {contact:?}");
+        }
+    }
+}
+
 /// A ball whose centre lies on the axis of a capsule, or on the middle line of a ring's tube, to rounding or exactly (a
 /// fuzz finding): the shortest way out is across the axis, whatever direction the rounding of the difference has, and is the
 /// same when the bodies change names.
@@ -118,6 +162,68 @@ fn a_ball_on_an_axis_leaves_across_it() {
         for (shape, place) in [(&capsule, on_axis), (&capsule, pose), (&ring, on_tube)] {
             let both = [separation(&ball, &place, shape, &pose), separation(shape, &pose, &ball, &place)];
             assert!(both.iter().all(|s| (s + 5.5).abs() < 1e-13), "{both:?} {shape:?} {pose:?} {place:?}");
+        }
+    }
+}
+
+/// A ball whose centre lies on the axis of a cone, exactly or to rounding (a fuzz finding), leaves through the nearest of side
+/// and disc: `R + s sin(alpha)` deep at the distance s from the apex, or `R + h - s`, whichever is less.
+#[test]
+fn a_ball_on_the_axis_of_a_cone_leaves_through_its_side() {
+    let (ball, mut random) = (Shape::sphere(1.5).expect("a ball"), Random(29));
+    for _ in 0..2000 {
+        let (radius, height) = (random.between(0.1, 2.0), random.between(0.5, 3.0));
+        let sine = radius / libm::hypot(radius, height);
+        let cone = Shape::cone(radius, height).expect("a cone");
+        let from_apex = random.between(0.1, 0.9) * height;
+        let own = DVec3::Z * (0.75 * height - from_apex);
+        let deep = 1.5 + (from_apex * sine).min(height - from_apex);
+        let turned = Pose::new(random.rotation(), random.vector() * 4.0);
+        // Exactly on the axis, which rounding does not move.
+        let level = Pose::from_translation(random.vector());
+        for pose in [turned, level, Pose::IDENTITY] {
+            let place = Pose::new(random.rotation(), pose.transform_point(own));
+            let both = [separation(&ball, &place, &cone, &pose), separation(&cone, &pose, &ball, &place)];
+            assert!(both.iter().all(|s| (s + deep).abs() < 1e-13), "{both:?} of {deep}: {pose:?} {place:?}");
+        }
+    }
+}
+
+/// A point within rounding of an axis or of the middle line of a ring's tube (a fuzz finding) has no direction, whatever the
+/// rounding says; a little farther off it has one. What is listed as a contact can be evaluated and moves.
+#[test]
+fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
+    let mut random = Random(17);
+    for size in [1e-3, 1.0, 40.0] {
+        let ring = Shape::torus(size, 0.3 * size).expect("a ring");
+        let capsule = Shape::capsule(0.3 * size, size).expect("a capsule");
+        let points = [
+            Shape::points(vec![DVec3::ZERO, DVec3::ONE]).expect("points"),
+            Shape::cone(0.7, 1.3).expect("a cone").translated(-DVec3::Z * 0.65).expect("its apex at the origin"),
+            Shape::capsule(0.5, 1.0).expect("a capsule"),
+            Shape::sphere(0.5).expect("a ball"),
+        ];
+        for case in 0..4000 {
+            let off = random.direction() * size * libm::exp10(random.between(-18.0, -8.0));
+            let angle = random.between(0.0, 6.0);
+            let pose = Pose::new(random.rotation(), random.vector() * 10.0);
+            let (thin, place) = if case % 2 == 0 {
+                (&ring, DVec3::new(libm::cos(angle), libm::sin(angle), 0.0) * size)
+            } else {
+                (&capsule, DVec3::Z * random.between(-0.5, 0.5) * size)
+            };
+            let place = Pose::new(random.rotation(), pose.transform_point(place + off));
+            let moving = [(); 2].map(|()| Velocity::new(random.vector(), random.vector()));
+            for point in &points {
+                for [(a, pose_a), (b, pose_b)] in [[(thin, &pose), (point, &place)], [(point, &place), (thin, &pose)]] {
+                    for contact in manifold(a, pose_a, b, pose_b, 0.1).contacts {
+                        let moves = kinematics(contact.feature, a, pose_a, &moving[0], b, pose_b, &moving[1]);
+                        let moves = moves.unwrap_or_else(|| panic!("{case}: {contact:?} {a:?} {b:?}"));
+                        assert_eq!(moves.geometry, contact.geometry, "{case}: {contact:?}");
+                        assert!(moves.acceleration_bias.abs() < 1e18 / size, "{case}: {moves:?}");
+                    }
+                }
+            }
         }
     }
 }

@@ -3,7 +3,9 @@
 
 use crate::compounds::{assert_same, touching};
 use crate::support::{Random, cuboid, prism, yaw};
-use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, evaluate, manifold, mirror_defect, separation};
+use polhode_contact::{
+    BoundingSphere, ConvexPolyhedron, Shape, ShapeError, aabb_of, evaluate, manifold, mirror_defect, separation,
+};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 
 /// A square of `n` by `n` cells about the origin with this side; inner vertices moved within the plane by up to
@@ -330,6 +332,32 @@ fn a_compound_rests_on_a_grid_as_its_whole() {
         let expected = manifold(&whole, &pose, &mesh, &Pose::IDENTITY, 1e-9);
         let found = manifold(&body, &pose, &mesh, &Pose::IDENTITY, 1e-9);
         assert_same(&found.contacts, &expected.contacts, 1e-12, &format!("case {case}"));
+    }
+}
+
+/// A vertex that no triangle names (a fuzz finding: at 10^19 m) is no part of the mesh: it decides no tolerance and no bound,
+/// and every answer is that of the mesh without it, to the bit.
+#[test]
+fn a_vertex_of_no_triangle_far_away_changes_no_answer() {
+    let mut random = Random(19);
+    let Shape::TriangleMesh(ground) = grid(4, 2.0, 0.2, &mut random, |x, y| 0.3 * x * y) else { panic!("a mesh") };
+    let (mut vertices, triangles) = (ground.vertices().to_vec(), ground.triangles().to_vec());
+    vertices.push(DVec3::new(5e19, 3.0, -1.0));
+    let with = Shape::triangle_mesh(vertices, triangles).expect("a mesh");
+    let without = Shape::TriangleMesh(ground);
+    assert_eq!((with.size(), with.radius()), (without.size(), without.radius()));
+    assert_eq!(aabb_of(&with, &Pose::IDENTITY), aabb_of(&without, &Pose::IDENTITY));
+    assert_eq!(BoundingSphere::of(&with), BoundingSphere::of(&without));
+    let bodies = [
+        Shape::cylinder(0.1, 0.3).expect("a cylinder"),
+        cuboid(0.4, 0.5, 0.2),
+        Shape::sphere(0.3).expect("a ball"),
+        Shape::torus(0.3, 0.1).expect("a ring"),
+    ];
+    for case in 0..400 {
+        let (body, pose) = (&bodies[case % 4], Pose::new(random.rotation(), random.vector()));
+        let found = [&with, &without].map(|mesh| manifold(mesh, &Pose::IDENTITY, body, &pose, 0.2));
+        assert_eq!(found[0], found[1], "{case}");
     }
 }
 

@@ -119,6 +119,50 @@ fn no_ray_slips_between_triangles() {
     }
 }
 
+/// A ray in the plane of a triangle (a finding of random answers), or within rounding of it, sees it edge-on: where the signs
+/// of its volumes are all rounding it is not met, and what is met is on the triangle.
+#[test]
+fn a_ray_in_the_plane_of_a_triangle_meets_it_nowhere_else() {
+    let mut random = Random(12);
+    for case in 0..20_000 {
+        let corners: Vec<DVec3> = (0..3).map(|_| random.vector() * 5.0).collect();
+        let within = |random: &mut Random| {
+            let [s, t] = [(); 2].map(|()| random.between(-2.0, 3.0));
+            corners[0] + (corners[1] - corners[0]) * s + (corners[2] - corners[0]) * t
+        };
+        // Some past a corner, almost in the plane.
+        let corner = corners[0].lerp(0.5 * (corners[1] + corners[2]), 1e-4);
+        let target = if case % 2 == 0 { corner } else { within(&mut random) };
+        let start = within(&mut random) + random.vector() * libm::exp10(random.between(-16.0, -11.0));
+        let Ok(mesh) = Shape::triangle_mesh(corners.clone(), vec![[0, 1, 2]]) else { continue };
+        let pose = Pose::new(random.rotation(), random.vector());
+        let ray = ray(pose.transform_point(start), pose.rotation.rotate(target - start));
+        if let Some(hit) = ray_cast(&mesh, &pose, &ray, f64::INFINITY) {
+            let off = closest_point(&mesh, &pose, hit.point).expect("finite").distance;
+            assert!(off < 1e-12, "{case}: {off:e} off, {hit:?}");
+        }
+    }
+}
+
+/// From far away a ray meets a triangle where it aims: inside or outside by a thousandth, at ten million times its size.
+#[test]
+fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {
+    let mut random = Random(13);
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let mesh = Shape::triangle_mesh(corners.to_vec(), vec![[0, 1, 2]]).expect("a triangle");
+    for case in 0..5000 {
+        let along = random.unit();
+        for (inward, meets) in [(1e-3, true), (-1e-3, false)] {
+            // Beside the long side.
+            let target = corners[1].lerp(corners[2], 0.1 + 0.8 * along) - DVec3::new(inward, inward, 0.0);
+            let toward = (random.direction() + DVec3::Z * 2.0).normalize();
+            let ray = ray(target - toward * 1e7, toward);
+            let hit = ray_cast(&mesh, &Pose::IDENTITY, &ray, f64::INFINITY);
+            assert_eq!(hit.is_some(), meets, "{case}: {hit:?}");
+        }
+    }
+}
+
 /// A ray from inside is told so; meshes are surfaces and have no inside.
 #[test]
 fn rays_from_inside_start_there() {

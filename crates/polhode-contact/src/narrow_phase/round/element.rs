@@ -5,6 +5,7 @@
 //! normals `o` satisfy `o.e = 0` on a line along `e`, `o.a = sin(alpha)` on a cone with axis `a` towards its apex and half
 //! angle `alpha`, and are fixed on a plane.
 
+use super::branch::Branch;
 use crate::narrow_phase::evaluate::face_margin;
 use crate::narrow_phase::mesh_feature::patch_margin;
 use crate::shape::TriangleMesh;
@@ -36,17 +37,6 @@ pub(crate) struct ConeSide {
     pub(crate) axis: DVec3,
     pub(crate) sine: f64,
     pub(crate) cosine: f64,
-}
-
-/// Which of two places of a circle is meant, when a line or a circle crosses it twice.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Branch {
-    /// The nearest.
-    Nearest,
-    /// Where the other curve leaves the disc.
-    Exit,
-    /// Where it enters it.
-    Entry,
 }
 
 /// What an element ends at.
@@ -90,6 +80,11 @@ pub(crate) struct Element<'a> {
 impl<'a> Element<'a> {
     pub(crate) const fn new(locus: Locus, ball: f64, border: Border<'a>) -> Self {
         Self { locus, ball, branch: Branch::Nearest, outward: DVec3::ZERO, border }
+    }
+
+    /// Whether it is the middle line of a ring.
+    pub(crate) const fn is_ring(&self) -> bool {
+        self.ball > 0.0 && matches!(self.locus, Locus::Circle(_))
     }
 
     /// The element of a shape at a pose; nothing when the shape has no such feature.

@@ -5,6 +5,7 @@
 //! | `element` | the parts of surfaces that touch |
 //! | `pairs` | places where two elements stand over each other: closed forms |
 //! | `curves` | the same for a circle and a line, and for two circles |
+//! | `branch` | which of two places of a circle is meant |
 //! | `stationary` | separation and its time derivatives at such a place |
 //! | `gap` | the separating axis of two convex bodies |
 //! | `sieve` | which elements of a polyhedron can decide |
@@ -12,6 +13,7 @@
 //! | `ring` | tori |
 //! | `ring_samples` | where a circle is sampled, so that no minimum is missed |
 
+mod branch;
 pub(crate) mod curves;
 pub(crate) mod element;
 pub(crate) mod gap;

@@ -18,6 +18,10 @@ use glam::DVec3;
 /// then stand for the lowest one to 1e-12 of its radius.
 const FLAT_SINE: f64 = 1e-11;
 
+/// Second derivatives of a distance along a circle down to this below zero (1 is that of the circle's own bend) are zero to
+/// rounding: all places of a ring about a cone are as near.
+const LEVEL: f64 = 1e-9;
+
 /// A common normal of two elements.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
@@ -165,15 +169,15 @@ pub(crate) fn lowest_of(circle: &Circle, up: DVec3) -> Option<DVec3> {
     (sine > FLAT_SINE).then(|| circle.center - radial * (circle.radius / sine))
 }
 
-/// The foot of a point on the side of a cone; nothing on the axis.
+/// The foot of a point on the side of a cone; on the axis itself some generator is as good as all.
 fn point_on_cone(p: DVec3, side: &ConeSide) -> Option<Place> {
     let from = p - side.apex;
-    let along = side.axis.dot(from);
-    let radial = from - side.axis * along;
+    let radial = across(side.axis, from);
     let distance = radial.length();
-    let outward = side.axis * side.sine + radial * (side.cosine / distance);
-    let axial = along - distance * side.sine / side.cosine;
-    (distance > 0.0).then(|| Place { normal: outward, on_a: p, on_b: side.apex + side.axis * axial })
+    let away = if distance == 0.0 { side.axis.any_orthonormal_vector() } else { radial / distance };
+    let outward = side.axis * side.sine + away * side.cosine;
+    let axial = side.axis.dot(from) - distance * side.sine / side.cosine;
+    (!axial.is_nan()).then(|| Place { normal: outward, on_a: p, on_b: side.apex + side.axis * axial })
 }
 
 /// Two lines that are not parallel.
@@ -262,11 +266,25 @@ fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     found
 }
 
-/// A ring against a cone: every common normal, from outside and from inside the ring (the circle of negative radius).
+/// A ring against a cone: the common normals, from outside and from inside the ring (the circle of negative radius), at
+/// which the distance `d` of the circle's places from the side is least. With the distance `rho` of the place from the cone's
+/// axis, its direction across (`tau`), the circle's tangent `t` and direction `r` and the normal `o`,
+/// `d'' = cos(alpha) (t.tau)^2/rho - o.r/R`.
 fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
+    let mut stationary = Places::none();
+    stationary_on_cone(&mut stationary, circle, side, Wanted::Any);
+    stationary_on_cone(&mut stationary, &Circle { radius: -circle.radius, ..*circle }, side, Wanted::Any);
+    let is_least = |place: &Place| {
+        let out = (place.on_a - circle.center) / circle.radius;
+        let from_axis = across(side.axis, place.on_a - side.apex);
+        let rho = from_axis.length();
+        let turning = circle.axis.cross(out).dot(side.axis.cross(from_axis)) / rho;
+        let bends = side.cosine * turning * turning * circle.radius / rho;
+        // Beyond the axis the side that faces away is stationary too.
+        place.normal.dot(from_axis) > 0.0 && bends - place.normal.dot(out) >= -LEVEL
+    };
     let mut found = Places::none();
-    stationary_on_cone(&mut found, circle, side, Wanted::Any);
-    stationary_on_cone(&mut found, &Circle { radius: -circle.radius, ..*circle }, side, Wanted::Any);
+    stationary.iter().filter(|place| is_least(place)).for_each(|&place| found.push(place));
     found
 }
 

@@ -149,8 +149,10 @@ pub(crate) fn contacts_where(
         }
     }
     if contacts.len() == first && gap.separation <= gap.tolerance {
-        // Bodies that touch have a contact, also where tolerances left none.
-        contacts.extend(measure(named(gap.a, gap.b)));
+        // Bodies that touch have a contact, also where tolerances left none. Deep in a body the deepest place of a ring may
+        // lie where two elements are equally near, which is no common normal: the pair's own may stand far off.
+        let touches = |contact: &Contact| contact.geometry.separation <= reach.max(gap.tolerance);
+        contacts.extend(measure(named(gap.a, gap.b)).filter(touches));
     }
     contacts[first..].sort_unstable_by_key(|contact| contact.feature);
 }
@@ -182,7 +184,9 @@ fn grazes(
         RimEntry(rim) => RimExit(rim),
         _ => feature,
     };
+    // Both places of a ring have a tube about them: near each other they stand for one.
     let radius = |shape: &Shape, feature| match feature {
+        _ if matches!(shape, Shape::Torus(_)) => f64::INFINITY,
         RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
         _ => f64::INFINITY,
     };

@@ -8,9 +8,10 @@
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
 //! lower bound of how far the ring would have to be moved.
 
-use super::element::{Branch, Element};
+use super::branch::{Branch, is_told};
+use super::element::{Element, Locus};
 use super::gap::{self, Body, Gap};
-use super::pairs::{Place, nearest_on};
+use super::pairs::{Place, nearest_on, places};
 use super::ring_samples::{Sample, Wanted, each_minimum_of_convex, each_minimum_of_ring};
 use super::stationary::chosen;
 use crate::clearance::place_tolerance;
@@ -41,6 +42,17 @@ pub(crate) struct FromPoint {
     distance: f64,
     feature: SurfaceFeature,
     pub(crate) normal: DVec3,
+}
+
+impl FromPoint {
+    /// The direction in which the nearest element of the body is straight, if it is.
+    pub(crate) fn along(&self, body: &Shape) -> Option<DVec3> {
+        match Element::of(body, self.feature, &Pose::IDENTITY)?.locus {
+            Locus::Line(_, along) => Some(along),
+            Locus::Cone(side) => Some(side.axis - self.normal * self.normal.dot(side.axis)),
+            _ => None,
+        }
+    }
 }
 
 /// A ring in the frame of another body.
@@ -131,6 +143,28 @@ impl<'a> Ring<'a> {
         self.circle.center + (self.east * cosine + self.north * sine) * self.circle.radius
     }
 
+    /// The angle of the place that is nearest to a point; some angle on the axis.
+    pub(crate) fn angle_of(&self, point: DVec3) -> f64 {
+        let arm = point - self.circle.center;
+        libm::atan2(self.north.dot(arm), self.east.dot(arm))
+    }
+
+    /// The unit tangent at an angle.
+    pub(crate) fn tangent(&self, angle: f64) -> DVec3 {
+        let (sine, cosine) = libm::sincos(angle);
+        self.north * cosine - self.east * sine
+    }
+
+    /// Of the middle line.
+    pub(crate) const fn center(&self) -> DVec3 {
+        self.circle.center
+    }
+
+    /// Of the middle line, m.
+    pub(crate) const fn radius(&self) -> f64 {
+        self.circle.radius
+    }
+
     /// The one contact with a ball.
     fn to_point(&self, point: DVec3, radius: f64, b: SurfaceFeature) -> Gap {
         let f = nearest_on(&self.circle, point) - point;
@@ -186,42 +220,52 @@ impl<'a> Ring<'a> {
 
     /// The minimum near a sampled angle, no farther from it than the next samples.
     fn polished(&self, x: &Pose, shape: &Shape, angle: f64, step: f64) -> Gap {
-        use Branch::{Entry, Exit, Nearest};
         let sampled = self.place(angle);
         let mut from = self.nearest(sampled);
-        let ring = |branch: Branch| {
-            let feature = match branch {
-                Nearest => SurfaceFeature::Rim(0),
-                Exit => SurfaceFeature::RimExit(0),
-                Entry => SurfaceFeature::RimEntry(0),
-            };
-            Element::of(shape, feature, x).map(|element| (feature, element))
-        };
         let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
-        let gap = |separation: f64, normal: DVec3, a: SurfaceFeature, b: SurfaceFeature| Gap {
-            separation,
-            normal,
-            a,
-            b,
-            tolerance: self.tolerance,
-        };
-        // The element is the nearest at its place, and on the side that the place says.
-        let consistent = |place: &Place, rim: &Element<'_>, element: &Element<'_>| {
-            let there = self.nearest(place.on_a).distance - self.tube;
-            (place.separation(rim, element) - there).abs() <= CONSISTENT * self.circle.radius
-        };
         // First as a common normal with the element that is nearest at the sample, then, further down, at the minimum.
         for _ in 0..2 {
-            let Some(element) = Element::of(self.other, from.feature, &Pose::IDENTITY) else { break };
-            for (feature, rim) in [Nearest, Exit, Entry].into_iter().filter_map(ring) {
-                let Some(place) = chosen(&rim, &element) else { continue };
-                if place.on_a.distance(sampled) <= close && consistent(&place, &rim, &element) {
-                    return gap(place.separation(&rim, &element), place.normal, feature, from.feature);
-                }
+            if let Some(gap) = self.common_normal(x, shape, (sampled, close), from.feature) {
+                return gap;
             }
             from = self.nearest(self.place(self.golden(angle - step, angle + step)));
         }
-        gap(from.distance - self.tube, from.normal, SurfaceFeature::Rim(0), from.feature)
+        let separation = from.distance - self.tube;
+        Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }
+    }
+
+    /// The common normal of the middle line and an element of the other body, at most `close` (m) from a place, named so
+    /// that it is told from others of the two.
+    fn common_normal(
+        &self,
+        x: &Pose,
+        shape: &Shape,
+        (sampled, close): (DVec3, f64),
+        feature: SurfaceFeature,
+    ) -> Option<Gap> {
+        use Branch::{Entry, Exit, Nearest};
+        let rim = Element::of(shape, SurfaceFeature::Rim(0), x)?;
+        let element = Element::of(self.other, feature, &Pose::IDENTITY)?;
+        let all = places(&rim, &element);
+        // The element is the nearest at its place, and on the side that the place says.
+        let consistent = |place: &Place| {
+            let there = self.nearest(place.on_a).distance - self.tube;
+            (place.separation(&rim, &element) - there).abs() <= CONSISTENT * self.circle.radius
+        };
+        let round = matches!(feature, SurfaceFeature::Rim(_));
+        let names = [[Exit, Nearest], [Entry, Nearest], [Exit, Entry], [Entry, Exit], [Nearest; 2]];
+        names.into_iter().filter(|&[_, other]| round || other == Nearest).find_map(|[own, other]| {
+            let (rim, element) = (Element { branch: own, ..rim }, Element { branch: other, ..element });
+            let place = chosen(&all, &rim, &element)?;
+            let fits = place.on_a.distance(sampled) <= close && is_told(&place, &all, &rim, &element);
+            (fits && consistent(&place)).then(|| Gap {
+                separation: place.separation(&rim, &element),
+                normal: place.normal,
+                a: own.of_rim(0),
+                b: if let SurfaceFeature::Rim(index) = feature { other.of_rim(index) } else { feature },
+                tolerance: self.tolerance,
+            })
+        })
     }
 
     /// Golden-section search for the least distance between two angles.

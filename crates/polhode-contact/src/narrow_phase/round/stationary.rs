@@ -23,7 +23,8 @@
 //!
 //! the last term for a circle on the plane alone (`s`, `w`, `t` and `k` are the circle's).
 
-use super::element::{Branch, Element, Locus};
+use super::branch;
+use super::element::{Element, Locus};
 use super::pairs::{Place, places};
 use crate::clearance::COINCIDENCE;
 use crate::{ContactGeometry, ContactKinematics, Side};
@@ -56,6 +57,8 @@ pub(crate) struct Stationary {
     margin: f64,
     /// Centre of mass of B, relative to A's.
     origin_b: DVec3,
+    /// The size of the pair with the rounding of its places, m.
+    size: f64,
     /// The body whose element is a plane.
     plane_of: Option<Side>,
     parameters: [Parameter; 2],
@@ -63,10 +66,12 @@ pub(crate) struct Stationary {
 }
 
 impl Stationary {
-    /// The place at which two elements touch, or nearly; nothing when they have no common normal, or no one normal.
-    pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3) -> Option<Self> {
-        let place = chosen(a, b)?;
-        if has_no_direction(&place, a, b) {
+    /// The place at which two elements touch, or nearly; nothing when they have no common normal, or no one normal: any
+    /// motion would turn it at once. Places nearer to each other than `tolerance` (m) are one.
+    pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3, tolerance: f64) -> Option<Self> {
+        let all = places(a, b);
+        let place = chosen(&all, a, b)?;
+        if has_no_direction(&place, a, b, tolerance) {
             return None;
         }
         let separation = place.separation(a, b);
@@ -74,15 +79,16 @@ impl Stationary {
             place,
             separation,
             middle: place.on_a - place.normal * (a.radius_at(place.on_a) + 0.5 * separation),
-            margin: margin(&place, a, b),
+            margin: margin(&place, a, b).min(branch::margin(&place, &all, a, b)),
             origin_b,
+            size: tolerance / COINCIDENCE,
             plane_of: None,
             parameters: [Parameter { of: Side::A, along: DVec3::ZERO, bend: DVec3::ZERO }; 2],
             count: 0,
         };
         stationary.describe(Side::A, a, place.on_a);
         stationary.describe(Side::B, b, place.on_b);
-        Some(stationary)
+        stationary.turns_steadily().then_some(stationary)
     }
 
     /// Lists the parameters of an element at a place.
@@ -115,7 +121,7 @@ impl Stationary {
         }
     }
 
-    /// Nothing when the contact is degenerate: a normal that any motion would turn at once.
+    /// Never nothing, for [`Self::new`] has asked for what the rates need.
     pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
         let n = self.place.normal;
         let (arm_a, arm_b) = (self.place.on_a, self.place.on_b - self.origin_b);
@@ -161,44 +167,67 @@ impl Stationary {
         2.0 * turning.dot(velocity) - apart * turning.length_squared() + wandering
     }
 
-    /// `n'` and `z'`. Rows and columns are scaled by lengths, so that all entries are numbers without unit: those of the
-    /// normal by the longest, those of an arc by its radius, for a small rim may stand far from the other element.
-    fn rates(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<Rates> {
+    /// Whether the normal has a rate for every motion.
+    fn turns_steadily(&self) -> bool {
+        self.plane_of.is_some() || solve(self.system().matrix, [0.0; MOST], NORMAL_UNKNOWNS + self.count).is_some()
+    }
+
+    /// What stands on the left of the conditions of the rates.
+    fn system(&self) -> System {
         let n = self.place.normal;
         let first = n.any_orthonormal_vector();
         let tangents = [first, n.cross(first)];
         let apart = n.dot(self.place.on_a - self.place.on_b);
         let parameters = &self.parameters[..self.count];
         let radius = |p: &Parameter| Some(p.bend.length().recip()).filter(|r| r.is_finite());
-        let length = parameters.iter().filter_map(radius).fold(apart.abs(), f64::max);
-        let length = if length > 0.0 { length } else { 1.0 };
-        let unit = |p: &Parameter| radius(p).unwrap_or(length);
-        let size = 2 + self.count;
-        let (mut matrix, mut right) = ([[0.0; MOST]; MOST], [0.0; MOST]);
-        for (row, tangent) in tangents.iter().enumerate() {
-            matrix[row][row] = apart / length;
-            right[row] = tangent.dot(velocity);
+        let length = parameters.iter().filter_map(radius).fold(apart.abs().max(self.size), f64::max);
+        let mut system = System { matrix: [[0.0; MOST]; MOST], tangents, length, units: [length; 2] };
+        for row in 0..tangents.len() {
+            system.matrix[row][row] = apart / length;
         }
         for (index, parameter) in parameters.iter().enumerate() {
-            let (sign, spin) = sign_and_spin(parameter, a, b);
-            let row = 2 + index;
+            let sign = if parameter.of == Side::A { 1.0 } else { -1.0 };
+            let (row, unit) = (NORMAL_UNKNOWNS + index, radius(parameter).unwrap_or(length));
             for (column, tangent) in tangents.iter().enumerate() {
-                matrix[column][row] = -sign * tangent.dot(parameter.along) * (unit(parameter) / length);
-                matrix[row][column] = tangent.dot(parameter.along);
+                system.matrix[column][row] = -sign * tangent.dot(parameter.along) * (unit / length);
+                system.matrix[row][column] = tangent.dot(parameter.along);
             }
-            matrix[row][row] = unit(parameter) * n.dot(parameter.bend);
-            right[row] = -length * n.dot(spin.cross(parameter.along));
+            system.matrix[row][row] = unit * n.dot(parameter.bend);
+            system.units[index] = unit;
         }
-        let solution = solve(matrix, right, size)?;
-        let mut rates = Rates {
-            normal: (tangents[0] * solution[0] + tangents[1] * solution[1]) / length,
-            parameters: [solution[2], solution[3]],
-        };
-        for (rate, parameter) in rates.parameters.iter_mut().zip(parameters) {
-            *rate *= unit(parameter) / length;
-        }
-        Some(rates)
+        system
     }
+
+    /// `n'` and `z'`.
+    fn rates(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<Rates> {
+        let System { matrix, tangents, length, units } = self.system();
+        let mut right = [0.0; MOST];
+        for (row, tangent) in tangents.iter().enumerate() {
+            right[row] = tangent.dot(velocity);
+        }
+        for (index, parameter) in self.parameters[..self.count].iter().enumerate() {
+            let (_, spin) = sign_and_spin(parameter, a, b);
+            right[NORMAL_UNKNOWNS + index] = -length * self.place.normal.dot(spin.cross(parameter.along));
+        }
+        let solution = solve(matrix, right, NORMAL_UNKNOWNS + self.count)?;
+        Some(Rates {
+            normal: (tangents[0] * solution[0] + tangents[1] * solution[1]) / length,
+            parameters: [solution[2] * (units[0] / length), solution[3] * (units[1] / length)],
+        })
+    }
+}
+
+/// The linear system of the rates. Rows and columns are scaled by lengths, so that all entries are numbers without unit:
+/// those of the normal by the longest (where two lines cross their gap says nothing of the rounding of the velocity), those
+/// of an arc by its radius, for a small rim may stand far from the other element.
+struct System {
+    matrix: [[f64; MOST]; MOST],
+    /// Two unit vectors perpendicular to the normal and to each other.
+    tangents: [DVec3; 2],
+    /// The longest length, m.
+    length: f64,
+    /// Of the parameters, m.
+    units: [f64; 2],
 }
 
 /// The unknowns begin with the two of the normal.
@@ -251,21 +280,22 @@ fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -
     Some(solution)
 }
 
-/// Whether a point lies on a line or a circle itself, where any motion may turn the normal at once.
-fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool {
+/// Whether a point lies on another, on a line or circle, or on the axis of a cone, where any motion may turn the normal at
+/// once.
+fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>, tolerance: f64) -> bool {
     let point = |e: &Element<'_>| matches!(e.locus, Locus::Point(_));
-    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
-    place.on_a == place.on_b && ((point(a) && curve(b)) || (point(b) && curve(a)))
+    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_) | Locus::Cone(_));
+    let known = (point(a) && (point(b) || curve(b))) || (point(b) && curve(a));
+    known && place.on_a.distance(place.on_b) <= tolerance
 }
 
-/// The common normal that makes a contact: on the named branch, within the borders of both elements if there is such a
-/// place, and of these the nearest places of two loci, or on a cone those that separate best; of a ring those whose
-/// middle line is nearest to the surface.
-pub(crate) fn chosen(a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
+/// Of all common normals of two elements the one that makes a contact: on the named branch, within the borders of both
+/// elements if there is such a place, and of these the nearest places of two loci, or on a cone those that separate best; of
+/// a ring those whose middle line is nearest to the surface.
+pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
     let cones = matches!(a.locus, Locus::Cone(_)) || matches!(b.locus, Locus::Cone(_));
-    let ring = |e: &Element<'_>| e.ball > 0.0 && matches!(e.locus, Locus::Circle(_));
     let score = |place: &Place| {
-        if ring(a) || ring(b) {
+        if a.is_ring() || b.is_ring() {
             -(place.separation(a, b) + a.ball + b.ball).abs()
         } else if cones {
             place.separation(a, b)
@@ -275,8 +305,7 @@ pub(crate) fn chosen(a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
     };
     let border = |place: &Place| COINCIDENCE * (place.on_a.length() + place.on_b.length());
     let within = |place: &Place| margin(place, a, b) >= -border(place);
-    let all = places(a, b);
-    let fitting = all.iter().filter(|place| on_branch(place, a, b)).map(|place| oriented(*place, a, b));
+    let fitting = all.iter().filter(|place| branch::is_named(place, a, b)).map(|place| oriented(*place, a, b));
     // An edge of a polyhedron has two normals in common with a cone, of which one leads through its own body.
     let outwards = |place: &Place| place.normal.dot(b.outward - a.outward) >= 0.0;
     let keys = |place: &Place| (outwards(place), within(place));
@@ -287,23 +316,6 @@ pub(crate) fn chosen(a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
 fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
     let reach = place.on_a.distance(place.on_b);
     a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
-}
-
-/// Whether a place lies on the branch that the elements name.
-fn on_branch(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool {
-    let leaving = match (a.locus, b.locus) {
-        (Locus::Circle(first), Locus::Circle(second)) => {
-            first.axis.cross(place.on_a - first.center).dot(place.on_b - second.center)
-        }
-        (Locus::Circle(circle), Locus::Line(_, along)) => along.dot(place.on_a - circle.center),
-        (Locus::Line(_, along), Locus::Circle(circle)) => along.dot(place.on_b - circle.center),
-        _ => return true,
-    };
-    match if a.branch == Branch::Nearest { b.branch } else { a.branch } {
-        Branch::Nearest => true,
-        Branch::Exit => leaving >= 0.0,
-        Branch::Entry => leaving < 0.0,
-    }
 }
 
 /// Two curves may have passed each other: the side to which the normal points is decided by what is outside. Axes and rings

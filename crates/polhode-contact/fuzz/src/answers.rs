@@ -1,0 +1,208 @@
+//! What the second fuzz target checks: the answers of the crate agree with each other. Distance, separation and manifold
+//! of a pair do, and those of the pair with its names exchanged; rays end on surfaces and pass through none; no time of
+//! impact is late.
+
+use crate::{LARGE, Numbers, ROUNDING, Screw};
+use polhode_contact::clearance::joint_size;
+use polhode_contact::{
+    ImpactSearch, Manifold, OrientedBox, Ray, Shape, closest_point, distance, evaluate, find_impact, manifold,
+    ray_cast, separation,
+};
+use polhode_spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
+
+/// A pair in its places, and the length up to which its answers may differ, m.
+struct Pair {
+    shapes: [Shape; 2],
+    poses: [Pose; 2],
+    tolerance: f64,
+}
+
+/// Places of a ray or a motion at which it is sampled.
+const SAMPLES: u32 = 24;
+
+/// Reads bytes as two shapes, poses, a ray and velocities, and compares the answers.
+///
+/// # Panics
+/// When two answers contradict each other: a finding.
+pub fn check_answers(bytes: &[u8]) {
+    let mut numbers = Numbers(bytes.iter());
+    let (Some(a), Some(b)) = (numbers.shape(1), numbers.shape(1)) else { return };
+    let poses = [numbers.pose(), numbers.pose()];
+    let ray = UnitVector::new(numbers.vector()).ok().and_then(|along| Ray::new(numbers.vector(), along).ok());
+    let velocities = [(); 2].map(|()| Velocity::new(numbers.vector(), numbers.vector()));
+    if is_sliver(&a) || is_sliver(&b) {
+        return;
+    }
+    let length = |shape: &Shape| match shape {
+        Shape::HalfSpace(half_space) => half_space.offset().abs(),
+        _ => shape.radius(),
+    };
+    let largest = length(&a) + length(&b) + poses.iter().map(|pose| pose.translation.length()).sum::<f64>();
+    if !(largest < LARGE) {
+        return;
+    }
+    let pair = Pair { shapes: [a, b], poses, tolerance: ROUNDING * (1.0 + largest) };
+    if let Some(ray) = ray {
+        pair.check_ray(&ray);
+    }
+    pair.check_distance();
+    pair.check_mirror();
+    pair.check_impact(velocities);
+}
+
+/// So thin that its slopes are lost in rounding.
+fn is_sliver(shape: &Shape) -> bool {
+    if matches!(shape, Shape::HalfSpace(_) | Shape::Points(_) | Shape::TriangleMesh(_)) {
+        return false;
+    }
+    let parts = if let Shape::Compound(compound) = shape { compound.parts() } else { &[] };
+    let sides = OrientedBox::of(shape).map(|around| {
+        let corners = around.corners();
+        [1, 2, 4].map(|k| corners[0].distance(corners[k]))
+    });
+    sides.is_some_and(|[x, y, z]| x.min(y).min(z) < SLIVER * x.max(y).max(z)) || parts.iter().any(is_sliver)
+}
+
+/// Thinner than this part of their length, shapes are left out.
+const SLIVER: f64 = 1e-4;
+
+/// Convex, with an inside: penetration has one depth.
+fn is_convex(shape: &Shape) -> bool {
+    !matches!(shape, Shape::Torus(_) | Shape::TriangleMesh(_) | Shape::Compound(_) | Shape::Points(_))
+}
+
+/// Whether a shape or one of its parts is of a kind.
+fn any_part(shape: &Shape, is_of_kind: fn(&Shape) -> bool) -> bool {
+    match shape {
+        Shape::Compound(compound) => compound.parts().iter().any(|part| any_part(part, is_of_kind)),
+        _ => is_of_kind(shape),
+    }
+}
+
+fn has_points(shape: &Shape) -> bool {
+    any_part(shape, |part| matches!(part, Shape::Points(_)))
+}
+
+fn has_ring(shape: &Shape) -> bool {
+    any_part(shape, |part| matches!(part, Shape::Torus(_)))
+}
+
+impl Pair {
+    /// Two clouds never touch, but are as far apart as their points; a point behind a mesh lies under its outer side, also
+    /// when it came there around the border.
+    fn has_sides(&self) -> bool {
+        let sheet = |shape: &Shape| matches!(shape, Shape::TriangleMesh(_)) || has_points(shape);
+        let [a, b] = &self.shapes;
+        (has_points(a) && sheet(b)) || (sheet(a) && has_points(b))
+    }
+
+    fn check_distance(&self) {
+        let ([a, b], [pose_a, pose_b]) = (&self.shapes, &self.poses);
+        let Ok(found) = distance(a, pose_a, b, pose_b) else { return };
+        let normal = found.normal.length();
+        assert!(found.distance.is_finite() && (normal - 1.0).abs() < ROUNDING, "{found:?}");
+        let closing = found.point_b + found.normal * found.distance - found.point_a;
+        assert!(closing.length() <= self.tolerance, "points apart: {found:?}");
+        let apart = separation(a, pose_a, b, pose_b);
+        if apart.is_infinite() || self.has_sides() {
+            return;
+        }
+        assert!(apart <= found.distance.max(0.0) + self.tolerance, "separated by more: {apart} {found:?}");
+        if found.distance > self.tolerance {
+            assert!(apart > -self.tolerance, "apart and overlapping: {apart} {found:?}");
+        } else if is_convex(a) && is_convex(b) {
+            assert!((apart - found.distance).abs() <= self.tolerance, "two depths: {apart} {found:?}");
+        }
+        if let Ok(swapped) = distance(b, pose_b, a, pose_a) {
+            assert!((found.distance - swapped.distance).abs() <= self.tolerance, "swapped: {found:?} {swapped:?}");
+        }
+    }
+
+    /// The manifold with the names exchanged.
+    fn check_mirror(&self) {
+        let ([a, b], [pose_a, pose_b]) = (&self.shapes, &self.poses);
+        let reach = self.tolerance;
+        let found = manifold(a, pose_a, b, pose_b, reach);
+        let swapped = manifold(b, pose_b, a, pose_a, reach);
+        let apart = separation(a, pose_a, b, pose_b);
+        if apart <= reach {
+            assert!((found.separation - apart).abs() <= self.tolerance, "{apart} {found:?}");
+        }
+        // Which of two crossings of a ring is the exit depends on which circle is named first.
+        let ring = has_ring(a) || has_ring(b);
+        let deep = -SHALLOW * joint_size(a, b);
+        for contact in found.contacts.iter().filter(|c| !ring && c.geometry.separation > deep) {
+            let mirrored = evaluate(contact.feature.swapped(), b, pose_b, a, pose_a);
+            let mirrored = mirrored.unwrap_or_else(|| panic!("not mirrored: {contact:?}"));
+            let (one, other) = (&contact.geometry, &mirrored);
+            let same = (one.separation - other.separation).abs() <= self.tolerance
+                && one.normal.dot(other.normal) < 0.0
+                && one.point.distance(other.point) <= self.tolerance * MIRRORED;
+            assert!(same, "mirrored: {contact:?} {mirrored:?}");
+        }
+        let none = |manifold: &Manifold| manifold.contacts.is_empty();
+        // Deeper, an axis or a ring's middle line may be inside, from which no direction is the shortest.
+        if apart <= 0.0 && apart > deep {
+            assert!(!none(&found) && !none(&swapped), "{apart} {found:?} {swapped:?}");
+        }
+    }
+
+    fn check_ray(&self, ray: &Ray) {
+        for (shape, pose) in self.shapes.iter().zip(&self.poses) {
+            if matches!(shape, Shape::Points(_)) {
+                continue;
+            }
+            let tolerance = self.tolerance + ROUNDING * ray.origin().length();
+            let away = |point: DVec3| closest_point(shape, pose, point).map_or(f64::NAN, |near| near.distance);
+            let at_start = away(ray.origin());
+            let hit = ray_cast(shape, pose, ray, LARGE);
+            let end = hit.map_or(4.0 / ROUNDING * self.tolerance, |hit| hit.distance);
+            if let Some(hit) = hit {
+                assert!(hit.distance >= 0.0 && (hit.normal.length() - 1.0).abs() < ROUNDING, "{hit:?}");
+                let tolerance = tolerance + ROUNDING * hit.distance;
+                assert!(hit.feature.is_some() || (hit.distance == 0.0 && at_start <= tolerance), "{hit:?} {at_start}");
+                // The end of a ray that grazes is known to the square root.
+                assert!(hit.feature.is_none() || away(hit.point).abs() <= tolerance, "{hit:?} {}", away(hit.point));
+            }
+            if hit.is_none_or(|hit| hit.feature.is_some()) {
+                for k in 0..SAMPLES {
+                    let place = ray.at(end * f64::from(k) / f64::from(SAMPLES));
+                    assert!(!(away(place) < -tolerance), "{} inside {shape:?} before {hit:?}", away(place));
+                }
+            }
+        }
+    }
+
+    fn check_impact(&self, velocities: [Velocity; 2]) {
+        let ([a, b], [pose_a, pose_b]) = (&self.shapes, self.poses);
+        let motions = [Screw(pose_a, velocities[0]), Screw(pose_b, velocities[1])];
+        let travel: f64 = velocities.iter().map(|v| v.linear.length()).sum();
+        let turns: f64 = velocities.iter().map(|v| v.angular.length()).sum();
+        if !(travel < FASTEST && turns < FASTEST) || self.has_sides() {
+            return;
+        }
+        let tolerance = self.tolerance * (1.0 + travel + turns);
+        let apart = |t: f64| separation(a, &motions[0].pose(t), b, &motions[1].pose(t));
+        if apart(0.0) <= tolerance {
+            return;
+        }
+        let settings = ImpactSearch { max_evaluations: 1000, ..ImpactSearch::default() };
+        let Ok(report) = find_impact(a, &motions[0], b, &motions[1], 0.0, 1.0, &settings) else { return };
+        let end = report.time.unwrap_or(1.0);
+        for k in 0..SAMPLES {
+            let t = end * f64::from(k) / f64::from(SAMPLES);
+            assert!(apart(t) > -tolerance, "overlap {} at {t} before {report:?}", apart(t));
+        }
+        let touch = apart(end);
+        assert!(report.time.is_none() || touch.abs() <= tolerance, "{touch} at the impact {report:?}");
+    }
+}
+
+/// Places of contacts may differ by more than separations do: along a flat touch.
+const MIRRORED: f64 = 1e3;
+
+/// Overlaps up to this, relative to the joint size, have contacts.
+const SHALLOW: f64 = 0.01;
+
+/// Speeds and spins beyond this, m/s and rad/s, are left out.
+const FASTEST: f64 = 1e3;

@@ -1,0 +1,232 @@
+//! How long two rings stay clear of each other that are not apart as a whole: arc against arc.
+//!
+//! Linked rings, or rings that touch, have no plane between them, but two short arcs of their middle lines do
+//! (`ring_arcs.rs`), across their nearest places as those are found by going to and fro. Near a touch such planes would ask
+//! for ever shorter arcs. There the distance `D(s, u)` of the places of two arcs (arc lengths s and u) is convex: with
+//! `lambda` the least eigenvalue of its second derivatives over both arcs, `g` its gradient at one pair of places, and `L`
+//! the largest change of the rate `nu = n.(v_A - v_B)` at which two material points part per length along the arcs,
+//!
+//! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2 >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
+//!
+//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. Each pair of points parts along the
+//! direction in which it is apart now. The second derivatives are those at one pair less what they can change over the arcs.
+//!
+//! The pair of arcs that fails first is cut: both arcs in two, or the longer one.
+
+use crate::impact::impact_bounds::Window;
+use crate::impact::quadratic_bound::Quadratic;
+use crate::impact::ring_arcs::{Piece, cut_worst};
+use crate::narrow_phase::round::ring::Ring;
+use crate::shape::round::{Circles, Hull, HullPoints};
+use crate::{Shape, Side};
+use glam::DVec3;
+use polhode_spatial::Pose;
+use std::f64::consts::TAU;
+
+/// Arcs of either ring at first.
+const ARCS: u32 = 8;
+
+/// Cuts at most for one window: rings that touch while nearly in one plane have to be cut finely.
+const MOST_CUTS: u32 = 2048;
+
+/// How often the nearest places of two arcs are sought on one from that on the other.
+const ALTERNATIONS: usize = 4;
+
+/// An arc that is shorter than this part of the other is not cut with it.
+const MUCH_SHORTER: f64 = 0.5;
+
+/// Arcs along which two places may move by more than this part of their distance are judged by planes alone.
+const NEAR: f64 = 0.5;
+
+/// An arc between two angles.
+#[derive(Debug, Clone, Copy)]
+struct Arc {
+    from: f64,
+    to: f64,
+}
+
+impl Arc {
+    const fn middle(self) -> f64 {
+        0.5 * (self.from + self.to)
+    }
+
+    fn halves(self) -> [Self; 2] {
+        [Self { to: self.middle(), ..self }, Self { from: self.middle(), ..self }]
+    }
+
+    /// The angle of the arc that is nearest to an angle.
+    fn nearest(self, angle: f64) -> f64 {
+        let half = 0.5 * (self.to - self.from);
+        let off = (angle - self.middle() + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+        self.middle() + off.clamp(-half, half)
+    }
+}
+
+/// A place on an arc, in the world's directions.
+#[derive(Debug, Clone, Copy)]
+struct On {
+    /// From the body's centre of mass, m.
+    arm: DVec3,
+    tangent: DVec3,
+    /// Unit vector away from the circle's centre.
+    radial: DVec3,
+    radius: f64,
+    /// Ways to the arc's ends, backwards and forwards, m.
+    ways: [f64; 2],
+}
+
+impl On {
+    fn reach(&self) -> f64 {
+        self.ways[0].max(self.ways[1])
+    }
+
+    /// What the distance may lose along the arc to first order (m), and the part of its slope that loses more the farther
+    /// one goes: a slope that falls towards a near end counts by its loss at that end.
+    fn loss(&self, slope: f64, stiffness: f64) -> (f64, f64) {
+        let at_end = slope.abs() * if slope > 0.0 { self.ways[0] } else { self.ways[1] };
+        if at_end <= 0.5 * slope * slope / stiffness { (at_end, 0.0) } else { (0.0, slope) }
+    }
+}
+
+/// Two rings at one moment.
+pub(crate) struct RingPair<'a> {
+    /// Each in its own body's frame.
+    rings: [Ring<'a>; 2],
+    tubes: [f64; 2],
+    poses: [Pose; 2],
+}
+
+impl<'a> RingPair<'a> {
+    /// Nothing for other pairs.
+    pub(crate) fn new([a, b]: [&'a Shape; 2], poses: [Pose; 2]) -> Option<Self> {
+        let (Shape::Torus(torus_a), Shape::Torus(torus_b)) = (a, b) else { return None };
+        let rings = [Ring::new(a, &Pose::IDENTITY, b)?, Ring::new(b, &Pose::IDENTITY, a)?];
+        Some(Self { rings, tubes: [torus_a.minor, torus_b.minor], poses })
+    }
+
+    /// How long all arcs stay clear, s: at most the length of the window.
+    pub(crate) fn clear(&self, window: &mut Window<'_>) -> f64 {
+        let step = TAU / f64::from(ARCS);
+        let arcs = || (0..ARCS).map(|k| Arc { from: step * f64::from(k), to: step * f64::from(k + 1) });
+        let mut pairs = Vec::with_capacity((ARCS * ARCS) as usize);
+        for arc_a in arcs() {
+            pairs.extend(arcs().map(|arc_b| self.piece(window, [arc_a, arc_b])));
+        }
+        let length = window.length();
+        cut_worst(pairs, (length, MOST_CUTS), |&[a, b], pairs| {
+            let long = |of: usize, arc: Arc| self.rings[of].radius() * (arc.to - arc.from);
+            let (long_a, long_b) = (long(0, a), long(1, b));
+            let parts_a = if long_a < MUCH_SHORTER * long_b { vec![a] } else { a.halves().to_vec() };
+            let parts_b = if long_b < MUCH_SHORTER * long_a { vec![b] } else { b.halves().to_vec() };
+            for &part_a in &parts_a {
+                pairs.extend(parts_b.iter().map(|&part_b| self.piece(window, [part_a, part_b])));
+            }
+        })
+    }
+
+    /// Two arcs, and how long they stay clear.
+    fn piece(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> Piece<[Arc; 2]> {
+        let [a, b] = &self.rings;
+        let [pose_a, pose_b] = &self.poses;
+        // B's centre of mass as seen from A's, in the world's directions.
+        let between = pose_b.translation - pose_a.translation;
+        let mut angles = arcs.map(Arc::middle);
+        for _ in 0..ALTERNATIONS {
+            let from_a = pose_a.rotation.rotate(a.place(angles[0])) - between;
+            angles[1] = arcs[1].nearest(b.angle_of(pose_b.rotation.inverse_rotate(from_a)));
+            let from_b = pose_b.rotation.rotate(b.place(angles[1])) + between;
+            angles[0] = arcs[0].nearest(a.angle_of(pose_a.rotation.inverse_rotate(from_b)));
+        }
+        let on = [0, 1].map(|k| self.on(k, arcs[k], angles[k]));
+        let apart = on[0].arm - on[1].arm - between;
+        let Some(direction) = apart.try_normalize() else { return Piece { part: arcs, clear: 0.0 } };
+        let clear = self.beside_plane(window, arcs, direction);
+        let clear = if clear < window.length() { clear.max(self.convex(window, &on, apart)) } else { clear };
+        Piece { part: arcs, clear }
+    }
+
+    fn on(&self, which: usize, arc: Arc, angle: f64) -> On {
+        let (ring, pose) = (&self.rings[which], &self.poses[which]);
+        let radius = ring.radius();
+        let place = ring.place(angle);
+        On {
+            arm: pose.rotation.rotate(place),
+            tangent: pose.rotation.rotate(ring.tangent(angle)),
+            radial: pose.rotation.rotate((place - ring.center()) / radius),
+            radius,
+            ways: [angle - arc.from, arc.to - angle].map(|way| radius * way.max(0.0)),
+        }
+    }
+
+    /// By a plane between the two arcs.
+    fn beside_plane(&self, window: &mut Window<'_>, arcs: [Arc; 2], direction: DVec3) -> f64 {
+        let corners = [0, 1].map(|k| self.rings[k].corners(arcs[k].from, arcs[k].to));
+        let hull =
+            |k: usize| Hull { points: HullPoints::Listed(&corners[k]), circles: Circles::NONE, ball: self.tubes[k] };
+        let still = window.along_direction(direction, &hull(0), &hull(1));
+        if still >= window.length() {
+            return still;
+        }
+        still.max(window.along_turning(direction, window.turn_of(Side::A, direction), &hull(0), &hull(1)))
+    }
+
+    /// By the distance of all pairs of places, convex over both arcs.
+    fn convex(&self, window: &Window<'_>, [a, b]: &[On; 2], apart: DVec3) -> f64 {
+        let distance = apart.length();
+        let way = a.reach() + b.reach();
+        if distance.is_nan() || way > NEAR * distance {
+            return 0.0;
+        }
+        let n = apart / distance;
+        // How far the direction may turn over the arcs.
+        let aside = way / (distance - way);
+        let stiffness = least_stiffness([a, b], apart, way, aside) / (distance + way);
+        if stiffness.is_nan() || stiffness <= 0.0 {
+            return 0.0;
+        }
+        let slopes = [n.dot(a.tangent), -n.dot(b.tangent)];
+        let (losses, slopes) = ([a.loss(slopes[0], stiffness), b.loss(slopes[1], stiffness)], slopes);
+        let lost = losses[0].0 + losses[1].0;
+        let slope = libm::hypot(losses[0].1, losses[1].1);
+        let [of_a, of_b] = window.velocities();
+        let velocity = (of_a.linear - of_b.linear) + of_a.angular.cross(a.arm) - of_b.angular.cross(b.arm);
+        let (spin_a, spin_b) = (of_a.angular.length(), of_b.angular.length());
+        // Of `n.v` along the arcs: exact at the pair, and how fast that may change.
+        let first = (a.tangent - n * slopes[0]).dot(velocity) / distance + n.dot(of_a.angular.cross(a.tangent));
+        let second = (b.tangent + n * slopes[1]).dot(velocity) / distance + n.dot(of_b.angular.cross(b.tangent));
+        let (speed, least) = (velocity.length() + spin_a * a.reach() + spin_b * b.reach(), distance - way);
+        let bends = 1.0 / a.radius + 1.0 / b.radius;
+        let change = speed / least * (3.0 / least + bends)
+            + 2.0 * (spin_a + spin_b) / least
+            + spin_a / a.radius
+            + spin_b / b.radius;
+        let steepest = libm::hypot(first, second) + 2.0 * change * way;
+        let gap = Quadratic {
+            value: distance - self.tubes[0] - self.tubes[1] - lost - 0.5 * slope * slope / stiffness,
+            rate: n.dot(velocity) - slope * steepest / stiffness,
+            curvature: steepest * steepest / stiffness,
+        };
+        let arms = [0, 1].map(|k: usize| self.rings[k].center().length() + self.rings[k].radius());
+        window.between_points(gap, n, aside, arms)
+    }
+}
+
+/// Least eigenvalue of the second derivatives of the distance of two places, times the distance, over arcs along which
+/// their connection changes by `way` (m) and its direction by `aside`.
+fn least_stiffness([a, b]: [&On; 2], apart: DVec3, way: f64, aside: f64) -> f64 {
+    let distance = apart.length();
+    let n = apart / distance;
+    let (x_a, x_b) = (n.dot(a.tangent), n.dot(b.tangent));
+    let (turn_a, turn_b) = (a.reach() / a.radius, b.reach() / b.radius);
+    let (change_a, change_b) = (aside + turn_a, aside + turn_b);
+    let of_square = |x: f64, change: f64| change * (2.0 * x.abs() + change);
+    let of_bend = |on: &On, turn: f64| (way + (distance + way) * turn) / on.radius;
+    let aa = 1.0 - apart.dot(a.radial) / a.radius - x_a * x_a;
+    let bb = 1.0 + apart.dot(b.radial) / b.radius - x_b * x_b;
+    let ab = x_a * x_b - a.tangent.dot(b.tangent);
+    let change_aa = of_bend(a, turn_a) + of_square(x_a, change_a);
+    let change_bb = of_bend(b, turn_b) + of_square(x_b, change_b);
+    let change_ab = turn_a + turn_b + change_a * (x_b.abs() + change_b) + x_a.abs() * change_b;
+    let least = 0.5 * (aa + bb) - libm::hypot(0.5 * (aa - bb), ab);
+    least - change_aa.max(change_bb) - change_ab
+}
