@@ -95,7 +95,8 @@ impl Axes {
     }
 
     /// Largest separation over all axes; that of edges measured between their nearest places, where it is most accurate.
-    /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts.
+    /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts
+    /// when it is more by more than the rounding of their axis.
     pub(crate) fn separation(&self, a: &ConvexPolyhedron, pose_a: &Pose, b: &ConvexPolyhedron, pose_b: &Pose) -> f64 {
         let crossed = self.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
         self.largest(crossed.as_ref())
@@ -104,7 +105,8 @@ impl Axes {
     /// The same when the edges have been placed.
     pub(crate) fn largest(&self, crossed: Option<&CrossedEdges>) -> f64 {
         let faces = self.face_separation();
-        crossed.map(|crossed| crossed.separation).filter(|&across| across > faces).unwrap_or(faces)
+        let counts = self.edges.is_some_and(|edges| edges.separation > faces);
+        crossed.filter(|_| counts).map_or(faces, |crossed| crossed.separation.max(faces))
     }
 }
 

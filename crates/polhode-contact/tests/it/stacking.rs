@@ -1,8 +1,8 @@
 //! Symmetric stacks, the case at which general contact code fails: exact touch, every gap, every size.
 
 use crate::support::{Random, at, cuboid, prism, yaw};
-use polhode_contact::{ContactFeature, Shape, manifold};
-use polhode_spatial::{DVec3, Pose};
+use polhode_contact::{ContactFeature, Shape, manifold, separation};
+use polhode_spatial::{DVec3, Pose, Rotation};
 
 const GAPS: [f64; 9] = [1e-3, 1e-6, 1e-9, 1e-12, 0.0, -1e-12, -1e-9, -1e-6, -1e-3];
 
@@ -28,6 +28,32 @@ fn prism_on_a_wide_box() {
             }
         }
     }
+}
+
+/// A prism on another of other sides, turned as a whole: edges of the two that are far from each other and almost parallel
+/// have a common perpendicular which rounding tilts. It separates no better than the faces, and the separation is the gap.
+#[test]
+fn an_axis_of_edges_far_apart_does_not_blur_the_separation() {
+    let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, -1.1, 0.7)), DVec3::ZERO);
+    let mut worst: f64 = 0.0;
+    for size in [1e-2, 1.0, 1e4] {
+        for sides in 3..=64 {
+            let (lower, upper) = (prism(67 - sides, 0.45 * size, 0.7 * size), prism(sides, 0.5 * size, size));
+            for gap in [-1e-4, 0.0] {
+                for degrees in 0..90 {
+                    let height = DVec3::Z * (0.5 * size + 0.5 * (0.7 * size) + gap * size);
+                    let above = Pose::new(yaw(f64::from(degrees).to_radians()), height);
+                    let place = tilt * above;
+                    let measured = manifold(&upper, &place, &lower, &tilt, 0.01 * size).separation;
+                    for found in [measured, separation(&upper, &place, &lower, &tilt)] {
+                        worst = worst.max((found - gap * size).abs() / size);
+                    }
+                }
+            }
+        }
+    }
+    // Poses and normals of the tilted bodies round by some 1e-15 of their size themselves.
+    assert!(worst < 5e-15, "{worst}");
 }
 
 /// Equal cubes on each other, turned: four contacts when aligned, else the eight crossings of an octagon.
@@ -91,7 +117,7 @@ fn tiny_turns_and_tilts() {
         assert!([4, 8].contains(&turned.contacts.len()), "{exponent}: {}", turned.contacts.len());
         assert!(turned.contacts.iter().all(|c| (c.geometry.normal - DVec3::Z).length() < 1e-8), "{turned:?}");
         // Tilted by the angle about an edge, it keeps the contacts within reach and drops the others.
-        let tilt = polhode_spatial::Rotation::from_rotation_vector(DVec3::Y * angle);
+        let tilt = Rotation::from_rotation_vector(DVec3::Y * angle);
         let pose = Pose::new(tilt, DVec3::new(0.5, 0.0, 0.5) + tilt.rotate(DVec3::new(-0.5, 0.0, 0.5)));
         let tilted = manifold(&cube, &pose, &cube, &Pose::IDENTITY, 3e-8);
         let expected = if angle < 3e-8 { 4 } else { 2 };
