@@ -5,8 +5,8 @@
 use crate::{LARGE, Numbers, ROUNDING, Screw};
 use polhode_contact::clearance::joint_size;
 use polhode_contact::{
-    ImpactSearch, Manifold, OrientedBox, Ray, Shape, closest_point, distance, evaluate, find_impact, manifold,
-    ray_cast, separation,
+    ContactFeature, ImpactSearch, Manifold, OrientedBox, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate,
+    find_impact, manifold, ray_cast, separation,
 };
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
 
@@ -83,8 +83,18 @@ fn has_points(shape: &Shape) -> bool {
     any_part(shape, |part| matches!(part, Shape::Points(_)))
 }
 
-fn has_ring(shape: &Shape) -> bool {
-    any_part(shape, |part| matches!(part, Shape::Torus(_)))
+/// Named by two different branches of two circles, which may mean another place of them when they are named the other way
+/// round.
+fn has_an_order(feature: ContactFeature) -> bool {
+    use SurfaceFeature::{RimEntry, RimExit};
+    let ContactFeature::Elements { a, b } = feature else { return false };
+    matches!((a, b), (RimExit(_), RimEntry(_)) | (RimEntry(_), RimExit(_)))
+}
+
+/// Named as the nearest place of a circle, which about a common axis any of its places may be.
+fn is_nearest_rim(feature: ContactFeature) -> bool {
+    use SurfaceFeature::Rim;
+    matches!(feature, ContactFeature::Elements { a: Rim(_), .. } | ContactFeature::Elements { b: Rim(_), .. })
 }
 
 impl Pair {
@@ -128,16 +138,15 @@ impl Pair {
         if apart <= reach {
             assert!((found.separation - apart).abs() <= self.tolerance, "{apart} {found:?}");
         }
-        // Which of two crossings of a ring is the exit depends on which circle is named first.
-        let ring = has_ring(a) || has_ring(b);
         let deep = -SHALLOW * joint_size(a, b);
-        for contact in found.contacts.iter().filter(|c| !ring && c.geometry.separation > deep) {
+        for contact in found.contacts.iter().filter(|c| !has_an_order(c.feature) && c.geometry.separation > deep) {
             let mirrored = evaluate(contact.feature.swapped(), b, pose_b, a, pose_a);
             let mirrored = mirrored.unwrap_or_else(|| panic!("not mirrored: {contact:?}"));
             let (one, other) = (&contact.geometry, &mirrored);
-            let same = (one.separation - other.separation).abs() <= self.tolerance
-                && one.normal.dot(other.normal) < 0.0
-                && one.point.distance(other.point) <= self.tolerance * MIRRORED;
+            let in_place =
+                one.normal.dot(other.normal) < 0.0 && one.point.distance(other.point) <= self.tolerance * MIRRORED;
+            let same = (one.separation - other.separation).abs() <= self.tolerance;
+            let same = same && (in_place || is_nearest_rim(contact.feature));
             assert!(same, "mirrored: {contact:?} {mirrored:?}");
         }
         let none = |manifold: &Manifold| manifold.contacts.is_empty();

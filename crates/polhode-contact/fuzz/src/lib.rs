@@ -1,10 +1,12 @@
-//! What the fuzz target checks: any two shapes at any poses have a manifold, a separation and a time of impact, or a
-//! stated answer that there is none; whatever is finite keeps the crate's conventions.
+//! What the fuzz targets check. `pair`: any two shapes at any poses have a manifold, a separation and a time of impact, or a
+//! stated answer that there is none; whatever is finite keeps the crate's conventions. `answers`: distance, separation,
+//! manifold, ray and time of impact of a pair agree with each other, and with the bodies named the other way round.
 //!
-//! With cargo-fuzz, from the folder of polhode-contact, ten minutes:
+//! With cargo-fuzz, from the folder of polhode-contact, ten minutes of each:
 //!
 //! ```text
 //! cargo fuzz run -s none pair fuzz/corpus/pair fuzz/seeds/pair -- -max_total_time=600 -timeout=5 -rss_limit_mb=1024
+//! cargo fuzz run -s none answers fuzz/corpus/answers fuzz/seeds/pair -- -max_total_time=600 -timeout=60
 //! ```
 
 mod answers;

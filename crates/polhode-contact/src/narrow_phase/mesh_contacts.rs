@@ -4,7 +4,7 @@ use crate::narrow_phase::compound_surface::{Border, at_border};
 use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::face_pair;
 use crate::narrow_phase::manifold::{ALIKE, is_upward, manifold_into};
-use crate::narrow_phase::mesh_feature::{Flatness, Part, nearest_on};
+use crate::narrow_phase::mesh_feature::Flatness;
 use crate::narrow_phase::mesh_pair::{DEEPER, MeshContact};
 use crate::narrow_phase::round::gap::{Body, Gap};
 use crate::narrow_phase::round::region;
@@ -15,6 +15,7 @@ use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::round::is_round;
 use crate::shape::topology::{flat_triangle, set_flat_triangle};
+use crate::shape::triangle::{Part, from_triangle};
 use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -364,9 +365,8 @@ struct NearTriangle {
 
 impl NearTriangle {
     fn new(triangle: &Triangle, point: DVec3, side: Option<u32>, tolerance: f64) -> Self {
-        let (nearest, part) = nearest_on(triangle.corners, point);
+        let (away, part) = from_triangle(&triangle.corners, point);
         let height = triangle.normal.dot(point) - triangle.offset;
-        let away = point - nearest;
         let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
         let length = away.length();
         let over = lateral <= 8.0 * tolerance;

@@ -9,6 +9,7 @@ use crate::bounding::Bounds;
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::evaluate::{Distance, from_plane, from_point};
 use crate::shape::TriangleMesh;
+use crate::shape::triangle::{Part, from_triangle};
 use glam::DVec3;
 
 /// Distance of a place from a feature of the mesh, in the mesh's frame.
@@ -73,8 +74,8 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
         if mesh.patch_of[triangle as usize] != patch {
             return f64::INFINITY;
         }
-        let (place, part) = nearest_on(mesh.corner_places(triangle), y);
-        let distance = place.distance(y);
+        let (away, part) = from_triangle(&mesh.corner_places(triangle), y);
+        let distance = away.length();
         if distance < nearest.0 {
             nearest = (distance, Some((triangle, part)));
         }
@@ -84,49 +85,6 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
         Some((triangle, Part::Edge(k))) if mesh.rises_at(mesh.edges_of[triangle as usize][k], face) => 0.0,
         _ => -distance,
     }
-}
-
-/// Part of a triangle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Part {
-    Face,
-    /// From corner k to the next.
-    Edge(usize),
-    Corner(usize),
-}
-
-/// The nearest place of a triangle to a point, and the part it lies in. After docs/REFERENCES.md, Ericson 2005, by the
-/// Voronoi regions of corners, edges and face.
-pub(crate) fn nearest_on([a, b, c]: [DVec3; 3], p: DVec3) -> (DVec3, Part) {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return (a, Part::Corner(0));
-    }
-    let bp = p - b;
-    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return (b, Part::Corner(1));
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        return (a + ab * (d1 / (d1 - d3)), Part::Edge(0));
-    }
-    let cp = p - c;
-    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return (c, Part::Corner(2));
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        return (a + ac * (d2 / (d2 - d6)), Part::Edge(2));
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
-        return (b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))), Part::Edge(1));
-    }
-    let scale = 1.0 / (va + vb + vc);
-    (a + ab * (vb * scale) + ac * (vc * scale), Part::Face)
 }
 
 impl TriangleMesh {

@@ -1,8 +1,8 @@
 //! Two segments: their nearest places in closed form.
 
-use super::signed_distance::on_segment;
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::simplex::unit;
+use crate::shape::triangle::on_segment;
 use glam::DVec3;
 
 /// Nearest places of two segments, their distance (m), and the unit vector from the second to the first.

@@ -15,6 +15,7 @@ use super::{FeatureKind, QueryError, QueryFeature};
 use crate::bounding::Bounds;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::across;
+use crate::shape::triangle::area_vector;
 use crate::{Cone, Cylinder, Shape, Torus};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
@@ -348,7 +349,7 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
     if !(parts.iter().all(|&v| v >= 0.0) || parts.iter().all(|&v| v <= 0.0)) || total.abs() <= rounding {
         return None;
     }
-    let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    let normal = area_vector(*corners);
     let rate = normal.dot(d);
     // From the plane, which is the same for every ray; for a needle from the corners.
     let by_plane = normal.dot(from_start[0]) / rate;
@@ -372,6 +373,10 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
 fn over(along: [f64; 3], across: [DVec3; 3]) -> (f64, f64) {
     let longest = across.iter().fold(DVec3::ZERO, |most, v| if v.length() > most.length() { *v } else { most });
     let beside = across.map(|v| v.dot(longest));
+    // A ray that passes all corners on one side, which is rounding, meets the nearest one.
+    let low = beside.iter().fold(f64::INFINITY, |least, &b| least.min(b));
+    let high = beside.iter().fold(f64::NEG_INFINITY, |most, &b| most.max(b));
+    let beside = beside.map(|b| b - low.max(0.0) - high.min(0.0));
     let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);
     for (i, j) in [(0, 1), (1, 2), (2, 0)] {
         if beside[i] * beside[j] <= 0.0 && beside[i] != beside[j] {

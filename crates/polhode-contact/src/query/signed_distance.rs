@@ -8,6 +8,7 @@ use super::FeatureKind;
 use super::element::{Core, Element};
 use crate::narrow_phase::nearest_feature;
 use crate::shape::support::across;
+use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};
 use glam::DVec3;
 
@@ -25,14 +26,10 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> Signed {
     match core {
         Core::Point(p) => away(point - *p, DVec3::Z, FeatureKind::Surface),
         Core::Segment([p, q]) => {
-            let (place, kind) = on_segment(*p, *q, point);
-            away(point - place, (*q - *p).any_orthogonal_vector(), kind)
+            let (place, part) = on_segment(*p, *q, point);
+            away(point - place, (*q - *p).any_orthogonal_vector(), kind_of(part))
         }
-        Core::Triangle(corners) => {
-            let (place, kind) = on_triangle(corners, point);
-            let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-            away(point - place, normal, kind)
-        }
+        Core::Triangle(corners) => from_flat(corners, point),
         Core::Polyhedron(polyhedron) => {
             let nearest = nearest_feature(polyhedron, point, 0.0);
             let kind = match nearest.feature {
@@ -80,45 +77,33 @@ fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
     radial.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector())
 }
 
-/// Nearest place of a segment, its edge or one of its vertices.
-pub(crate) fn on_segment(p: DVec3, q: DVec3, point: DVec3) -> (DVec3, FeatureKind) {
-    let along = q - p;
-    let (from, to) = ((point - p).dot(along), (q - point).dot(along));
-    if from <= 0.0 {
-        (p, FeatureKind::Vertex(0))
-    } else if to <= 0.0 {
-        (q, FeatureKind::Vertex(1))
-    } else if from < to {
-        (p + along * (from / along.length_squared()), FeatureKind::Edge(0))
-    } else {
-        (q - along * (to / along.length_squared()), FeatureKind::Edge(0))
+/// Over the face the direction is its normal or that to the point, whichever is known better: the normal to rounding of
+/// its two shortest sides, relative to the area, the direction to rounding of the point's distance from a corner.
+fn from_flat(corners: &[DVec3; 3], point: DVec3) -> Signed {
+    let (w, part) = from_triangle(corners, point);
+    if part != Part::Face && w != DVec3::ZERO {
+        return away(w, w, kind_of(part));
     }
+    let normal = area_vector(*corners);
+    let found = away(w, normal, kind_of(part));
+    if part != Part::Face {
+        return found;
+    }
+    let [ab, bc, ca] = [0, 1, 2].map(|k: usize| corners[k].distance(corners[(k + 1) % 3]));
+    let sides = ab * bc * ca / ab.max(bc).max(ca);
+    if sides * found.distance > normal.length() * point.distance(corners[0]) {
+        return found;
+    }
+    let side = if w.dot(normal) < 0.0 { -normal } else { normal };
+    Signed { normal: side.try_normalize().unwrap_or(found.normal), ..found }
 }
 
-/// Nearest place of a triangle, which may be flat.
-fn on_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, FeatureKind) {
-    let [a, b, c] = *corners;
-    let normal = (b - a).cross(c - a);
-    let outside = |p: DVec3, q: DVec3| (q - p).cross(point - p).dot(normal) < 0.0;
-    let square = normal.length_squared();
-    if square > 0.0 && !outside(a, b) && !outside(b, c) && !outside(c, a) {
-        return (point - normal * (normal.dot(point - a) / square), FeatureKind::Face(0));
+fn kind_of(part: Part) -> FeatureKind {
+    match part {
+        Part::Face => FeatureKind::Face(0),
+        Part::Edge(k) => FeatureKind::Edge(k as u32),
+        Part::Corner(k) => FeatureKind::Vertex(k as u32),
     }
-    let mut best = (a, FeatureKind::Vertex(0));
-    let mut least = f64::INFINITY;
-    for i in 0..3 {
-        let (place, kind) = on_segment(corners[i], corners[(i + 1) % 3], point);
-        let kind = match kind {
-            FeatureKind::Vertex(end) => FeatureKind::Vertex((i as u32 + end) % 3),
-            _ => FeatureKind::Edge(i as u32),
-        };
-        let distance = place.distance(point);
-        if distance < least {
-            least = distance;
-            best = (place, kind);
-        }
-    }
-    best
 }
 
 fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> Signed {

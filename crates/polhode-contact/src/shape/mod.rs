@@ -23,6 +23,7 @@ mod sphere;
 pub(crate) mod support;
 pub(crate) mod topology;
 mod torus;
+pub(crate) mod triangle;
 pub(crate) mod triangle_mesh;
 
 pub use capsule::Capsule;

@@ -11,6 +11,7 @@ use super::Shape;
 use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
 use super::topology;
+use super::triangle::area_vector;
 use crate::bounding::{Bounds, BoxTree};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -253,7 +254,7 @@ fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, Sha
         let [a, b, c] = corners.map(|v| vertices[v as usize]);
         let longest = (b - a).length().max((c - b).length()).max((a - c).length());
         // Scaled, so that no square leaves the range.
-        let area = ((b - a) / longest).cross((c - a) / longest);
+        let area = area_vector([a, b, c].map(|corner| (corner - a) / longest));
         let height = area.length() * longest;
         if !(longest <= LARGEST_LENGTH && height > LEAST_HEIGHT * longest) {
             return Err(ShapeError::NoArea { triangle, height, longest });
@@ -331,11 +332,7 @@ fn patches(
                 }
             }
         }
-        let area = |&t: &u32| {
-            let [a, b, c] = corners(t);
-            (b - a).cross(c - a)
-        };
-        let whole: DVec3 = members.iter().map(area).sum();
+        let whole: DVec3 = members.iter().map(|&t| area_vector(corners(t))).sum();
         let normal = if members.len() > 1 { whole.try_normalize().unwrap_or(normal) } else { normal };
         let (low, high) = members
             .iter()

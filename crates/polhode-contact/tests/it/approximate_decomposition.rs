@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+use crate::support::Random;
 use polhode_contact::{ApproximateError, ApproximateSettings, approximate_decomposition};
 use polhode_mesh::{ConvexHull, SolidMesh, TriangleMesh, box_mesh, convexity};
 use polhode_spatial::DVec3;
@@ -81,13 +82,9 @@ fn settings() {
 /// The hull of polhode-mesh is that of the library behind this crate's shapes: same volume on random points.
 #[test]
 fn hulls_agree_with_the_library() {
-    let mut state = 1_u64;
-    let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((state >> 33) as u32) / f64::from(1_u32 << 30) - 1.0
-    };
+    let mut random = Random(1);
     for count in [10, 100, 1000] {
-        let points: Vec<DVec3> = (0..count).map(|_| DVec3::new(next(), next(), next())).collect();
+        let points: Vec<DVec3> = (0..count).map(|_| random.vector()).collect();
         let own = ConvexHull::of(&points).unwrap();
         let (vertices, triangles) = parry3d::transformation::try_convex_hull(&points).unwrap();
         let theirs = SolidMesh::new(TriangleMesh::new(vertices, triangles).unwrap()).unwrap();

@@ -301,3 +301,24 @@ fn almost_parallel() {
         }
     }
 }
+
+/// A capsule that is hardly longer than a ball (a fuzz finding: of one of 1e-43 m the ends fell together in the other body's
+/// frame, and it had no axis): its side touches across the axis of its own frame, at any place.
+#[test]
+fn a_short_capsule_touches_across_its_own_axis() {
+    let mut random = Random(91);
+    let post = Shape::cylinder(0.4, 1.0).expect("a cylinder");
+    for case in 0..2000 {
+        let capsule = Shape::capsule(0.3, libm::exp10(random.between(-45.0, -3.0))).expect("a capsule");
+        let [post_pose, pose] = [(); 2].map(|()| Pose::new(random.rotation(), random.vector()));
+        let sides = ContactFeature::Elements { a: SurfaceFeature::Side(0), b: SurfaceFeature::Side(0) };
+        let found = evaluate(sides, &post, &post_pose, &capsule, &pose).expect("two lines");
+        let swapped = evaluate(sides, &capsule, &pose, &post, &post_pose).expect("two lines");
+        let axes = [pose, post_pose].map(|pose| pose.rotation.rotate(DVec3::Z));
+        // Of axes that are almost parallel the normal is the less certain.
+        let rounding = 1e-14 / axes[0].cross(axes[1]).length();
+        let askew = axes.iter().map(|axis| found.normal.dot(*axis).abs()).fold(0.0, f64::max);
+        assert!(askew < rounding, "{case}: {askew} {found:?}");
+        assert!((found.normal + swapped.normal).length() < rounding, "{case}: {found:?} {swapped:?}");
+    }
+}

@@ -9,11 +9,16 @@
 //! | line along e | `e.(x - c)` | always: seen along the line, the halves of an ellipse on either side of its long axis |
 //! | side of a cone, axis e | `e.(x - c)` | in each of 400,000 random cases counted; not proved |
 //! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | where the circles cross |
+//! | of two rings, both and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | where the circles cross |
 //! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | where their planes do |
 //!
-//! Circle 1 is the one that is named (the first when both are). No length tells the places of two circles apart in every
-//! configuration: where they are tilted about one centre the third line fails, in one plane the fourth. A contact of a ring
-//! takes the first that does ([`is_told`]), and its [`margin`] ends where its own or the other place crosses the border.
+//! Circle 1 is the one that is named; of two the rim of a disc before a ring, whose axis has no outer end, and else the
+//! first. Rims that touch have opposite axes, `a_1 = -n`, and like two rings the same offset whichever is first. Only two
+//! different branches may mean another place when the bodies change names: no such pair of names stays with the one place
+//! of two equal rings that a half turn about its normal exchanges. No length tells the places of two circles apart in
+//! every configuration: where they are tilted about one centre the third line fails, in one plane the fifth. A contact of
+//! a ring takes the first that does ([`is_told`]), and its [`margin`] ends where its own or the other place crosses the
+//! border.
 
 use super::element::{Element, Locus};
 use super::pairs::Place;
@@ -65,13 +70,19 @@ impl Offset {
         let (value, radius) = match (a.locus, b.locus) {
             (Locus::Circle(first), Locus::Circle(second)) => {
                 let (arm_a, arm_b) = (place.on_a - first.center, place.on_b - second.center);
+                let of_first = (first.axis.cross(arm_a).dot(arm_b) / second.radius, first.radius);
+                let of_second = (second.axis.cross(arm_b).dot(arm_a) / first.radius, second.radius);
                 match (a.branch, b.branch) {
                     (Nearest, Nearest) => return None,
-                    (Nearest, _) => (second.axis.cross(arm_b).dot(arm_a) / first.radius, second.radius),
-                    (own, other) if other != Nearest && own != other => {
-                        (arm_a.dot(first.axis.cross(second.axis)), first.radius)
+                    (Nearest, _) => of_second,
+                    (_, Nearest) => of_first,
+                    (own, other) if own != other => (arm_a.dot(first.axis.cross(second.axis)), first.radius),
+                    _ if a.is_ring() && b.is_ring() => {
+                        let (shorter, longer) = (first.radius.min(second.radius), first.radius.max(second.radius));
+                        (place.normal.dot(arm_b.cross(arm_a)) / longer, shorter)
                     }
-                    _ => (first.axis.cross(arm_a).dot(arm_b) / second.radius, first.radius),
+                    _ if a.is_ring() => of_second,
+                    _ => of_first,
                 }
             }
             (Locus::Circle(circle), Locus::Line(_, along)) => (along.dot(place.on_a - circle.center), circle.radius),
@@ -108,12 +119,17 @@ pub(crate) fn is_named(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool 
     }
 }
 
+/// Whether two places of a circle of this radius (m) are the same.
+pub(crate) fn is_one_place(place: &Place, other: &Place, radius: f64) -> bool {
+    place.on_a.distance(other.on_a) <= ONE_PLACE * radius
+}
+
 /// The offsets of the other places of two circles. Lines and cones have but one minimum on either side.
 fn others(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> impl Iterator<Item = Offset> {
     let circles = matches!((a.locus, b.locus), (Locus::Circle(_), Locus::Circle(_)));
     all.iter().filter(move |_| circles).filter_map(move |other| {
         let offset = Offset::of(other, a, b)?;
-        (other.on_a.distance(place.on_a) > ONE_PLACE * offset.radius).then_some(offset)
+        (!is_one_place(place, other, offset.radius)).then_some(offset)
     })
 }
 

@@ -5,22 +5,21 @@
 //! almost flat along the line (small `b`) these two are the places where the line crosses the rim; they stay distinct
 //! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
 //!
-//! Two circles: one is sampled, the other's nearest point is a closed form; every minimum of the samples is polished by
-//! Newton's method in both angles on `|F|^2/2`, whose matrix is regular at crossings.
+//! Two circles: to a place of one the other's nearest is a closed form, and all places where that distance is least are
+//! found (`extrema.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
+//! crossings.
 
-use super::pairs::{Place, Places, nearest_on};
+use super::extrema::{Extremum, Height, falling_root};
+use super::pairs::{Place, Places, across, nearest_on};
 use crate::shape::round::Circle;
 use glam::DVec3;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// Parts into which each half of the circle is divided to find the minima of its distance from a line.
 const LINE_SAMPLES: usize = 16;
 
 /// How far each half reaches beyond the end of the long axis, rad: far above rounding, far below a sample.
 const OVERLAP: f64 = 1e-6;
-
-/// Places of one circle at which the distance from another is sampled.
-const CIRCLE_SAMPLES: usize = 64;
 
 /// Steps that halve a sample's angle to rounding, with room.
 const MOST_STEPS: usize = 64;
@@ -36,32 +35,6 @@ const LONGEST_TURN: f64 = 0.3;
 
 /// Part of the circle's radius below which a line is parallel to its axis or the component is rounding.
 const PARALLEL_PART: f64 = 1e-9;
-
-/// Root of a function that is positive at `left` and not at `right`: regula falsi with halving.
-pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64, most: usize) -> f64 {
-    let (mut left, mut right) = (left, right);
-    let (mut value_left, mut value_right) = (f(left), f(right));
-    for step in 0..most {
-        let width = right - left;
-        let secant = left + width * (value_left / (value_left - value_right));
-        let middle = 0.5 * (left + right);
-        let at = if step % 3 == 2 || !(secant > left && secant < right) { middle } else { secant };
-        if at <= left || at >= right {
-            break;
-        }
-        let value = f(at);
-        if value > 0.0 {
-            (left, value_left) = (at, value);
-            value_right *= 0.5;
-        } else if value < 0.0 {
-            (right, value_right) = (at, value);
-            value_left *= 0.5;
-        } else {
-            return at;
-        }
-    }
-    0.5 * (left + right)
-}
 
 /// A line (point and direction) as A and a circle as B.
 pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Places {
@@ -139,45 +112,24 @@ fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
     f / length
 }
 
-/// Two circles. Each is sampled against the other: of two minima close together one may see both, the other not, and the
-/// answer must not depend on which circle is named first.
+/// Two circles: along the first, half the square of the distance from the second, which is nearest at a closed form.
 pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
+    let east = first.axis.any_orthonormal_vector();
+    let north = first.axis.cross(east);
+    let between = first.center - second.center;
+    let linear = [east, north].map(|along| first.radius * between.dot(along));
+    let seen = [between, east * first.radius, north * first.radius].map(|v| across(second.axis, v));
     let mut found = Places::none();
-    sampled_minima(first, second, |on_first, on_second| {
-        if let Some(place) = polished(first, second, on_first, on_second) {
-            found.push(place);
-        }
-    });
-    sampled_minima(second, first, |on_second, on_first| {
-        if let Some(place) = polished(first, second, on_first, on_second) {
-            found.push(place);
+    Height::new(linear, second.radius, seen).each_extremum(|angle, extremum| {
+        if extremum == Extremum::Least {
+            let (sine, cosine) = libm::sincos(angle);
+            let on_first = first.center + (east * cosine + north * sine) * first.radius;
+            if let Some(place) = polished(first, second, on_first, nearest_on(second, on_first)) {
+                found.push(place);
+            }
         }
     });
     found
-}
-
-/// Calls `visit` with the places of every minimum of the samples of the first circle.
-fn sampled_minima(first: &Circle, second: &Circle, mut visit: impl FnMut(DVec3, DVec3)) {
-    let east = first.axis.any_orthonormal_vector();
-    let north = first.axis.cross(east);
-    let step = TAU / CIRCLE_SAMPLES as f64;
-    let point = |k: usize| {
-        let (sine, cosine) = libm::sincos(step * (k % CIRCLE_SAMPLES) as f64);
-        first.center + (east * cosine + north * sine) * first.radius
-    };
-    let distance = |k: usize| {
-        let p = point(k);
-        p.distance_squared(nearest_on(second, p))
-    };
-    let (mut before, mut here) = (distance(CIRCLE_SAMPLES - 1), distance(0));
-    for k in 0..CIRCLE_SAMPLES {
-        let after = distance(k + 1);
-        if here <= before && here < after {
-            let start = point(k);
-            visit(start, nearest_on(second, start));
-        }
-        (before, here) = (here, after);
-    }
 }
 
 /// Newton's method on `|F|^2/2` in the two angles.

@@ -99,9 +99,9 @@ impl<'a> Element<'a> {
             }
             SurfaceFeature::Cap(index) => {
                 let Shape::Capsule(c) = shape else { return None };
-                let end = pose.transform_point(*c.ends.get(index as usize)?);
-                let other = pose.transform_point(c.ends[1 - index as usize]);
-                Some(Self::new(Locus::Point(end), c.radius, Border::Cap((end - other).normalize())))
+                let (end, other) = (*c.ends.get(index as usize)?, c.ends[1 - index as usize]);
+                let outward = pose.rotation.rotate((end - other) / end.distance(other));
+                Some(Self::new(Locus::Point(pose.transform_point(end)), c.radius, Border::Cap(outward)))
             }
             SurfaceFeature::Side(0) => side(shape, pose),
             SurfaceFeature::Side(_) => None,
@@ -214,13 +214,15 @@ fn vertex<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> 
 }
 
 fn side<'a>(shape: &'a Shape, pose: &Pose) -> Option<Element<'a>> {
-    let line = |from: DVec3, to: DVec3, radius: f64| {
-        let (from, to) = (pose.transform_point(from), pose.transform_point(to));
-        let length = from.distance(to);
-        Element::new(Locus::Line(0.5 * (from + to), (to - from) / length), radius, Border::Ends(0.5 * length))
-    };
     match shape {
-        Shape::Capsule(c) => Some(line(c.ends[0], c.ends[1], c.radius)),
+        Shape::Capsule(c) => {
+            // In the capsule's own frame its ends do not fall together, however short it is.
+            let [from, to] = c.ends;
+            let length = from.distance(to);
+            let axis = pose.rotation.rotate((to - from) / length);
+            let locus = Locus::Line(pose.transform_point(0.5 * (from + to)), axis);
+            Some(Element::new(locus, c.radius, Border::Ends(0.5 * length)))
+        }
         Shape::Cylinder(c) => {
             let locus = Locus::Line(pose.transform_point(c.center), pose.rotation.rotate(c.axis));
             Some(Element::new(locus, c.radius, Border::Ends(c.half_height)))

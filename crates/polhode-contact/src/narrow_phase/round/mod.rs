@@ -5,6 +5,7 @@
 //! | `element` | the parts of surfaces that touch |
 //! | `pairs` | places where two elements stand over each other: closed forms |
 //! | `curves` | the same for a circle and a line, and for two circles |
+//! | `extrema` | the angles once around a circle or cone at which a height is least or largest |
 //! | `branch` | which of two places of a circle is meant |
 //! | `stationary` | separation and its time derivatives at such a place |
 //! | `gap` | the separating axis of two convex bodies |
@@ -16,6 +17,7 @@
 mod branch;
 pub(crate) mod curves;
 pub(crate) mod element;
+mod extrema;
 pub(crate) mod gap;
 pub(crate) mod pairs;
 pub(crate) mod region;

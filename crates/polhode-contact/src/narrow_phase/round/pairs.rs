@@ -5,11 +5,12 @@
 //!
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;
-//!  - circle and cone: one angle about the cone's axis is left, along which the separation is largest (sampled, then
-//!    halved and polished by Newton's method); line and circle, circle and circle: `curves.rs`.
+//!  - circle and cone: one angle about the cone's axis is left, along which the separation is largest (`extrema.rs`); line
+//!    and circle, circle and circle: `curves.rs`.
 
 use super::curves;
 use super::element::{ConeSide, Element, Locus};
+use super::extrema::{Extremum, Height};
 use crate::clearance::PARALLEL_SINE;
 use crate::shape::round::Circle;
 use glam::DVec3;
@@ -150,7 +151,7 @@ fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {
 
 /// The part of a vector that is perpendicular to a unit vector. What rounding leaves along the axis is taken away a second
 /// time: where the part is small it would tilt it.
-fn across(axis: DVec3, v: DVec3) -> DVec3 {
+pub(crate) fn across(axis: DVec3, v: DVec3) -> DVec3 {
     let part = v - axis * axis.dot(v);
     part - axis * axis.dot(part)
 }
@@ -224,45 +225,14 @@ fn straight((p, u, k_u): (DVec3, DVec3, f64), (q, v, k_v): (DVec3, DVec3, f64)) 
     found
 }
 
-/// Angles about a cone's axis at which the separation of a circle is sampled.
-const SAMPLES: usize = 24;
-
-/// Steps that halve an angle of a sample to rounding, with room.
-const MOST_STEPS: usize = 64;
-
-/// The separation along the cone's normal at an angle, and its derivative.
-struct AroundCone<'a> {
-    circle: &'a Circle,
-    side: &'a ConeSide,
-    first: DVec3,
-    second: DVec3,
-}
-
-impl AroundCone<'_> {
-    fn outward(&self, angle: f64) -> DVec3 {
-        let (sine, cosine) = libm::sincos(angle);
-        self.side.axis * self.side.sine + (self.first * cosine + self.second * sine) * self.side.cosine
-    }
-
-    /// The circle's nearest place along the cone's normal.
-    fn place(&self, outward: DVec3) -> DVec3 {
-        let Circle { center, axis, radius } = *self.circle;
-        let radial = across(axis, outward);
-        center - radial.try_normalize().unwrap_or(DVec3::ZERO) * radius
-    }
-
-    /// Derivative of `o.(x - apex)`: that of the normal, because x is stationary.
-    fn slope(&self, angle: f64) -> f64 {
-        let (sine, cosine) = libm::sincos(angle);
-        let turning = (self.second * cosine - self.first * sine) * self.side.cosine;
-        turning.dot(self.place(self.outward(angle)) - self.side.apex)
-    }
-}
-
 /// A rim against a cone: where the separation along the cone's normals is largest.
 fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     let mut found = Places::none();
-    stationary_on_cone(&mut found, circle, side, Wanted::Largest);
+    stationary_on_cone(circle, side, |place, extremum| {
+        if extremum == Extremum::Largest {
+            found.push(place);
+        }
+    });
     found
 }
 
@@ -271,9 +241,6 @@ fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
 /// axis, its direction across (`tau`), the circle's tangent `t` and direction `r` and the normal `o`,
 /// `d'' = cos(alpha) (t.tau)^2/rho - o.r/R`.
 fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
-    let mut stationary = Places::none();
-    stationary_on_cone(&mut stationary, circle, side, Wanted::Any);
-    stationary_on_cone(&mut stationary, &Circle { radius: -circle.radius, ..*circle }, side, Wanted::Any);
     let is_least = |place: &Place| {
         let out = (place.on_a - circle.center) / circle.radius;
         let from_axis = across(side.axis, place.on_a - side.apex);
@@ -284,41 +251,32 @@ fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
         place.normal.dot(from_axis) > 0.0 && bends - place.normal.dot(out) >= -LEVEL
     };
     let mut found = Places::none();
-    stationary.iter().filter(|place| is_least(place)).for_each(|&place| found.push(place));
+    for circle in [*circle, Circle { radius: -circle.radius, ..*circle }] {
+        stationary_on_cone(&circle, side, |place, _| {
+            if is_least(&place) {
+                found.push(place);
+            }
+        });
+    }
     found
 }
 
-/// Which stationary values are wanted.
-#[derive(Clone, Copy, PartialEq)]
-enum Wanted {
-    Largest,
-    Any,
-}
-
-fn stationary_on_cone(found: &mut Places, circle: &Circle, side: &ConeSide, wanted: Wanted) {
+/// The common normals of a circle and a cone whose separation along the cone's normals, once around, is stationary:
+/// `s = o.(c - apex) - R |a x o|`, the circle's nearest place along a normal being a closed form.
+fn stationary_on_cone(circle: &Circle, side: &ConeSide, mut visit: impl FnMut(Place, Extremum)) {
+    let Circle { center, axis, radius } = *circle;
     let first = side.axis.any_orthonormal_vector();
-    let around = AroundCone { circle, side, first, second: side.axis.cross(first) };
-    let step = std::f64::consts::TAU / SAMPLES as f64;
-    // The last sample is the first one again, with the same bits: a root right there is found once.
-    let start = around.slope(0.0);
-    let mut previous = start;
-    for k in 1..=SAMPLES {
-        let end = step * k as f64;
-        let slope = if k == SAMPLES { start } else { around.slope(end) };
-        let angle = if previous > 0.0 && slope <= 0.0 {
-            Some(curves::falling_root(end - step, end, |angle| around.slope(angle), MOST_STEPS))
-        } else if wanted == Wanted::Any && previous <= 0.0 && slope > 0.0 {
-            Some(-curves::falling_root(-end, step - end, |angle| around.slope(-angle), MOST_STEPS))
-        } else {
-            None
-        };
-        if let Some(outward) = angle.map(|angle| around.outward(angle)) {
-            let on_a = around.place(outward);
-            // The place on the cone's axis from which the normal leads to the circle.
-            let down = side.axis - outward * side.sine;
-            let axial = (on_a - side.apex).dot(down) / side.axis.dot(down);
-            found.push(Place { normal: outward, on_a, on_b: side.apex + side.axis * axial });
-        }
-        previous = slope;
-    }
+    let around = [first * side.cosine, side.axis.cross(first) * side.cosine];
+    let base = side.axis * side.sine;
+    let linear = around.map(|v| v.dot(center - side.apex));
+    let seen = [base, around[0], around[1]].map(|v| across(axis, v));
+    Height::new(linear, radius, seen).each_extremum(|angle, extremum| {
+        let (sine, cosine) = libm::sincos(angle);
+        let normal = base + around[0] * cosine + around[1] * sine;
+        let on_a = center - across(axis, normal).try_normalize().unwrap_or(DVec3::ZERO) * radius;
+        // The place on the cone's axis from which the normal leads to the circle.
+        let down = side.axis - normal * side.sine;
+        let axial = (on_a - side.apex).dot(down) / side.axis.dot(down);
+        visit(Place { normal, on_a, on_b: side.apex + side.axis * axial }, extremum);
+    });
 }

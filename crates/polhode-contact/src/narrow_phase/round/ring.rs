@@ -1,18 +1,18 @@
 //! Tori: the distance of a circle from another body, less the radius of the tube.
 //!
-//! A ring is not convex and may touch a body at several places. Along its middle line the signed distance of the other
-//! body is sampled (`ring_samples.rs`: so that no minimum is missed); every minimum is polished: as the common normal of the
-//! circle and the element that is nearest there (`pairs.rs`), or, where the nearest element changes (a corner between two
-//! of them), by a golden-section search.
+//! A ring is not convex and may touch a body at several places. Of another ring those are the common normals of the two
+//! circles. Of other bodies the signed distance is sampled along the middle line (`ring_samples.rs`: so that no minimum is
+//! missed) and every minimum is polished: as the common normals of the circle and the element that is nearest there
+//! (`pairs.rs`), or, where the nearest element changes (a corner between two of them), by a golden-section search.
 //!
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
 //! lower bound of how far the ring would have to be moved.
 
-use super::branch::{Branch, is_told};
+use super::branch::{Branch, is_one_place, is_told};
 use super::element::{Element, Locus};
 use super::gap::{self, Body, Gap};
-use super::pairs::{Place, nearest_on, places};
-use super::ring_samples::{Sample, Wanted, each_minimum_of_convex, each_minimum_of_ring};
+use super::pairs::{Place, Places, nearest_on, places};
+use super::ring_samples::{Dip, Sample, Wanted, each_minimum};
 use super::stationary::chosen;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::nearest_feature;
@@ -21,8 +21,9 @@ use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Steps of the golden-section search: each keeps 0.618 of the interval, 40 bring an angle to its square root of rounding.
-const GOLDEN_STEPS: usize = 40;
+/// Steps of the golden-section search: each keeps 0.618 of the interval, and this many bring an angle to its square root
+/// of rounding.
+const GOLDEN_STEPS: usize = 44;
 
 /// `(sqrt(5) - 1)/2`.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -66,7 +67,8 @@ pub(crate) struct Ring<'a> {
 }
 
 /// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach` (m);
-/// normals in the world. Nothing for a half-space, and when neither shape is a ring.
+/// normals in the world. Of minima beside a lower one, on another element of a convex body, some may be missing. Nothing for a
+/// half-space, and when neither shape is a ring.
 pub(crate) fn each(
     shape_a: &Shape,
     pose_a: &Pose,
@@ -196,6 +198,18 @@ impl<'a> Ring<'a> {
     }
 
     fn each_minimum(&self, x: &Pose, shape: &Shape, reach: f64, mut report: impl FnMut(Gap)) {
+        if let Shape::Torus(_) = self.other {
+            let mut found = false;
+            self.each_common_normal(x, shape, SurfaceFeature::Rim(0), |_, gap| {
+                found = true;
+                report(gap);
+            });
+            // About one axis all places are as near.
+            if !found {
+                report(self.corner(0.0));
+            }
+            return;
+        }
         let sample = |angle: f64| {
             let place = self.place(angle);
             let FromPoint { distance, feature, normal } = self.nearest(place);
@@ -203,49 +217,61 @@ impl<'a> Ring<'a> {
         };
         let wanted = Wanted { reach: reach + self.tube, tolerance: self.tolerance };
         let mut best = f64::INFINITY;
-        let visit = |lowest: &Sample, width: f64, least: f64| {
+        let mut seen = None;
+        each_minimum(&self.circle, sample, wanted, |dip, lowest: &Sample, width: f64, least: f64| {
             best = best.min(least);
             // The distance changes no faster than the place moves.
             if lowest.distance - self.circle.radius * width <= best.max(wanted.reach) {
-                let gap = self.polished(x, shape, lowest.angle, width);
-                best = best.min(gap.separation + self.tube);
-                report(gap);
+                let mut visit = |gap: Gap| {
+                    best = best.min(gap.separation + self.tube);
+                    report(gap);
+                };
+                match dip {
+                    Dip::Sampled => self.polished(x, shape, (lowest.angle, width), visit),
+                    Dip::Hidden if seen == Some(lowest.feature) => {}
+                    Dip::Hidden => self.each_common_normal(x, shape, lowest.feature, |_, gap| visit(gap)),
+                }
+                seen = Some(lowest.feature);
             }
+        });
+    }
+
+    /// Reports the minimum at a sampled angle, no farther from it than the next samples, and others of the same element.
+    fn polished(&self, x: &Pose, shape: &Shape, (angle, step): (f64, f64), mut report: impl FnMut(Gap)) {
+        let sampled = self.place(angle);
+        let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
+        let mut found = false;
+        let mut visit = |feature: SurfaceFeature| {
+            self.each_common_normal(x, shape, feature, |place, gap| {
+                found |= place.on_a.distance(sampled) <= close;
+                report(gap);
+            });
+            found
         };
-        match self.other {
-            Shape::Torus(_) => each_minimum_of_ring(sample, wanted, visit),
-            _ => each_minimum_of_convex(&self.circle, sample, wanted, visit),
+        // First with the element that is nearest at the sample, then, further down, at the minimum.
+        if visit(self.nearest(sampled).feature) {
+            return;
+        }
+        let lowest = self.golden(angle, step);
+        if !visit(self.nearest(self.place(lowest)).feature) {
+            report(self.corner(lowest));
         }
     }
 
-    /// The minimum near a sampled angle, no farther from it than the next samples.
-    fn polished(&self, x: &Pose, shape: &Shape, angle: f64, step: f64) -> Gap {
-        let sampled = self.place(angle);
-        let mut from = self.nearest(sampled);
-        let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
-        // First as a common normal with the element that is nearest at the sample, then, further down, at the minimum.
-        for _ in 0..2 {
-            if let Some(gap) = self.common_normal(x, shape, (sampled, close), from.feature) {
-                return gap;
-            }
-            from = self.nearest(self.place(self.golden(angle - step, angle + step)));
-        }
+    /// The contact at an angle that is no common normal.
+    fn corner(&self, angle: f64) -> Gap {
+        let from = self.nearest(self.place(angle));
         let separation = from.distance - self.tube;
         Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }
     }
 
-    /// The common normal of the middle line and an element of the other body, at most `close` (m) from a place, named so
-    /// that it is told from others of the two.
-    fn common_normal(
-        &self,
-        x: &Pose,
-        shape: &Shape,
-        (sampled, close): (DVec3, f64),
-        feature: SurfaceFeature,
-    ) -> Option<Gap> {
+    /// Calls `visit` with the common normals of the middle line and an element of the other body where that is the nearest,
+    /// each named so that it is told from others of the two.
+    fn each_common_normal(&self, x: &Pose, shape: &Shape, feature: SurfaceFeature, mut visit: impl FnMut(&Place, Gap)) {
         use Branch::{Entry, Exit, Nearest};
-        let rim = Element::of(shape, SurfaceFeature::Rim(0), x)?;
-        let element = Element::of(self.other, feature, &Pose::IDENTITY)?;
+        let elements =
+            (Element::of(shape, SurfaceFeature::Rim(0), x), Element::of(self.other, feature, &Pose::IDENTITY));
+        let (Some(rim), Some(element)) = elements else { return };
         let all = places(&rim, &element);
         // The element is the nearest at its place, and on the side that the place says.
         let consistent = |place: &Place| {
@@ -254,39 +280,43 @@ impl<'a> Ring<'a> {
         };
         let round = matches!(feature, SurfaceFeature::Rim(_));
         let names = [[Exit, Nearest], [Entry, Nearest], [Exit, Entry], [Entry, Exit], [Nearest; 2]];
-        names.into_iter().filter(|&[_, other]| round || other == Nearest).find_map(|[own, other]| {
+        let mut known = Places::none();
+        for [own, other] in names.into_iter().filter(|&[_, other]| round || other == Nearest) {
             let (rim, element) = (Element { branch: own, ..rim }, Element { branch: other, ..element });
-            let place = chosen(&all, &rim, &element)?;
-            let fits = place.on_a.distance(sampled) <= close && is_told(&place, &all, &rim, &element);
-            (fits && consistent(&place)).then(|| Gap {
+            let told = chosen(&all, &rim, &element).filter(|place| is_told(place, &all, &rim, &element));
+            let Some(place) = told else { continue };
+            if known.iter().any(|known| is_one_place(known, &place, self.circle.radius)) || !consistent(&place) {
+                continue;
+            }
+            known.push(place);
+            let gap = Gap {
                 separation: place.separation(&rim, &element),
                 normal: place.normal,
                 a: own.of_rim(0),
                 b: if let SurfaceFeature::Rim(index) = feature { other.of_rim(index) } else { feature },
                 tolerance: self.tolerance,
-            })
-        })
+            };
+            visit(&place, gap);
+        }
     }
 
-    /// Golden-section search for the least distance between two angles.
-    fn golden(&self, left: f64, right: f64) -> f64 {
+    /// Golden-section search for a least distance no farther than `step` from an angle, and no higher than there.
+    fn golden(&self, angle: f64, step: f64) -> f64 {
         let value = |angle: f64| self.nearest(self.place(angle)).distance;
-        let (mut left, mut right) = (left, right);
-        let (mut low, mut high) = (right - GOLDEN * (right - left), left + GOLDEN * (right - left));
-        let (mut value_low, mut value_high) = (value(low), value(high));
+        let [mut left, mut lowest, mut right] = [angle - step, angle, angle + step];
+        let mut least = value(lowest);
         for _ in 0..GOLDEN_STEPS {
-            if value_low <= value_high {
-                right = high;
-                (high, value_high) = (low, value_low);
-                low = right - GOLDEN * (right - left);
-                value_low = value(low);
+            let farther = if right - lowest > lowest - left { right } else { left };
+            let new = lowest + (1.0 - GOLDEN) * (farther - lowest);
+            let found = value(new);
+            let (kept, bound) = if found < least { (new, lowest) } else { (lowest, new) };
+            if bound < kept {
+                left = bound;
             } else {
-                left = low;
-                (low, value_low) = (high, value_high);
-                high = left + GOLDEN * (right - left);
-                value_high = value(high);
+                right = bound;
             }
+            (lowest, least) = (kept, least.min(found));
         }
-        0.5 * (left + right)
+        lowest
     }
 }

@@ -4,13 +4,11 @@
 //! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
 //! between two samples the larger of their two cosines bounds the distance from below. A stretch whose bound lies below what
 //! is asked for, and below the distance at both of its ends, is divided where the bound is least, until one element of the
-//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle. The places to which one element of a
+//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that element's,
+//! which are known otherwise. The places to which one element of a
 //! convex body is nearest form a convex set, which holds the chord of the stretch, but for its arc, which strays from the chord
 //! by 0.002 of the radius at most, that is no proof: an element that reaches in between may be overlooked. Fails too where
 //! more than [`MOST`] divisions would be needed.
-//!
-//! The distance from another ring is not convex: there the circle is sampled at [`EQUAL`] equal steps, and two minima
-//! nearer to each other than an eighth of a radian may be taken for one.
 
 use crate::SurfaceFeature;
 use crate::shape::round::Circle;
@@ -20,8 +18,8 @@ use std::f64::consts::{PI, TAU};
 /// Samples at the beginning: stretches are shorter than the half circle that two cosines can bound.
 const FIRST: usize = 16;
 
-/// Samples of the distance from another ring, and stretches of the circle that may see one element.
-const EQUAL: usize = 48;
+/// Parts of the circle that are not divided further when both of their ends see one element.
+const FINE: u32 = 48;
 
 /// Most divisions within each other; beyond, angles are no longer told apart.
 const DEEPEST: usize = 64;
@@ -58,13 +56,30 @@ pub(crate) struct Wanted {
     pub(crate) tolerance: f64,
 }
 
+/// How a minimum shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dip {
+    /// The samples fall and rise again.
+    Sampled,
+    /// There may be one of the element that both ends of a stretch see.
+    Hidden,
+}
+
+/// What becomes of a stretch.
+enum Stretch {
+    Divided(Sample),
+    /// Its bound lies below both ends, but one element is all that is seen.
+    OfOneElement,
+    Seen,
+}
+
 /// Calls `visit` with the minima of the distance from a convex body, as samples, with the angle to the farther one of the
 /// samples beside each and the least distance known so far.
-pub(crate) fn each_minimum_of_convex(
+pub(crate) fn each_minimum(
     circle: &Circle,
     sample: impl Fn(f64) -> Sample,
     wanted: Wanted,
-    visit: impl FnMut(&Sample, f64, f64),
+    visit: impl FnMut(Dip, &Sample, f64, f64),
 ) {
     let first: [Sample; FIRST] = equal(&sample);
     let mut least = first.iter().map(|sample| sample.distance).fold(f64::INFINITY, f64::min);
@@ -73,27 +88,21 @@ pub(crate) fn each_minimum_of_convex(
         let (bound, angle) = least_between(from, to, circle);
         let width = to.angle - from.angle;
         let unseen = bound < from.distance.min(to.distance) - wanted.tolerance && bound < least.max(wanted.reach);
-        let of_one_element = from.feature == to.feature && width <= TAU / EQUAL as f64;
-        (unseen && !of_one_element && width > SHORTEST && divisions < MOST).then(|| {
-            divisions += 1;
-            // Well inside, so that both parts are a good deal shorter where the bound is least at an end.
-            let margin = width * LEAST_PART;
-            let new = sample(angle.clamp(from.angle + margin, to.angle - margin));
-            least = least.min(new.distance);
-            new
-        })
+        let of_one_element = from.feature == to.feature && width <= TAU / f64::from(FINE);
+        if !unseen || width <= SHORTEST || divisions >= MOST {
+            return Stretch::Seen;
+        }
+        if of_one_element {
+            return Stretch::OfOneElement;
+        }
+        divisions += 1;
+        // Well inside, so that both parts are a good deal shorter where the bound is least at an end.
+        let margin = width * LEAST_PART;
+        let new = sample(angle.clamp(from.angle + margin, to.angle - margin));
+        least = least.min(new.distance);
+        Stretch::Divided(new)
     };
     walk(&first, wanted, divide, visit);
-}
-
-/// The same for the distance from another ring.
-pub(crate) fn each_minimum_of_ring(
-    sample: impl Fn(f64) -> Sample,
-    wanted: Wanted,
-    visit: impl FnMut(&Sample, f64, f64),
-) {
-    let samples: [Sample; EQUAL] = equal(&sample);
-    walk(&samples, wanted, |_, _| None, visit);
 }
 
 fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
@@ -105,20 +114,14 @@ fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
 fn walk(
     samples: &[Sample],
     wanted: Wanted,
-    mut divide: impl FnMut(&Sample, &Sample) -> Option<Sample>,
-    mut visit: impl FnMut(&Sample, f64, f64),
+    mut divide: impl FnMut(&Sample, &Sample) -> Stretch,
+    mut visit: impl FnMut(Dip, &Sample, f64, f64),
 ) {
     let Some(&first) = samples.first() else { return };
-    let mut least = samples.iter().map(|sample| sample.distance).fold(f64::INFINITY, f64::min);
     let (mut lowest, mut highest) = (first.distance, first.distance);
-    let mut offer = |before: &Sample, at: &Sample, after: &Sample| {
-        let lower = at.distance <= before.distance && at.distance < after.distance;
-        least = least.min(at.distance);
-        if lower {
-            visit(at, (at.angle - before.angle).max(after.angle - at.angle), least);
-        }
-        lower
-    };
+    let mut least = samples.iter().map(|sample| sample.distance).fold(f64::INFINITY, f64::min);
+    let is_lowest = |[before, at, after]: [&Sample; 3]| at.distance <= before.distance && at.distance < after.distance;
+    let width = |[before, at, after]: [&Sample; 3]| (at.angle - before.angle).max(after.angle - at.angle);
     let turned = |sample: &Sample, by: f64| Sample { angle: sample.angle + by, ..*sample };
     let mut ends = [first; DEEPEST];
     let (mut before, mut from, mut second) = (None, first, None);
@@ -127,27 +130,36 @@ fn walk(
         let mut count = 1;
         while count > 0 {
             let to = ends[count - 1];
-            if count < DEEPEST
-                && let Some(new) = divide(&from, &to)
-            {
-                ends[count] = new;
-                count += 1;
-                continue;
+            match divide(&from, &to) {
+                Stretch::Divided(new) if count < DEEPEST => {
+                    ends[count] = new;
+                    count += 1;
+                    continue;
+                }
+                Stretch::OfOneElement => {
+                    let lower = if from.distance < to.distance { &from } else { &to };
+                    visit(Dip::Hidden, lower, to.angle - from.angle, least);
+                }
+                _ => {}
             }
             count -= 1;
-            match before {
-                Some(before) => _ = offer(&before, &from, &to),
-                None => second = Some(to),
+            least = least.min(to.distance);
+            if second.is_none() {
+                second = Some(to);
+            }
+            if let Some(three) = before.as_ref().map(|before| [before, &from, &to]).filter(|&three| is_lowest(three)) {
+                visit(Dip::Sampled, &from, width(three), least);
             }
             (lowest, highest) = (lowest.min(to.distance), highest.max(to.distance));
             (before, from) = (Some(from), to);
         }
     }
     let (Some(last), Some(second)) = (before, second) else { return };
-    let is_minimum = offer(&turned(&last, -TAU), &first, &second);
+    let last = turned(&last, -TAU);
+    let three = [&last, &first, &second];
     // All equal: a ring that lies flat on a face.
-    if !is_minimum && highest - lowest <= wanted.tolerance {
-        visit(&first, second.angle - first.angle, lowest);
+    if is_lowest(three) || highest - lowest <= wanted.tolerance {
+        visit(Dip::Sampled, &first, width(three), least);
     }
 }
 

@@ -1,0 +1,204 @@
+//! All angles about an axis at which a height is least or largest, for the heights that circles and cones ask for:
+//!
+//! `h(t) = p cos t + q sin t - k |m + c cos t + s sin t|`,
+//!
+//! half the square of the distance of a circle's place at `t` from the nearest place of another circle (`m + c cos t +
+//! s sin t` the place as seen along the other's axis, `k` the other's radius), or the separation of a circle from a cone
+//! along the cone's normal at `t`. Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`: there are at
+//! most eight.
+//!
+//! Places on the way to merge lie as close together as one likes, so that no number of samples is enough. A stretch of
+//! half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, and
+//! at most one when `|h''(t)| > M w`; else it is halved. `M` comes from the harmonics of the square of the length, so
+//! that it is as small as `h'` itself where the height hardly changes all round.
+//!
+//! Stretches below [`NARROWEST`] and more than [`MOST_STRETCHES`] at once (heights that are level to rounding) are judged
+//! by the slopes at their ends alone.
+
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// Stretches at first.
+const FIRST: u32 = 16;
+
+/// Most stretches of one width that are open at once: those about eight angles, some to either side.
+const MOST_STRETCHES: usize = 48;
+
+/// Parts of a turn below which a stretch is not halved: places so close have the same height to rounding.
+const NARROWEST: f64 = 1e-9;
+
+/// Most angles there are.
+const MOST_EXTREMA: u32 = 8;
+
+/// Steps that halve a stretch to rounding, with room.
+const MOST_STEPS: usize = 64;
+
+/// What a height is at an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Extremum {
+    Least,
+    Largest,
+}
+
+/// A height as in the module's formula.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Height {
+    /// `p` and `q`.
+    linear: [f64; 2],
+    /// `k`.
+    weight: f64,
+    middle: DVec3,
+    cosine: DVec3,
+    sine: DVec3,
+    /// Bounds of the first three derivatives of the square of the length.
+    of_square: [f64; 3],
+}
+
+/// Parts of a turn.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    from: f64,
+    width: f64,
+}
+
+/// What is known of the extrema in a stretch.
+enum Holds {
+    None,
+    AtMostOne,
+    Unknown,
+}
+
+impl Height {
+    /// `linear` times cosine and sine, less `weight` times the length of a vector with these parts.
+    pub(crate) fn new(linear: [f64; 2], weight: f64, [middle, cosine, sine]: [DVec3; 3]) -> Self {
+        let once = 2.0 * libm::hypot(middle.dot(cosine), middle.dot(sine));
+        let twice = libm::hypot(0.5 * (cosine.length_squared() - sine.length_squared()), cosine.dot(sine));
+        let of_square = [2.0, 4.0, 8.0].map(|factor| once + factor * twice);
+        Self { linear, weight, middle, cosine, sine, of_square }
+    }
+
+    /// First and second derivative at an angle, and the square of the length.
+    fn derivatives(&self, angle: f64) -> (f64, f64, f64) {
+        let (sine, cosine) = libm::sincos(angle);
+        let turning = self.sine * cosine - self.cosine * sine;
+        let bending = -(self.cosine * cosine + self.sine * sine);
+        let vector = self.middle - bending;
+        let square = vector.length_squared();
+        let length = square.sqrt();
+        let along = vector.dot(turning);
+        let (slope, bend) = if length > 0.0 {
+            let slope = along / length;
+            (slope, (turning.length_squared() + vector.dot(bending) - slope * slope) / length)
+        } else {
+            (0.0, 0.0)
+        };
+        let [p, q] = self.linear;
+        (q * cosine - p * sine - self.weight * slope, -(p * cosine + q * sine) - self.weight * bend, square)
+    }
+
+    fn slope(&self, angle: f64) -> f64 {
+        self.derivatives(angle).0
+    }
+
+    /// Bound of the third derivative where the square of the length is at least `square`.
+    fn steepest(&self, square: f64) -> f64 {
+        if square <= 0.0 {
+            return f64::INFINITY;
+        }
+        let [first, second, third] = self.of_square;
+        let length = square.sqrt();
+        let of_length = (0.5 * third + (0.75 * second + 0.375 * first * first / square) * first / square) / length;
+        libm::hypot(self.linear[0], self.linear[1]) + self.weight.abs() * of_length
+    }
+
+    fn judge(&self, stretch: Stretch) -> Holds {
+        let half = 0.5 * stretch.width;
+        let (slope, bend, square) = self.derivatives(TAU * (stretch.from + half));
+        let reach = TAU * half;
+        let steepest = self.steepest(square - self.of_square[0] * reach);
+        if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
+            Holds::None
+        } else if bend.abs() > steepest * reach {
+            Holds::AtMostOne
+        } else {
+            Holds::Unknown
+        }
+    }
+
+    /// The extremum in a stretch that has at most one.
+    fn within(&self, stretch: Stretch) -> Option<(f64, Extremum)> {
+        let (from, to) = (TAU * stretch.from, TAU * (stretch.from + stretch.width));
+        // The end of the last stretch is the start of the first one, with the same bits: an angle right there is found once.
+        let end = if stretch.from + stretch.width == 1.0 { 0.0 } else { to };
+        let (before, after) = (self.slope(from), self.slope(end));
+        if before > 0.0 && after <= 0.0 {
+            Some((falling_root(from, to, |angle| self.slope(angle), MOST_STEPS), Extremum::Largest))
+        } else if before <= 0.0 && after > 0.0 {
+            Some((-falling_root(-to, -from, |angle| self.slope(-angle), MOST_STEPS), Extremum::Least))
+        } else {
+            None
+        }
+    }
+
+    /// Calls `visit` with the angles, in no order.
+    pub(crate) fn each_extremum(&self, mut visit: impl FnMut(f64, Extremum)) {
+        let mut found = 0;
+        let mut report = |stretch: Stretch| {
+            if found < MOST_EXTREMA
+                && let Some((angle, extremum)) = self.within(stretch)
+            {
+                found += 1;
+                visit(angle, extremum);
+            }
+        };
+        let width = f64::from(FIRST).recip();
+        let mut open = [Stretch { from: 0.0, width }; MOST_STRETCHES];
+        let mut count = FIRST as usize;
+        for (k, stretch) in open[..count].iter_mut().enumerate() {
+            stretch.from = width * k as f64;
+        }
+        while count > 0 {
+            let mut narrower = open;
+            let mut left = 0;
+            for stretch in &open[..count] {
+                match self.judge(*stretch) {
+                    Holds::None => {}
+                    Holds::Unknown if stretch.width > NARROWEST && left + 2 <= MOST_STRETCHES => {
+                        let width = 0.5 * stretch.width;
+                        narrower[left] = Stretch { width, ..*stretch };
+                        narrower[left + 1] = Stretch { from: stretch.from + width, width };
+                        left += 2;
+                    }
+                    Holds::AtMostOne | Holds::Unknown => report(*stretch),
+                }
+            }
+            (open, count) = (narrower, left);
+        }
+    }
+}
+
+/// Root of a function that is positive at `left` and not at `right`: regula falsi with halving.
+pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64, most: usize) -> f64 {
+    let (mut left, mut right) = (left, right);
+    let (mut value_left, mut value_right) = (f(left), f(right));
+    for step in 0..most {
+        let width = right - left;
+        let secant = left + width * (value_left / (value_left - value_right));
+        let middle = 0.5 * (left + right);
+        let at = if step % 3 == 2 || !(secant > left && secant < right) { middle } else { secant };
+        if at <= left || at >= right {
+            break;
+        }
+        let value = f(at);
+        if value > 0.0 {
+            (left, value_left) = (at, value);
+            value_right *= 0.5;
+        } else if value < 0.0 {
+            (right, value_right) = (at, value);
+            value_left *= 0.5;
+        } else {
+            return at;
+        }
+    }
+    0.5 * (left + right)
+}
