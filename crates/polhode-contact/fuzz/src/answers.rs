@@ -79,6 +79,13 @@ fn any_part(shape: &Shape, is_of_kind: fn(&Shape) -> bool) -> bool {
     }
 }
 
+/// Of a compound the part that extends the least, of others the shape.
+fn smallest_part(shape: &Shape) -> &Shape {
+    let parts = if let Shape::Compound(compound) = shape { compound.parts() } else { &[] };
+    let extended = parts.iter().map(smallest_part).filter(|part| part.size() > 0.0);
+    extended.min_by(|p, q| p.size().total_cmp(&q.size())).unwrap_or(shape)
+}
+
 fn has_points(shape: &Shape) -> bool {
     any_part(shape, |part| matches!(part, Shape::Points(_)))
 }
@@ -138,7 +145,7 @@ impl Pair {
         if apart <= reach {
             assert!((found.separation - apart).abs() <= self.tolerance, "{apart} {found:?}");
         }
-        let deep = -SHALLOW * joint_size(a, b);
+        let deep = -SHALLOW * joint_size(smallest_part(a), smallest_part(b));
         for contact in found.contacts.iter().filter(|c| !has_an_order(c.feature) && c.geometry.separation > deep) {
             let mirrored = evaluate(contact.feature.swapped(), b, pose_b, a, pose_a);
             let mirrored = mirrored.unwrap_or_else(|| panic!("not mirrored: {contact:?}"));
@@ -210,7 +217,8 @@ impl Pair {
 /// Places of contacts may differ by more than separations do: along a flat touch.
 const MIRRORED: f64 = 1e3;
 
-/// Overlaps up to this, relative to the joint size, have contacts.
+/// Overlaps up to this, relative to the joint size of the smallest parts, have contacts: in a thin part of a compound a body
+/// may be on its axis though it is not deep in the compound.
 const SHALLOW: f64 = 0.01;
 
 /// Speeds and spins beyond this, m/s and rad/s, are left out.

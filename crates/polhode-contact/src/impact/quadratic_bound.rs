@@ -33,6 +33,11 @@ impl Quadratic {
         Self { value: factor * self.value, rate: factor * self.rate, curvature: factor * self.curvature }
     }
 
+    /// Whether its computation has not overflowed: infinite bounds prove nothing.
+    fn is_finite(&self) -> bool {
+        (self.value.abs() + self.rate.abs() + self.curvature).is_finite()
+    }
+
     /// The positive root when the value at zero is positive; infinite when there is none.
     pub(crate) fn first_root(self) -> f64 {
         if self.value.is_nan() || self.value <= 0.0 {
@@ -61,9 +66,12 @@ const MAX_ROUNDS: usize = 64;
 /// L's; when the same ones are least at that root, it is L's.
 pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
     let at = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s));
+    if ![first, second].into_iter().flatten().chain([&base]).all(Quadratic::is_finite) {
+        return 0.0;
+    }
     // Hulls that do not separate now may do so later: a gap that opens was not open all along.
     let start = at(0.0).value;
-    if start.is_nan() || start <= 0.0 {
+    if start <= 0.0 {
         return 0.0;
     }
     let mut s = window;

@@ -116,9 +116,10 @@ impl<'a> RingPair<'a> {
         cut_worst(pairs, (length, MOST_CUTS), |&[a, b], pairs| {
             let long = |of: usize, arc: Arc| self.rings[of].radius() * (arc.to - arc.from);
             let (long_a, long_b) = (long(0, a), long(1, b));
-            let parts_a = if long_a < MUCH_SHORTER * long_b { vec![a] } else { a.halves().to_vec() };
-            let parts_b = if long_b < MUCH_SHORTER * long_a { vec![b] } else { b.halves().to_vec() };
-            for &part_a in &parts_a {
+            let (halves_a, halves_b) = (a.halves(), b.halves());
+            let parts_a = if long_a < MUCH_SHORTER * long_b { &[a][..] } else { &halves_a };
+            let parts_b = if long_b < MUCH_SHORTER * long_a { &[b][..] } else { &halves_b };
+            for &part_a in parts_a {
                 pairs.extend(parts_b.iter().map(|&part_b| self.piece(window, [part_a, part_b])));
             }
         })
@@ -185,9 +186,8 @@ impl<'a> RingPair<'a> {
             return 0.0;
         }
         let slopes = [n.dot(a.tangent), -n.dot(b.tangent)];
-        let (losses, slopes) = ([a.loss(slopes[0], stiffness), b.loss(slopes[1], stiffness)], slopes);
-        let lost = losses[0].0 + losses[1].0;
-        let slope = libm::hypot(losses[0].1, losses[1].1);
+        let [(lost_a, slope_a), (lost_b, slope_b)] = [a.loss(slopes[0], stiffness), b.loss(slopes[1], stiffness)];
+        let slope = libm::hypot(slope_a, slope_b);
         let [of_a, of_b] = window.velocities();
         let velocity = (of_a.linear - of_b.linear) + of_a.angular.cross(a.arm) - of_b.angular.cross(b.arm);
         let (spin_a, spin_b) = (of_a.angular.length(), of_b.angular.length());
@@ -202,7 +202,7 @@ impl<'a> RingPair<'a> {
             + spin_b / b.radius;
         let steepest = libm::hypot(first, second) + 2.0 * change * way;
         let gap = Quadratic {
-            value: distance - self.tubes[0] - self.tubes[1] - lost - 0.5 * slope * slope / stiffness,
+            value: distance - self.tubes[0] - self.tubes[1] - lost_a - lost_b - 0.5 * slope * slope / stiffness,
             rate: n.dot(velocity) - slope * steepest / stiffness,
             curvature: steepest * steepest / stiffness,
         };

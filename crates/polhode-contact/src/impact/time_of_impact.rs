@@ -494,7 +494,8 @@ impl Search<'_> {
         let [a, b] = self.shapes;
         let apart = (now.poses[0].translation - now.poses[1].translation).length();
         let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
-        let step = (now.separation / speed).max(self.center_clear_of_ring(now, window, speed));
+        // The speed is the largest in the window, which says nothing of later.
+        let step = (now.separation / speed).min(window.length()).max(self.center_clear_of_ring(now, window, speed));
         let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
         let step = step.max(self.clear_beside_lines(now, window, &gap));
         if step >= window.length() {

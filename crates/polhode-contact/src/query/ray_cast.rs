@@ -359,7 +359,7 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
         (along[0] * parts[0] + along[1] * parts[1] + along[2] * parts[2]) / total
     };
     // Where the ray all but lies in the plane that is known badly, but no farther than the triangle goes.
-    let (nearest, farthest) = over(along, [p, q, r]);
+    let (nearest, farthest) = over(along, [p, q, r], rounding);
     let t = t.max(nearest).min(farthest);
     if !(t >= 0.0 && t.is_finite()) {
         return None;
@@ -369,17 +369,21 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
 }
 
 /// From where to where along a ray a triangle lies over it, seen from the side on which it is longest: of its corners what
-/// they have along the ray, and across it.
-fn over(along: [f64; 3], across: [DVec3; 3]) -> (f64, f64) {
+/// they have along the ray, and across it. Corners that are seen on the ray to `rounding` (m^2, the longest times what they
+/// are off) are on it, and with two of them all of their side.
+fn over(along: [f64; 3], across: [DVec3; 3], rounding: f64) -> (f64, f64) {
     let longest = across.iter().fold(DVec3::ZERO, |most, v| if v.length() > most.length() { *v } else { most });
     let beside = across.map(|v| v.dot(longest));
     // A ray that passes all corners on one side, which is rounding, meets the nearest one.
     let low = beside.iter().fold(f64::INFINITY, |least, &b| least.min(b));
     let high = beside.iter().fold(f64::NEG_INFINITY, |most, &b| most.max(b));
     let beside = beside.map(|b| b - low.max(0.0) - high.min(0.0));
+    let beside = beside.map(|b| if b.abs() <= rounding { 0.0 } else { b });
     let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);
     for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-        if beside[i] * beside[j] <= 0.0 && beside[i] != beside[j] {
+        if beside[i] == 0.0 {
+            (nearest, farthest) = (nearest.min(along[i]), farthest.max(along[i]));
+        } else if beside[i] * beside[j] < 0.0 {
             let crossing = along[i] + (along[j] - along[i]) * (beside[i] / (beside[i] - beside[j]));
             (nearest, farthest) = (nearest.min(crossing), farthest.max(crossing));
         }

@@ -15,7 +15,9 @@
 //! 15 on rim 1, of a cone 1 to 8; of a torus 0 to 7 on its middle line (centres of balls
 //! that just fill the tube).
 
+use super::support::across;
 use crate::Shape;
+use crate::narrow_phase::simplex::unit;
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -195,8 +197,7 @@ pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
     };
     points.iter().copied().for_each(&mut offer);
     for circle in circles(shape).iter() {
-        let radial = n - circle.axis * circle.axis.dot(n);
-        offer(circle.center + radial.try_normalize().unwrap_or(DVec3::ZERO) * circle.radius);
+        offer(circle.center + unit(across(n, circle.axis)) * circle.radius);
     }
     best.1 + n.try_normalize().unwrap_or(DVec3::ZERO) * ball
 }

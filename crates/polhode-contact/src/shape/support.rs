@@ -41,8 +41,11 @@ pub(crate) fn of_circle(center: DVec3, axis: DVec3, radius: f64, direction: DVec
     center + if radial == DVec3::ZERO { axis.any_orthonormal_vector() } else { radial } * radius
 }
 
-/// The part of a vector perpendicular to a unit vector; twice, because the first difference may be all rounding.
+/// The part of a vector perpendicular to a unit vector. What rounding leaves along the axis is taken away a second time:
+/// where the part is small it would tilt it. Zero when that takes most of it, for then all of it was rounding.
 pub(crate) fn across(vector: DVec3, axis: DVec3) -> DVec3 {
     let once = vector - axis * vector.dot(axis);
-    once - axis * once.dot(axis)
+    let again = axis * once.dot(axis);
+    let most = 0.5 * once.abs().max_element();
+    if again.abs().max_element() > most { DVec3::ZERO } else { once - again }
 }

@@ -4,7 +4,8 @@ use crate::support::{Random, at, cuboid, prism};
 use polhode_contact::{
     ConvexPolyhedron, FeatureKind, QueryError, Shape, closest_point, contains, distance, overlap, separation,
 };
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+use polhode_spatial::{DQuat, DVec3, Pose, Rotation, UnitVector};
+use std::f64::consts::TAU;
 
 /// Every kind of shape, of size about one.
 pub(crate) fn zoo() -> Vec<(&'static str, Shape)> {
@@ -284,6 +285,41 @@ fn round_bodies_that_touch_overlap() {
             let at = |reach: f64| all * Pose::new(turn.rotation, offset * reach);
             assert!(overlap(a, &at(1.0), b, &all) && overlap(b, &all, a, &at(1.0)), "pair {number}");
             assert!(!overlap(a, &at(1.0 + 1e-6), b, &all), "pair {number} apart");
+        }
+    }
+}
+
+/// Bodies on one axis, of which a half turn has made one's axis longer or shorter than one by rounding (fuzz findings: what that
+/// left of a direction along the axis was taken for one across it, so that a cylinder reached beyond its cap and a ring had
+/// its middle line on its axis): as far apart as the closed forms say.
+#[test]
+fn axes_of_unit_length_to_rounding_have_no_part_across_themselves() {
+    let ball = Shape::sphere(0.1).expect("a ball");
+    let (cylinder, cone) = (Shape::cylinder(3.2, 3.2).expect("a cylinder"), Shape::cone(3.2, 3.2).expect("a cone"));
+    let ring = Shape::torus(2.7, 1.1).expect("a ring");
+    let mut random = Random(73);
+    for case in 0..400 {
+        let turn = random.between(0.0, TAU);
+        let half = Rotation::renormalized(DQuat::from_xyzw(libm::cos(turn), libm::sin(turn), 0.0, 0.0));
+        let (gap, aside) = (random.between(0.5, 3.0), random.between(-0.5, 0.5));
+        // Each turned over, below the other; how far its centre and the other's stand apart beyond the gap.
+        let off_ring = libm::hypot(2.7, gap) - 1.2;
+        let stacks = [
+            (&ball, &ring, gap, 0.0, off_ring),
+            (&ring, &ball, gap, 0.0, off_ring),
+            (&cylinder, &ball, gap + 1.7, 0.0, gap),
+            (&ball, &cylinder, gap + 1.7, 0.0, gap),
+            (&cylinder, &cone, gap + 2.4, aside, gap),
+            (&cylinder, &cylinder, gap + 3.2, aside, gap),
+            (&ring, &cylinder, gap + 2.7, aside, gap),
+            (&ring, &ring, gap + 2.2, 0.0, gap),
+        ];
+        for (index, (below, above, height, aside, expected)) in stacks.into_iter().enumerate() {
+            let (pose, over) = (Pose::new(half, DVec3::ZERO), at(aside, 0.0, height));
+            let found = distance(below, &pose, above, &over).expect("a distance").distance;
+            let apart = [separation(below, &pose, above, &over), separation(above, &over, below, &pose)];
+            assert!((found - expected).abs() < 1e-9, "{case}, {index}: {found} of {expected}");
+            assert!(apart.iter().all(|s| (s - expected).abs() < 1e-12), "{case}, {index}: {apart:?} of {expected}");
         }
     }
 }

@@ -165,6 +165,31 @@ fn a_ray_along_an_edge_ends_on_the_triangle() {
     assert!(met > 1000, "{met}");
 }
 
+/// A ray through a corner of a triangle whose sides there, seen along the ray, are at right angles (a fuzz finding: it ended
+/// at the height of the other end of a side, 0.5 m from the triangle).
+#[test]
+fn a_ray_through_a_corner_ends_there() {
+    let (mut random, mut met) = (Random(15), 0);
+    for case in 0..50_000 {
+        // Seen along the ray to rounding, or nearly, at right angles; half of them along a diagonal.
+        let direction = if case % 2 == 0 { DVec3::ONE.normalize() } else { random.direction() };
+        let turn = Rotation::from_rotation_vector(direction * random.between(0.0, 6.0));
+        let east = turn.rotate(direction.any_orthonormal_vector());
+        let aside = direction.cross(east) + east * if case % 4 < 2 { 0.0 } else { random.between(-1e-15, 1e-15) };
+        let sides = [east * random.between(0.1, 1.0), aside * random.between(0.1, 6.0)];
+        let along = [random.between(1.0, 9.0), random.between(1.0, 9.0), random.between(1.0, 9.0)];
+        let corners = [DVec3::ZERO, sides[0], sides[1]].into_iter().zip(along).map(|(side, t)| side + direction * t);
+        let mesh = Shape::triangle_mesh(corners.collect(), vec![[0, 1, 2]]).expect("a triangle");
+        let ray = ray(DVec3::ZERO, direction);
+        if let Some(hit) = ray_cast(&mesh, &Pose::IDENTITY, &ray, f64::INFINITY) {
+            let off = closest_point(&mesh, &Pose::IDENTITY, hit.point).expect("finite").distance;
+            assert!(off < 1e-13, "{case}: {off:e} off, {hit:?} {mesh:?}");
+            met += 1;
+        }
+    }
+    assert!(met > 1000, "{met}");
+}
+
 /// From far away a ray meets a triangle where it aims: inside or outside by a thousandth, at ten million times its size.
 #[test]
 fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {

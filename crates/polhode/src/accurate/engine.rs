@@ -25,8 +25,11 @@ const STALL_RELATIVE: f64 = 1e-9;
 /// Samples between two steps of bodies that all fly in closed form and meet nothing.
 const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
 
-/// Events of the same instant after which what is still found wrong is put up with for one step.
+/// Events of the same instant after which what is still found wrong is put up with for a moment.
 const PATIENCE: u32 = 16;
+
+/// The first such moment lasts this many times as long as an instant, each further one this many times the one before.
+const LEAP: f64 = 8.0;
 
 /// How a body moves until the next event.
 #[derive(Debug, Clone)]
@@ -172,13 +175,11 @@ impl Engine {
             self.departing.clear();
         }
 
-        self.stalls = if self.is_stall(t_next) { self.stalls + 1 } else { 0 };
-        if self.stalls == PATIENCE {
-            self.warn("contacts undo each other at one instant: what is still wrong is put up with for one step");
-        }
+        let event = contact_change.is_some() || impact.is_some();
+        self.note_stall(t_next, event);
         self.emit_samples(&trial, t_next, observer)?;
         self.advance(&trial, t_next)?;
-        if contact_change.is_some() || impact.is_some() {
+        if event {
             self.resolve(&near)?;
             self.count_events()?;
         } else {
@@ -283,9 +284,29 @@ impl Engine {
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong with it is put up with
-    /// for one step: degenerate contacts can leave two answers that undo each other at the level of rounding.
+    /// until [`Self::looks_again`]: degenerate contacts can leave two answers that undo each other at the level of rounding.
     pub(super) fn puts_up(&self) -> bool {
         self.stalls >= PATIENCE
+    }
+
+    /// When what is put up with is looked at again, s: soon, for a contact that does close then sinks in.
+    pub(super) fn looks_again(&self) -> f64 {
+        self.t + self.settings.step_s * (STALL_RELATIVE * libm::pow(LEAP, f64::from(self.progress.leaps()))).min(1.0)
+    }
+
+    /// Counts the events of one instant before a step to `t_next`.
+    fn note_stall(&mut self, t_next: f64, event: bool) {
+        if self.puts_up() {
+            self.progress.note_leap();
+        }
+        if !self.is_stall(t_next) {
+            self.stalls = 0;
+        } else if event {
+            self.stalls += 1;
+        }
+        if self.stalls == PATIENCE && event {
+            self.warn("contacts undo each other at one instant: what is still wrong is put up with for a moment");
+        }
     }
 
     /// Brings all states to `t_next`; the smooth stage that ends there is booked.

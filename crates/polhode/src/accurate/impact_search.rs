@@ -44,7 +44,8 @@ impl Engine {
                         body_b: self.world.bodies[b].name.clone(),
                         source,
                     })?;
-            if let Some(t) = found.filter(|&t| !(self.puts_up() && self.is_stall(t))) {
+            if let Some(t) = found {
+                let t = if self.puts_up() && self.is_stall(t) { self.looks_again().min(limit) } else { t };
                 limit = t;
                 first = Some(t);
             }

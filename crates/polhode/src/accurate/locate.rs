@@ -50,6 +50,8 @@ impl Engine {
                 if tolerated.len() == before {
                     break;
                 }
+                limit = limit.min(self.looks_again());
+                found = Some(limit);
                 wrong = self.first_wrong(group, trial.t, limit, &tolerated, &mut states)?;
             }
             let Some(wrong) = wrong else { continue };

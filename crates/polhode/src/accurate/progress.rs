@@ -24,6 +24,20 @@ pub(super) struct Progress {
     since: f64,
     /// Steps since then.
     steps: u64,
+    /// How often something wrong has been put up with since then.
+    leaps: u32,
+}
+
+impl Progress {
+    /// Something wrong has been put up with for a moment.
+    pub(super) fn note_leap(&mut self) {
+        self.leaps += 1;
+    }
+
+    /// The number of that moment, from one on.
+    pub(super) fn leaps(&self) -> u32 {
+        self.leaps + 1
+    }
 }
 
 impl Engine {
@@ -34,7 +48,7 @@ impl Engine {
     pub(super) fn note_progress(&mut self) -> Result<(), SimulationError> {
         let advanced_s = self.t - self.progress.since;
         if advanced_s >= ADVANCE_RELATIVE * self.settings.step_s {
-            self.progress = Progress { since: self.t, steps: 0 };
+            self.progress = Progress { since: self.t, steps: 0, leaps: 0 };
             return Ok(());
         }
         self.progress.steps += 1;

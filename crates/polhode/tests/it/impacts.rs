@@ -1,8 +1,10 @@
 //! Impacts.
 
 use crate::support::{accurate, ball, elastic, floor, run};
-use polhode::spatial::DVec3;
-use polhode::{Effects, EventKind, Scene};
+use polhode::contact::Shape;
+use polhode::scene::Method;
+use polhode::spatial::{DVec3, Pose, UnitVector};
+use polhode::{Body, Effects, EventKind, Recorder, Scene, Simulation, SimulationError};
 
 /// IM-05: the accumulating bounce ends at its exact time, and its tenth impact comes when the series says.
 #[test]
@@ -26,4 +28,25 @@ fn bouncing_ball_comes_to_rest_at_its_exact_time() {
         assert!(report.bodies[1].1.velocity.is_zero());
         assert!(report.ledger.closure_relative() < 1e-12);
     }
+}
+
+/// A run whose time does not advance any more ends and says when and where. Here a ball rattles between two plates, and steps
+/// as long as some hours make 0.2 s of it look like no time.
+#[test]
+fn a_run_that_makes_no_progress_says_where() {
+    let down = UnitVector::new(-DVec3::Z).unwrap();
+    let ceiling = Body::fixed("ceiling").geometry(Shape::half_space(down).into());
+    let scene = Scene::builder("rattle")
+        .method(Method { step_s: Some(1e4), ..accurate() })
+        .duration_s(10.0)
+        .body(floor().material(elastic(1.0)))
+        .body(ceiling.pose(Pose::from_translation(DVec3::Z * 0.22)).material(elastic(1.0)))
+        .body(ball("ball", 1.0, 0.1, DVec3::Z * 0.11, DVec3::Z * 100.0).material(elastic(1.0)))
+        .build()
+        .unwrap();
+    let error = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Recorder::default()).unwrap_err();
+    let SimulationError::NoProgress { t, steps, advanced_s, body_b, .. } = &error else { panic!("{error}") };
+    assert_eq!((*steps, body_b.as_str()), (1024, "ball"));
+    assert!(*advanced_s < 1.0 && (t - advanced_s).abs() < 1e-3, "{error}");
+    assert!(error.to_string().contains("no progress"), "{error}");
 }

@@ -6,12 +6,13 @@
 //! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
 //!
 //! Two circles: to a place of one the other's nearest is a closed form, and all places where that distance is least are
-//! found (`extrema.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
+//! found (`minima.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
 //! crossings.
 
-use super::extrema::{Extremum, Height, falling_root};
-use super::pairs::{Place, Places, across, nearest_on};
+use super::minima::{Height, falling_root};
+use super::pairs::{Place, Places, nearest_on};
 use crate::shape::round::Circle;
+use crate::shape::support::across;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -21,10 +22,7 @@ const LINE_SAMPLES: usize = 16;
 /// How far each half reaches beyond the end of the long axis, rad: far above rounding, far below a sample.
 const OVERLAP: f64 = 1e-6;
 
-/// Steps that halve a sample's angle to rounding, with room.
-const MOST_STEPS: usize = 64;
-
-/// Newton's steps for two circles; convergence is quadratic from a sample.
+/// Newton's steps for two circles; from a least place of the closed form a few are enough.
 const NEWTON_STEPS: usize = 30;
 
 /// Newton's method ends when both angles change by less than this, rad: the square of it is far below rounding.
@@ -33,7 +31,8 @@ const ANGLE_CONVERGED: f64 = 1e-14;
 /// Largest change of an angle in one step, rad.
 const LONGEST_TURN: f64 = 0.3;
 
-/// Part of the circle's radius below which a line is parallel to its axis or the component is rounding.
+/// Sine of the angle between a line and a circle's axis below which they are parallel: seen along the line the ellipse is
+/// then a circle to rounding, and any axis of it the long one.
 const PARALLEL_PART: f64 = 1e-9;
 
 /// A line (point and direction) as A and a circle as B.
@@ -44,8 +43,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
     let long = if sine > PARALLEL_PART { long / sine } else { axis.any_orthonormal_vector() };
     let short = axis.cross(long);
     // Components along the line do not count.
-    let across = |v: DVec3| v - along * along.dot(v);
-    let (line, long_seen, short_seen) = (across(point - center), across(long), across(short));
+    let [line, long_seen, short_seen] = [point - center, long, short].map(|v| across(v, along));
     let slope_at = |(sine, cosine): (f64, f64)| {
         let to = long_seen * (radius * cosine) + short_seen * (radius * sine) - line;
         to.dot(short_seen * cosine - long_seen * sine)
@@ -64,7 +62,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
             let value = directed(u);
             // A minimum: the slope rises through zero.
             if before <= 0.0 && value > 0.0 {
-                let angle = -falling_root(-u, -last, |u| directed(-u), MOST_STEPS);
+                let angle = -falling_root(-u, -last, |u| directed(-u));
                 push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
             }
             (last, before) = (u, value);
@@ -79,8 +77,8 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         // A little farther than the other end, so that a minimum right there lies between two samples.
         visit(PI + OVERLAP);
     }
-    // A slope that is zero all round belongs to a line through the centre along the axis: any place is nearest.
-    if found.is_empty() && line == DVec3::ZERO && sine <= PARALLEL_PART {
+    // A slope that is zero to rounding all round belongs to a line through the centre along the axis: any place is nearest.
+    if found.is_empty() {
         push_crossing(&mut found, (point, along), circle, 0.0, (long, short));
     }
     found
@@ -114,22 +112,25 @@ fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
 
 /// Two circles: along the first, half the square of the distance from the second, which is nearest at a closed form.
 pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
-    let east = first.axis.any_orthonormal_vector();
-    let north = first.axis.cross(east);
+    let [east, north] = radii(first);
     let between = first.center - second.center;
-    let linear = [east, north].map(|along| first.radius * between.dot(along));
-    let seen = [between, east * first.radius, north * first.radius].map(|v| across(second.axis, v));
+    let linear = [east, north].map(|radius| between.dot(radius));
+    let seen = [between, east, north].map(|v| across(v, second.axis));
     let mut found = Places::none();
-    Height::new(linear, second.radius, seen).each_extremum(|angle, extremum| {
-        if extremum == Extremum::Least {
-            let (sine, cosine) = libm::sincos(angle);
-            let on_first = first.center + (east * cosine + north * sine) * first.radius;
-            if let Some(place) = polished(first, second, on_first, nearest_on(second, on_first)) {
-                found.push(place);
-            }
+    Height::new(linear, second.radius, seen).each_least(|angle| {
+        let (sine, cosine) = libm::sincos(angle);
+        let on_first = first.center + east * cosine + north * sine;
+        if let Some(place) = polished(first, second, on_first, nearest_on(second, on_first)) {
+            found.push(place);
         }
     });
     found
+}
+
+/// Two radii of a circle at right angles, the second one anticlockwise from the first.
+pub(super) fn radii(circle: &Circle) -> [DVec3; 2] {
+    let east = circle.axis.any_orthonormal_vector() * circle.radius;
+    [east, circle.axis.cross(east)]
 }
 
 /// Newton's method on `|F|^2/2` in the two angles.

@@ -3,9 +3,9 @@
 //! | module | holds |
 //! |---|---|
 //! | `element` | the parts of surfaces that touch |
-//! | `pairs` | places where two elements stand over each other: closed forms |
+//! | `pairs` | places where two elements stand over each other: closed forms, a circle and a cone |
 //! | `curves` | the same for a circle and a line, and for two circles |
-//! | `extrema` | the angles once around a circle or cone at which a height is least or largest |
+//! | `minima` | the angles once around a circle or cone at which a height is least |
 //! | `branch` | which of two places of a circle is meant |
 //! | `stationary` | separation and its time derivatives at such a place |
 //! | `gap` | the separating axis of two convex bodies |
@@ -17,8 +17,8 @@
 mod branch;
 pub(crate) mod curves;
 pub(crate) mod element;
-mod extrema;
 pub(crate) mod gap;
+mod minima;
 pub(crate) mod pairs;
 pub(crate) mod region;
 pub(crate) mod ring;

@@ -5,23 +5,21 @@
 //!
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;
-//!  - circle and cone: one angle about the cone's axis is left, along which the separation is largest (`extrema.rs`); line
-//!    and circle, circle and circle: `curves.rs`.
+//!
+//! Of the others one angle is left, about a cone's axis or along a circle (`minima.rs`): for a circle and a cone here, for
+//! a circle and a line and for two circles in `curves.rs`.
 
 use super::curves;
 use super::element::{ConeSide, Element, Locus};
-use super::extrema::{Extremum, Height};
+use super::minima::Height;
 use crate::clearance::PARALLEL_SINE;
 use crate::shape::round::Circle;
+use crate::shape::support::across;
 use glam::DVec3;
 
 /// Sine of the angle between a circle's axis and a direction below which all its points are equally low: its stated points
 /// then stand for the lowest one to 1e-12 of its radius.
 const FLAT_SINE: f64 = 1e-11;
-
-/// Second derivatives of a distance along a circle down to this below zero (1 is that of the circle's own bend) are zero to
-/// rounding: all places of a ring about a cone are as near.
-const LEVEL: f64 = 1e-9;
 
 /// A common normal of two elements.
 #[derive(Debug, Clone, Copy)]
@@ -56,7 +54,7 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    /// Two circles have at most this many common normals along which their distance is least.
+    /// As many as are told of a height (`minima.rs`); of other elements there are two at most.
     const MOST: usize = 8;
 
     pub(crate) const fn none() -> Self {
@@ -136,7 +134,7 @@ fn between(p: DVec3, q: DVec3) -> Option<Place> {
 /// The normal from the nearest place of a curve to a point. It is perpendicular to the curve however near the point is,
 /// where the difference of the two places is all rounding; on the curve itself some perpendicular is as good as all.
 fn off_curve(p: DVec3, nearest: DVec3, tangent: DVec3) -> Place {
-    let f = across(tangent, p - nearest);
+    let f = across(p - nearest, tangent);
     let length = f.length();
     if length > 0.0 {
         Place { normal: f / length, on_a: p, on_b: nearest }
@@ -149,23 +147,16 @@ fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {
     Place { normal, on_a: p, on_b: p - normal * normal.dot(p - through) }
 }
 
-/// The part of a vector that is perpendicular to a unit vector. What rounding leaves along the axis is taken away a second
-/// time: where the part is small it would tilt it.
-pub(crate) fn across(axis: DVec3, v: DVec3) -> DVec3 {
-    let part = v - axis * axis.dot(v);
-    part - axis * axis.dot(part)
-}
-
 /// The nearest point of a circle; some point of it for a point on its axis.
 pub(crate) fn nearest_on(circle: &Circle, p: DVec3) -> DVec3 {
-    let radial = across(circle.axis, p - circle.center);
+    let radial = across(p - circle.center, circle.axis);
     let radial = radial.try_normalize().unwrap_or_else(|| circle.axis.any_orthonormal_vector());
     circle.center + radial * circle.radius
 }
 
 /// The point of a circle that is lowest along a unit vector; nothing when all are equally low to rounding.
 pub(crate) fn lowest_of(circle: &Circle, up: DVec3) -> Option<DVec3> {
-    let radial = across(circle.axis, up);
+    let radial = across(up, circle.axis);
     let sine = radial.length();
     (sine > FLAT_SINE).then(|| circle.center - radial * (circle.radius / sine))
 }
@@ -173,7 +164,7 @@ pub(crate) fn lowest_of(circle: &Circle, up: DVec3) -> Option<DVec3> {
 /// The foot of a point on the side of a cone; on the axis itself some generator is as good as all.
 fn point_on_cone(p: DVec3, side: &ConeSide) -> Option<Place> {
     let from = p - side.apex;
-    let radial = across(side.axis, from);
+    let radial = across(from, side.axis);
     let distance = radial.length();
     let away = if distance == 0.0 { side.axis.any_orthonormal_vector() } else { radial / distance };
     let outward = side.axis * side.sine + away * side.cosine;
@@ -225,58 +216,39 @@ fn straight((p, u, k_u): (DVec3, DVec3, f64), (q, v, k_v): (DVec3, DVec3, f64)) 
     found
 }
 
-/// A rim against a cone: where the separation along the cone's normals is largest.
-fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
-    let mut found = Places::none();
-    stationary_on_cone(circle, side, |place, extremum| {
-        if extremum == Extremum::Largest {
-            found.push(place);
-        }
-    });
-    found
-}
-
-/// A ring against a cone: the common normals, from outside and from inside the ring (the circle of negative radius), at
-/// which the distance `d` of the circle's places from the side is least. With the distance `rho` of the place from the cone's
-/// axis, its direction across (`tau`), the circle's tangent `t` and direction `r` and the normal `o`,
-/// `d'' = cos(alpha) (t.tau)^2/rho - o.r/R`.
-fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
-    let is_least = |place: &Place| {
-        let out = (place.on_a - circle.center) / circle.radius;
-        let from_axis = across(side.axis, place.on_a - side.apex);
-        let rho = from_axis.length();
-        let turning = circle.axis.cross(out).dot(side.axis.cross(from_axis)) / rho;
-        let bends = side.cosine * turning * turning * circle.radius / rho;
-        // Beyond the axis the side that faces away is stationary too.
-        place.normal.dot(from_axis) > 0.0 && bends - place.normal.dot(out) >= -LEVEL
-    };
-    let mut found = Places::none();
-    for circle in [*circle, Circle { radius: -circle.radius, ..*circle }] {
-        stationary_on_cone(&circle, side, |place, _| {
-            if is_least(&place) {
-                found.push(place);
-            }
-        });
-    }
-    found
-}
-
-/// The common normals of a circle and a cone whose separation along the cone's normals, once around, is stationary:
+/// A rim against a cone: the common normals along which the separation, once around the cone, is largest:
 /// `s = o.(c - apex) - R |a x o|`, the circle's nearest place along a normal being a closed form.
-fn stationary_on_cone(circle: &Circle, side: &ConeSide, mut visit: impl FnMut(Place, Extremum)) {
+fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     let Circle { center, axis, radius } = *circle;
     let first = side.axis.any_orthonormal_vector();
     let around = [first * side.cosine, side.axis.cross(first) * side.cosine];
     let base = side.axis * side.sine;
-    let linear = around.map(|v| v.dot(center - side.apex));
-    let seen = [base, around[0], around[1]].map(|v| across(axis, v));
-    Height::new(linear, radius, seen).each_extremum(|angle, extremum| {
+    let linear = around.map(|v| v.dot(side.apex - center));
+    let seen = [base, around[0], around[1]].map(|v| across(v, axis));
+    let mut found = Places::none();
+    Height::new(linear, -radius, seen).each_least(|angle| {
         let (sine, cosine) = libm::sincos(angle);
         let normal = base + around[0] * cosine + around[1] * sine;
-        let on_a = center - across(axis, normal).try_normalize().unwrap_or(DVec3::ZERO) * radius;
+        let on_a = center - across(normal, axis).try_normalize().unwrap_or(DVec3::ZERO) * radius;
         // The place on the cone's axis from which the normal leads to the circle.
         let down = side.axis - normal * side.sine;
         let axial = (on_a - side.apex).dot(down) / side.axis.dot(down);
-        visit(Place { normal, on_a, on_b: side.apex + side.axis * axial }, extremum);
+        found.push(Place { normal, on_a, on_b: side.apex + side.axis * axial });
     });
+    found
+}
+
+/// A ring against a cone: where the distance of the circle's places from the side is least.
+fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
+    let [east, north] = curves::radii(circle);
+    let linear = [east, north].map(|radius| side.sine * side.axis.dot(radius));
+    let seen = [circle.center - side.apex, east, north].map(|v| across(v, side.axis));
+    let mut found = Places::none();
+    Height::new(linear, -side.cosine, seen).each_least(|angle| {
+        let (sine, cosine) = libm::sincos(angle);
+        if let Some(place) = point_on_cone(circle.center + east * cosine + north * sine, side) {
+            found.push(place);
+        }
+    });
+    found
 }

@@ -35,7 +35,8 @@ const NEAR_SAMPLES: f64 = 1.5;
 /// of rounding.
 const LOCATED: f64 = 1e-6;
 
-/// The distance at a polished place is that of the nearest element within this, relative to the ring's radius.
+/// The distance at a polished place is that of the nearest element within this, relative to the ring's radius, or within
+/// the rounding of places.
 const CONSISTENT: f64 = 1e-10;
 
 /// Distance of a point from a body: the nearest element, and the unit vector from there to the point.
@@ -204,7 +205,7 @@ impl<'a> Ring<'a> {
                 found = true;
                 report(gap);
             });
-            // About one axis all places are as near.
+            // Where the middle lines are one they have no common normal, and all places are as near.
             if !found {
                 report(self.corner(0.0));
             }
@@ -276,7 +277,7 @@ impl<'a> Ring<'a> {
         // The element is the nearest at its place, and on the side that the place says.
         let consistent = |place: &Place| {
             let there = self.nearest(place.on_a).distance - self.tube;
-            (place.separation(&rim, &element) - there).abs() <= CONSISTENT * self.circle.radius
+            (place.separation(&rim, &element) - there).abs() <= self.tolerance.max(CONSISTENT * self.circle.radius)
         };
         let round = matches!(feature, SurfaceFeature::Rim(_));
         let names = [[Exit, Nearest], [Entry, Nearest], [Exit, Entry], [Entry, Exit], [Nearest; 2]];

@@ -1,16 +1,22 @@
-//! All angles about an axis at which a height is least or largest, for the heights that circles and cones ask for:
+//! All angles about an axis at which a height is least, for the heights that circles and cones ask for:
 //!
-//! `h(t) = p cos t + q sin t - k |m + c cos t + s sin t|`,
+//! `h(t) = p cos t + q sin t - k |m + c cos t + s sin t|`.
 //!
-//! half the square of the distance of a circle's place at `t` from the nearest place of another circle (`m + c cos t +
-//! s sin t` the place as seen along the other's axis, `k` the other's radius), or the separation of a circle from a cone
-//! along the cone's normal at `t`. Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`: there are at
-//! most eight.
+//! But for a constant these are
+//!  - half the square of the distance of a circle's place `x(t)` from another circle: `x.(c_1 - c_2)` less the other's radius
+//!    times the length of `x - c_2` across its axis;
+//!  - the distance of a circle's place `x(t)` from the side of a cone: `sin(alpha) x.a` and `cos(alpha)` times the length of
+//!    `x - apex` across its axis `a`;
+//!  - the overlap of a disc and a cone along the cone's normal `o(t)`: `o.(apex - c)` and the disc's radius times the length of
+//!    `o` across its axis.
 //!
-//! Places on the way to merge lie as close together as one likes, so that no number of samples is enough. A stretch of
-//! half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, and
-//! at most one when `|h''(t)| > M w`; else it is halved. `M` comes from the harmonics of the square of the length, so
-//! that it is as small as `h'` itself where the height hardly changes all round.
+//! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at most
+//! four such angles.
+//!
+//! Two of them on the way to merge lie as close together as one likes, so that no number of samples is enough. A stretch of
+//! half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or
+//! when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the harmonics of the square of
+//! the length, so that it is as small as `h'` itself where the height hardly changes all round.
 //!
 //! Stretches below [`NARROWEST`] and more than [`MOST_STRETCHES`] at once (heights that are level to rounding) are judged
 //! by the slopes at their ends alone.
@@ -27,18 +33,11 @@ const MOST_STRETCHES: usize = 48;
 /// Parts of a turn below which a stretch is not halved: places so close have the same height to rounding.
 const NARROWEST: f64 = 1e-9;
 
-/// Most angles there are.
-const MOST_EXTREMA: u32 = 8;
+/// Most angles that are told: twice as many as there are, for rounding may make several of one.
+const MOST: usize = 8;
 
 /// Steps that halve a stretch to rounding, with room.
 const MOST_STEPS: usize = 64;
-
-/// What a height is at an angle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extremum {
-    Least,
-    Largest,
-}
 
 /// A height as in the module's formula.
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +60,7 @@ struct Stretch {
     width: f64,
 }
 
-/// What is known of the extrema in a stretch.
+/// What is known of the angles in a stretch.
 enum Holds {
     None,
     AtMostOne,
@@ -118,37 +117,31 @@ impl Height {
         let steepest = self.steepest(square - self.of_square[0] * reach);
         if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
             Holds::None
-        } else if bend.abs() > steepest * reach {
+        } else if bend > steepest * reach {
             Holds::AtMostOne
+        } else if bend < -steepest * reach {
+            Holds::None
         } else {
             Holds::Unknown
         }
     }
 
-    /// The extremum in a stretch that has at most one.
-    fn within(&self, stretch: Stretch) -> Option<(f64, Extremum)> {
+    /// The angle in a stretch that has at most one.
+    fn within(&self, stretch: Stretch) -> Option<f64> {
         let (from, to) = (TAU * stretch.from, TAU * (stretch.from + stretch.width));
         // The end of the last stretch is the start of the first one, with the same bits: an angle right there is found once.
         let end = if stretch.from + stretch.width == 1.0 { 0.0 } else { to };
-        let (before, after) = (self.slope(from), self.slope(end));
-        if before > 0.0 && after <= 0.0 {
-            Some((falling_root(from, to, |angle| self.slope(angle), MOST_STEPS), Extremum::Largest))
-        } else if before <= 0.0 && after > 0.0 {
-            Some((-falling_root(-to, -from, |angle| self.slope(-angle), MOST_STEPS), Extremum::Least))
-        } else {
-            None
-        }
+        let rises = self.slope(from) <= 0.0 && self.slope(end) > 0.0;
+        rises.then(|| -falling_root(-to, -from, |angle| self.slope(-angle)))
     }
 
-    /// Calls `visit` with the angles, in no order.
-    pub(crate) fn each_extremum(&self, mut visit: impl FnMut(f64, Extremum)) {
+    /// Calls `visit` with the angles, in no order; with some angle when the height is level to rounding all round.
+    pub(crate) fn each_least(&self, mut visit: impl FnMut(f64)) {
         let mut found = 0;
         let mut report = |stretch: Stretch| {
-            if found < MOST_EXTREMA
-                && let Some((angle, extremum)) = self.within(stretch)
-            {
+            if let Some(angle) = self.within(stretch).filter(|_| found < MOST) {
                 found += 1;
-                visit(angle, extremum);
+                visit(angle);
             }
         };
         let width = f64::from(FIRST).recip();
@@ -174,14 +167,19 @@ impl Height {
             }
             (open, count) = (narrower, left);
         }
+        if found == 0 && self.slope(0.0).is_finite() {
+            visit(0.0);
+        }
     }
 }
 
-/// Root of a function that is positive at `left` and not at `right`: regula falsi with halving.
-pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64, most: usize) -> f64 {
+/// Root of a function that is positive at `left` and not at `right`: regula falsi, in which an end that stays twice counts
+/// half (the Illinois rule), and every third step halves the interval.
+pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut left, mut right) = (left, right);
     let (mut value_left, mut value_right) = (f(left), f(right));
-    for step in 0..most {
+    let mut last = 0.0;
+    for step in 0..MOST_STEPS {
         let width = right - left;
         let secant = left + width * (value_left / (value_left - value_right));
         let middle = 0.5 * (left + right);
@@ -190,12 +188,14 @@ pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64, most: 
             break;
         }
         let value = f(at);
+        let stays = if value * last > 0.0 { 0.5 } else { 1.0 };
+        last = value.signum();
         if value > 0.0 {
             (left, value_left) = (at, value);
-            value_right *= 0.5;
+            value_right *= stays;
         } else if value < 0.0 {
             (right, value_right) = (at, value);
-            value_left *= 0.5;
+            value_left *= stays;
         } else {
             return at;
         }
