@@ -244,3 +244,27 @@ fn a_cylinder_in_a_ring_is_not_met_late() {
     let (report, _) = run(&scene, Effects::Planned);
     assert!(report.certificate.max_penetration_m < 1e-11, "{:?}", report.certificate);
 }
+
+/// A chain of rings that hang in each other from a ring that stands still, started with some play: it falls, pulls taut and
+/// swings; no link sinks into another, none comes off, and energy closes.
+#[test]
+fn a_chain_of_rings_hangs_together() {
+    let (shape, primitive) = (Shape::torus(0.3, 0.05).unwrap(), Torus::new(0.3, 0.05).unwrap());
+    let turns = [DVec3::Y, DVec3::X].map(|axis| Rotation::from_rotation_vector(axis * FRAC_PI_2));
+    for restitution in [0.0, 0.5] {
+        let anchor = Body::fixed("anchor").geometry(shape.clone().into()).material(elastic(restitution));
+        let mut scene = Scene::builder("chain").duration_s(0.5).body(anchor.pose(Pose::new(turns[1], DVec3::ZERO)));
+        for link in 0..3_u32 {
+            let place = DVec3::new(0.01 * f64::from(link), 0.005, -0.42 * f64::from(link + 1));
+            let body = Body::movable(format!("link {link}"), primitive.solid(Mass::new(1.0).unwrap()).unwrap());
+            let body = body.geometry(shape.clone().into()).pose(Pose::new(turns[link as usize % 2], place));
+            scene = scene.body(body.material(elastic(restitution)));
+        }
+        let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+        assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
+        assert!(report.ledger.numerical.value().abs() < 1e-10, "{:?}", report.ledger);
+        // Taut, each link hangs half a metre below the one above it; swinging, a little less.
+        let lowest = report.bodies[3].1.pose.translation.z;
+        assert!((-1.5..-1.2).contains(&lowest), "{lowest}");
+    }
+}
