@@ -5,7 +5,7 @@
 //! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
 //! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
 //! The time found is never late but for the rounding of the poses, and no touch is missed, however fast the bodies spin.
-//! Of a torus the distance is as `round/ring.rs` finds it: the least of the minima between samples of its middle line.
+//! Of a torus the distance is as `round/ring.rs` finds it.
 //! Compounds and meshes go part by part (`composite_impact.rs`).
 //!
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its

@@ -12,7 +12,7 @@
 //! | `sieve` | which elements of a polyhedron can decide |
 //! | `region` | all contacts of the region in which they touch |
 //! | `ring` | tori |
-//! | `ring_samples` | where a circle is sampled, so that no minimum is missed |
+//! | `ring_samples` | where a circle is sampled to tell its minima apart |
 
 mod branch;
 pub(crate) mod curves;

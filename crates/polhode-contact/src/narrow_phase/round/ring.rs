@@ -1,8 +1,8 @@
 //! Tori: the distance of a circle from another body, less the radius of the tube.
 //!
 //! A ring is not convex and may touch a body at several places. Of another ring those are the common normals of the two
-//! circles. Of other bodies the signed distance is sampled along the middle line (`ring_samples.rs`: so that no minimum is
-//! missed) and every minimum is polished: as the common normals of the circle and the element that is nearest there
+//! circles. Of other bodies the signed distance is sampled along the middle line (`ring_samples.rs`, which says what samples
+//! may miss) and every minimum is polished: as the common normals of the circle and the element that is nearest there
 //! (`pairs.rs`), or, where the nearest element changes (a corner between two of them), by a golden-section search.
 //!
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
