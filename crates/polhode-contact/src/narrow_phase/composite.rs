@@ -10,7 +10,7 @@ use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::compound_surface::on_whole;
 use crate::narrow_phase::evaluate::evaluate;
-use crate::narrow_phase::manifold::{is_upward, manifold_into};
+use crate::narrow_phase::manifold::{along_tied_faces, is_upward, manifold_into};
 use crate::narrow_phase::part_feature::globalized;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
@@ -94,6 +94,7 @@ fn of_compound(
     pairs.clear();
     pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, pairs);
     let pair_of = |parts: [usize; 2]| [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
+    kept.clear();
     for &parts in pairs.iter() {
         let pair = pair_of(parts);
         manifold_into(workspace, pair[0], near[0], pair[1], near[1], reach, of_parts);
@@ -102,25 +103,24 @@ fn of_compound(
             found.axis = axis_of_whole(of_parts.axis, shapes, parts);
         }
         let candidate = |c: &Contact| Candidate { feature: c.feature, parts, geometry: c.geometry, replaced: false };
-        candidates.extend(of_parts.contacts.iter().map(candidate));
+        let mut keep = |contacts: &[Contact]| {
+            let before = kept.len();
+            let of_whole = |c: &Contact| of_whole(candidate(c), pair, shapes, near, tolerance, near_parts);
+            kept.extend(contacts.iter().filter_map(of_whole));
+            kept.len() - before == contacts.len()
+        };
+        if !keep(&of_parts.contacts) {
+            candidates.extend(of_parts.contacts.iter().map(candidate));
+            // Along an axis that separates the parts as well there may be contacts of the whole.
+            along_tied_faces(workspace, (pair[0], near[0]), (pair[1], near[1]), reach, of_parts);
+            keep(&of_parts.contacts);
+        }
     }
     if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
         let separation = separation_with(workspace, shapes[0], poses[0], shapes[1], poses[1]);
         let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
         return found.set_empty(separation, axis);
     }
-    kept.clear();
-    kept.extend(candidates.iter().filter_map(|&candidate| {
-        let pair = pair_of(candidate.parts);
-        let kept = match shapes[0] {
-            Shape::Compound(c) => on_whole(candidate, pair, (c, Side::A), near, tolerance, near_parts)?,
-            _ => candidate,
-        };
-        match shapes[1] {
-            Shape::Compound(c) => on_whole(kept, pair, (c, Side::B), near, tolerance, near_parts),
-            _ => Some(kept),
-        }
-    }));
     if kept.is_empty() && found.separation <= tolerance {
         // Bodies that touch have a contact, also where the parts hide it: they overlap more than a part is thick.
         kept.extend(candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
@@ -129,6 +129,25 @@ fn of_compound(
     found.contacts.extend(kept.iter().map(named));
     workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
     measure_again(&mut found.contacts, shapes, poses, reach.max(tolerance));
+}
+
+/// A contact of two parts as one of the whole bodies, or nothing when it is none.
+fn of_whole(
+    candidate: Candidate,
+    pair: [&Shape; 2],
+    shapes: [&Shape; 2],
+    near: [&Pose; 2],
+    tolerance: f64,
+    near_parts: &mut Vec<usize>,
+) -> Option<Candidate> {
+    let kept = match shapes[0] {
+        Shape::Compound(c) => on_whole(candidate, pair, (c, Side::A), near, tolerance, near_parts)?,
+        _ => candidate,
+    };
+    match shapes[1] {
+        Shape::Compound(c) => on_whole(kept, pair, (c, Side::B), near, tolerance, near_parts),
+        _ => Some(kept),
+    }
 }
 
 /// Gives contacts the geometry that [`evaluate`] gives them at these poses, and leaves out those that it says to be farther

@@ -4,7 +4,8 @@
 //! `x` of the part's surface with outward normal `v`, looked at with a short probe within the plane across `v`:
 //!  - a contact on a face stands when some of the face beside `x` is free: not every probe meets another part above it;
 //!  - a contact of an edge or vertex stands when no other part at `x` rises above the plane, as the normals of the whole
-//!    body's edge or vertex are those that all its parts have in common;
+//!    body's edge or vertex are those that all its parts have in common; or when it ends a face across the normal that
+//!    is free beside `x`, up to which the whole body's face goes;
 //!  - an edge or vertex between flush faces is none of the body: a crossing there is left out, and a vertex gives way to
 //!    the other body's vertex when there is one, so that the contacts are the vertices of the whole region.
 //!
@@ -72,11 +73,12 @@ pub(crate) fn on_whole(
     match element(candidate.feature, side) {
         Element::Face(face) => place.is_exposed(own, face).then_some(candidate),
         Element::Edge(edge) => {
-            let direction = own.edges.get(edge as usize)?.direction;
-            (place.is_supported() && !place.continues_across(own, direction)).then_some(candidate)
+            let edge = own.edges.get(edge as usize)?;
+            let stands = place.is_supported() || place.ends_a_face(own, &edge.faces);
+            (stands && !place.continues_across(own, edge.direction)).then_some(candidate)
         }
         Element::Vertex(vertex) => {
-            if !place.is_supported() {
+            if !(place.is_supported() || place.ends_a_face(own, own.faces_at.of(vertex as usize))) {
                 return None;
             }
             let Some(straight) = place.continued_edge(own, vertex) else { return Some(candidate) };
@@ -235,6 +237,13 @@ impl Place<'_> {
             };
             !here || centers.iter().all(|c| c.dot(self.v) + radius <= level)
         })
+    }
+
+    /// Whether one of these faces has the normal and is free beside the place: where another part rises the body's face
+    /// ends, and its points up to there touch.
+    fn ends_a_face(&self, own: &ConvexPolyhedron, faces: &[u32]) -> bool {
+        let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - IN_PLANE;
+        faces.iter().filter(along).any(|&face| self.is_exposed(own, face))
     }
 
     fn is_filled(&self, x: DVec3) -> bool {

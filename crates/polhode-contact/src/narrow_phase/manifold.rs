@@ -22,6 +22,7 @@ use crate::narrow_phase::round::region;
 use crate::narrow_phase::round::ring;
 use crate::narrow_phase::separating_axis::{Axes, EdgeAxis, Workspace};
 use crate::narrow_phase::separation::separation_with;
+use crate::narrow_phase::tied_faces;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::round::is_round;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
@@ -193,6 +194,26 @@ fn against_sphere(features: &mut Vec<ContactFeature>, cloud: &Shape, of: Side) {
     }));
 }
 
+/// The contacts of two polyhedra along each of the faces that separate them equally well, instead of those that the
+/// manifold held (`tied_faces.rs`). The workspace must be as the search that gave the manifold left it.
+pub(crate) fn along_tied_faces(
+    workspace: &mut Workspace,
+    (a, pose_a): (&Shape, &Pose),
+    (b, pose_b): (&Shape, &Pose),
+    reach: f64,
+    found: &mut Manifold,
+) {
+    found.contacts.clear();
+    let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (a, b) else { return };
+    let tolerance = place_tolerance(polyhedron_a.size, polyhedron_b.size, workspace.x_ab.translation);
+    workspace.features.clear();
+    tied_faces::each(workspace, found.separation, tolerance, |workspace, side, face| {
+        tied_faces::features(workspace, [polyhedron_a, polyhedron_b], (side, face), tolerance);
+    });
+    let (a, b) = (Placed { shape: a, pose: pose_a }, Placed { shape: b, pose: pose_b });
+    measure(&mut workspace.features, a, b, reach, &mut found.contacts);
+}
+
 /// The contacts of two polyhedra whose best axes are known. B must have been placed.
 pub(crate) fn along_axes(
     workspace: &mut Workspace,
@@ -252,11 +273,63 @@ pub(crate) fn along_axes(
         // Apart, the nearest places of the lines may lie beyond the ends of the edges.
         contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
     }
-    if contacts.is_empty() && separation <= axes.tolerance {
-        // Bodies that touch have a contact, also where tolerances left none.
+    if contacts.len() < 2 && separation <= axes.tolerance {
+        touching(workspace, (polyhedron_a, a), (polyhedron_b, b), axes, reach, found);
+    }
+}
+
+/// Contacts of polyhedra that touch where the pair of faces has one or none: edges that lie along each other share more,
+/// and tolerances may leave none, but bodies that touch have a contact.
+fn touching(
+    workspace: &mut Workspace,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    axes: &Axes,
+    reach: f64,
+    found: &mut Manifold,
+) {
+    let contacts = &mut found.contacts;
+    if axes.deciding_edges().is_none() {
+        let which = (found.separation, axes.tolerance, reach);
+        along_best_tied_face(workspace, (polyhedron_a, a), (polyhedron_b, b), which, contacts);
+    }
+    if contacts.is_empty() {
         workspace.features.clear();
         workspace.features.push(deciding_contact(workspace, polyhedron_a, axes));
         measure(&mut workspace.features, a, b, f64::INFINITY, contacts);
+    }
+}
+
+/// Instead of some contacts, where there are more, those along one of the faces that separate equally well: the one with
+/// most, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
+fn along_best_tied_face(
+    workspace: &mut Workspace,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    (separation, tolerance, reach): (f64, f64, f64),
+    contacts: &mut Vec<Contact>,
+) {
+    let pair = [polyhedron_a, polyhedron_b];
+    let few = contacts.len() as f64;
+    let mut best: Option<(f64, DVec3, (Side, u32))> = None;
+    tied_faces::each(workspace, separation, tolerance, |workspace, side, face| {
+        workspace.features.clear();
+        tied_faces::features(workspace, pair, (side, face), tolerance);
+        let within = |feature: &&ContactFeature| {
+            evaluate(**feature, a.shape, a.pose, b.shape, b.pose).is_some_and(|g| g.separation <= reach)
+        };
+        let number = workspace.features.iter().filter(within).count() as f64;
+        let of_a = || polyhedron_a.faces[face as usize].normal;
+        let normal = if side == Side::A { of_a() } else { workspace.normals[face as usize] };
+        let direction = a.pose.rotation.rotate(normal).abs();
+        if number > few && best.is_none_or(|(n, d, _)| is_better((number, direction), (n, d))) {
+            best = Some((number, direction, (side, face)));
+        }
+    });
+    if let Some((_, _, face)) = best {
+        workspace.features.clear();
+        tied_faces::features(workspace, pair, face, tolerance);
+        measure(&mut workspace.features, a, b, reach, contacts);
     }
 }
 
@@ -354,7 +427,7 @@ fn facing(workspace: &Workspace, a: &ConvexPolyhedron, b: &ConvexPolyhedron, axe
     best.map_or((0, 0), |(_, _, pair)| pair)
 }
 
-/// Whether the first (parallelism, direction) goes before the second.
+/// Whether the first (parallelism or number, direction) goes before the second.
 fn is_better(first: (f64, DVec3), second: (f64, DVec3)) -> bool {
     let differences = [first.0 - second.0, first.1.z - second.1.z, first.1.y - second.1.y, first.1.x - second.1.x];
     differences.into_iter().find(|d| d.abs() > SAME_DIRECTION).is_some_and(|d| d > 0.0)

@@ -23,6 +23,7 @@ pub(crate) mod round;
 pub mod separating_axis;
 pub mod separation;
 pub(crate) mod simplex;
+mod tied_faces;
 mod triangle_axes;
 
 pub(crate) use closest_feature::nearest_feature;

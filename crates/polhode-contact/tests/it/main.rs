@@ -22,6 +22,7 @@ mod persistent;
 mod polyhedra;
 mod query_parts;
 mod rays;
+mod reentrant_edges;
 mod rings;
 mod round_bounds;
 mod round_contacts;

@@ -9,7 +9,6 @@
 //! `rigid-ipc` of the folder that `POLHODE_DATA` names. The plain command runs the first [`PART_S`] of each,
 //! `--full` all of it.
 
-mod meshes;
 mod own_scenes;
 
 use super::{Amount, CaseResult, Context, Run};

@@ -1,8 +1,10 @@
 //! Meshes of our own for the scenes written after the suite's descriptions, y up. Lengths in m.
 
+use super::chains::{LINK, TUBE};
 use glam::DVec3;
-use polhode::mesh::{Ellipsoid, MeshError, Refinement, TriangleMesh, box_mesh};
+use polhode::mesh::{Ellipsoid, MeshError, Refinement, Torus, TriangleMesh, box_mesh};
 use std::error::Error;
+use std::f64::consts::TAU;
 
 type Made = Result<TriangleMesh, Box<dyn Error>>;
 
@@ -112,6 +114,112 @@ pub(super) fn ellipsoid() -> Made {
     Ok(Ellipsoid::new(DVec3::new(1.0, 0.5, 0.25))?.mesh(Refinement::new(2)?)?.into_mesh())
 }
 
+/// A ring about z: 16 segments of 8 faces.
+pub(super) fn link() -> Made {
+    Ok(Torus::new(LINK, TUBE)?.mesh(Refinement::COARSEST)?.into_mesh())
+}
+
+/// A beam of 15 by 1 by 1 with a groove across it below its middle, 0.3 deep, for a knife.
+pub(super) fn beam() -> Made {
+    let upper = [-7.5, -0.3, 0.0, 0.3, 7.5].map(|x| [x, 0.5]);
+    let lower = [[-7.5, -0.5], [-0.3, -0.5], [0.0, -0.2], [0.3, -0.5], [7.5, -0.5]];
+    band(&upper, &lower, Ends::Open, 0.5)
+}
+
+/// A wedge with its edge along z in the groove of the beam.
+pub(super) fn knife() -> Made {
+    prism(&[[-0.2, -1.7], [0.2, -1.7], [0.0, -0.2]], &[[0, 1, 2]], 1.0)
+}
+
+/// Teeth of a gear.
+const TEETH: u32 = 12;
+/// Radius of a gear where its teeth mesh, m.
+const PITCH_RADIUS: f64 = 1.0;
+/// How far teeth reach beyond that and gaps fall short of it, m.
+const TOOTH: f64 = 0.12;
+/// Of the pitch, half of what a tooth takes at its root and at its tip.
+const HALF_TOOTH: [f64; 2] = [8.0 / 30.0, 4.0 / 30.0];
+/// Radius of a gear's bore, and that of the pin in it, m.
+const BORE: [f64; 2] = [0.3, 0.296];
+
+/// A gear about z: twelve teeth with straight sides.
+pub(super) fn gear() -> Made {
+    let pitch = TAU / f64::from(TEETH);
+    let mut outer = Vec::new();
+    for tooth in 0..TEETH {
+        let [root, tip] = HALF_TOOTH;
+        for (offset, radius) in [(-root, -TOOTH), (-tip, TOOTH), (tip, TOOTH), (root, -TOOTH)] {
+            outer.push(on_circle(PITCH_RADIUS + radius, (f64::from(tooth) + offset) * pitch));
+        }
+    }
+    let inner: Vec<[f64; 2]> = outer.iter().map(|&[x, y]| [x, y].map(|c| c * BORE[0] / libm::hypot(x, y))).collect();
+    band(&inner, &outer, Ends::Joined, 0.25)
+}
+
+/// What a gear turns about.
+pub(super) fn pin() -> Made {
+    let outline: Vec<[f64; 2]> = (0..24).map(|corner| on_circle(BORE[1], TAU * f64::from(corner) / 24.0)).collect();
+    polygon(&outline, 0.5)
+}
+
+/// A bar along y with teeth towards +x that mesh with those of the gear: its pitch line is x = 0.
+pub(super) fn rack() -> Made {
+    let pitch = PITCH_RADIUS * TAU / f64::from(TEETH);
+    let mut teeth = Vec::new();
+    for tooth in 0..6 {
+        let [root, tip] = HALF_TOOTH;
+        for (offset, x) in [(-root, -TOOTH), (-tip, TOOTH), (tip, TOOTH), (root, -TOOTH)] {
+            teeth.push([x, (f64::from(tooth) + offset) * pitch]);
+        }
+    }
+    let back: Vec<[f64; 2]> = teeth.iter().map(|&[_, y]| [-0.39, y]).collect();
+    band(&back, &teeth, Ends::Open, 0.25)
+}
+
+fn on_circle(radius: f64, angle: f64) -> [f64; 2] {
+    let (sine, cosine) = libm::sincos(angle);
+    [radius * cosine, radius * sine]
+}
+
+/// The prism over a convex polygon that goes round anticlockwise seen from +z.
+fn polygon(outline: &[[f64; 2]], half: f64) -> Made {
+    let fan: Vec<[u32; 3]> = (2..outline.len() as u32).map(|corner| [0, corner - 1, corner]).collect();
+    prism(outline, &fan, half)
+}
+
+/// Whether a band ends or closes on itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ends {
+    Open,
+    Joined,
+}
+
+/// The prism over a band between two lines of as many corners, whose rungs part it into quadrangles. Seen from +z the band
+/// is on the right of the first line.
+fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64) -> Made {
+    let count = left.len() as u32;
+    let at = |z: f64| left.iter().chain(right).map(move |&[x, y]| DVec3::new(x, y, z));
+    let vertices: Vec<DVec3> = at(half).chain(at(-half)).collect();
+    let (behind, rungs) = (2 * count, if ends == Ends::Joined { count } else { count - 1 });
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let mut quadrangle = |[a, b, c, d]: [u32; 4]| triangles.extend([[a, b, c], [a, c, d]]);
+    for rung in 0..rungs {
+        let next = (rung + 1) % count;
+        let (l, m, r, q) = (rung, next, rung + count, next + count);
+        quadrangle([l, r, q, m]);
+        quadrangle([l + behind, m + behind, q + behind, r + behind]);
+        quadrangle([l, m, m + behind, l + behind]);
+        quadrangle([r, r + behind, q + behind, q]);
+    }
+    if ends == Ends::Open {
+        let (l, r) = (0, count);
+        quadrangle([l, l + behind, r + behind, r]);
+        let (l, r) = (count - 1, 2 * count - 1);
+        quadrangle([l, r, r + behind, l + behind]);
+    }
+    Ok(TriangleMesh::new(vertices, triangles)?)
+}
+
 /// The solid between an outline in the plane of x and y and its copy, `half` before and behind it. The outline goes round
 /// anticlockwise seen from +z, and `inside` fills it with triangles that go round alike.
 fn prism(outline: &[[f64; 2]], inside: &[[u32; 3]], half: f64) -> Made {
@@ -138,6 +246,13 @@ mod tests {
     #[test]
     fn solids_enclose_their_volumes() {
         let regular = 2.0_f64.sqrt() / 12.0;
+        let [root, tip] = HALF_TOOTH;
+        let outside = TOOTH * (12.0 * tip - 5.0 * (1.0 - 2.0 * root));
+        let rack_area = (0.39 * (5.0 + 2.0 * root) + outside) * TAU / 12.0;
+        // Triangles from the axis to each side of the outlines, which are 4, 8, 4 and 14 degrees wide.
+        let sine = |degrees: f64| libm::sin(degrees * TAU / 360.0);
+        let ring = |r: f64, s: f64| 6.0 * (2.0 * r * s * sine(4.0) + s * s * sine(8.0) + r * r * sine(14.0));
+        let gear_area = ring(PITCH_RADIUS - TOOTH, PITCH_RADIUS + TOOTH) - ring(BORE[0], BORE[0]);
         for (name, mesh, volume) in [
             ("cube", cube(), 1.0),
             ("corner", corner(), 1.0 / 6.0),
@@ -148,6 +263,10 @@ mod tests {
             ("crack", crack(), 8.0 - 1.0),
             ("cliff", cliff(), (2.25 + 1.5 + 1.0) / 3.0),
             ("internal edges", internal_edges(), 4.0),
+            ("beam", beam(), 15.0 - 0.09),
+            ("knife", knife(), 0.6),
+            ("rack", rack(), 0.5 * rack_area),
+            ("gear", gear(), 0.5 * gear_area),
         ] {
             let solid = SolidMesh::new(mesh.expect("a mesh")).expect("a solid");
             let measured = solid.volume_integrals().volume;

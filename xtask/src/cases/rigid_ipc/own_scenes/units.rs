@@ -1,46 +1,11 @@
-//! Scenes written after the descriptions of the suite's unit tests, in its own format, with meshes made here: they need
-//! no data of others and go the same way as the suite's files do. SI units, degrees, y up.
+//! The suite's unit tests.
 
-use super::meshes;
-use polhode::mesh::TriangleMesh;
+use super::OwnScene;
 use serde_json::{Value, json};
-use std::error::Error;
 
-/// A scene in the suite's format.
-pub(super) struct OwnScene {
-    pub(super) name: &'static str,
-    pub(super) document: Value,
-}
-
-/// The mesh files that the scenes name.
-pub(super) fn mesh_files() -> Result<Vec<(&'static str, TriangleMesh)>, Box<dyn Error>> {
-    Ok(vec![
-        ("cube.obj", meshes::cube()?),
-        ("plane.obj", meshes::plane(1)?),
-        ("plane-8.obj", meshes::plane(2)?),
-        ("plane-512.obj", meshes::plane(16)?),
-        ("plane-8192.obj", meshes::plane(64)?),
-        ("corner.obj", meshes::corner()?),
-        ("crossed.obj", meshes::crossed()?),
-        ("pyramid.obj", meshes::pyramid()?),
-        ("spike.obj", meshes::spike()?),
-        ("wedge.obj", meshes::wedge()?),
-        ("crack.obj", meshes::crack()?),
-        ("cliff.obj", meshes::cliff()?),
-        ("internal-edges.obj", meshes::internal_edges()?),
-        ("ellipsoid.obj", meshes::ellipsoid()?),
-    ])
-}
-
-/// A scene of one second with samples every 0.01 s.
+/// A scene of one second.
 fn scene(name: &'static str, gravity: f64, bodies: &Value) -> OwnScene {
-    let document = json!({
-        "scene_type": "distance_barrier_rb_problem",
-        "timestep": 0.01,
-        "max_time": 1.0,
-        "rigid_body_problem": { "coefficient_restitution": -1, "gravity": [0, -gravity, 0], "rigid_bodies": bodies }
-    });
-    OwnScene { name, document }
+    OwnScene::new(name, 1.0, gravity, bodies)
 }
 
 /// All of them.

@@ -1,0 +1,68 @@
+//! Scenes written after the descriptions of the suite's scenes, in its own format, with meshes made here: they need no
+//! data of others and go the same way as the suite's files do. SI units, degrees, y up.
+//!
+//! | module | scenes |
+//! |---|---|
+//! | `units` | unit tests: features, what Erleben finds hard, tunnels, planes, stacks, rotations |
+//! | `chains` | chains |
+//! | `machines` | a lever, a compactor, gears |
+//! | `meshes` | the meshes of all |
+
+mod chains;
+mod machines;
+mod meshes;
+mod units;
+
+use polhode::mesh::TriangleMesh;
+use serde_json::{Value, json};
+use std::error::Error;
+
+/// A scene in the suite's format.
+pub(super) struct OwnScene {
+    pub(super) name: &'static str,
+    pub(super) document: Value,
+}
+
+impl OwnScene {
+    /// With samples every 0.01 s, and without restitution.
+    fn new(name: &'static str, duration_s: f64, gravity: f64, bodies: &Value) -> Self {
+        let document = json!({
+            "scene_type": "distance_barrier_rb_problem",
+            "timestep": 0.01,
+            "max_time": duration_s,
+            "rigid_body_problem": { "coefficient_restitution": -1, "gravity": [0, -gravity, 0], "rigid_bodies": bodies }
+        });
+        Self { name, document }
+    }
+}
+
+/// The mesh files that the scenes name.
+pub(super) fn mesh_files() -> Result<Vec<(&'static str, TriangleMesh)>, Box<dyn Error>> {
+    Ok(vec![
+        ("cube.obj", meshes::cube()?),
+        ("plane.obj", meshes::plane(1)?),
+        ("plane-8.obj", meshes::plane(2)?),
+        ("plane-512.obj", meshes::plane(16)?),
+        ("plane-8192.obj", meshes::plane(64)?),
+        ("corner.obj", meshes::corner()?),
+        ("crossed.obj", meshes::crossed()?),
+        ("pyramid.obj", meshes::pyramid()?),
+        ("spike.obj", meshes::spike()?),
+        ("wedge.obj", meshes::wedge()?),
+        ("crack.obj", meshes::crack()?),
+        ("cliff.obj", meshes::cliff()?),
+        ("internal-edges.obj", meshes::internal_edges()?),
+        ("ellipsoid.obj", meshes::ellipsoid()?),
+        ("link.obj", meshes::link()?),
+        ("beam.obj", meshes::beam()?),
+        ("knife.obj", meshes::knife()?),
+        ("gear.obj", meshes::gear()?),
+        ("pin.obj", meshes::pin()?),
+        ("rack.obj", meshes::rack()?),
+    ])
+}
+
+/// All of them.
+pub(super) fn all() -> Vec<OwnScene> {
+    [units::all(), chains::all(), machines::all()].into_iter().flatten().collect()
+}
