@@ -15,7 +15,7 @@
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`Manifold`] |
 //! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`NarrowPhase`]: all pairs from step to step |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
-//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close |
+//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
@@ -47,7 +47,9 @@ pub use bounding::{BoundingSphere, OrientedBox};
 pub use broad_phase::{BroadPhase, BroadPhaseError, BroadPhaseMethod, Bvh, UnknownBroadPhase};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
-pub use impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_impact};
+pub use impact::time_of_impact::{
+    ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_further_impact, time_of_impact,
+};
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics};

@@ -1,16 +1,20 @@
 //! Whether bodies are in each other at the samples of a run: a check that shares no code with polhode-contact.
 //!
-//! It starts from triangle meshes and sampled poses. Every vertex is placed by the pose (and rounded once); from there on:
+//! It starts from triangle meshes (or corners without faces) and sampled poses. Every vertex is placed by the pose (and
+//! rounded once); from there on:
 //!
 //! 1. *Depth.* A convex body is one piece, another one that moves the convex parts of its exact decomposition, another one
-//!    that is fixed the triangles of its surface. Two pieces of two bodies whose boxes overlap must be parted by a move of
-//!    at most the tolerance, which a direction proves (`depth`). This covers vertices in faces, edges through edges and
-//!    faces through faces, coincident bodies and one convex body within another.
-//! 2. *Within.* The centre of mass of a body must not be inside a solid that is not convex.
-//! 3. *Through.* Between two samples the centre of mass of a body, seen from the other one, must not cross its surface:
-//!    a body that is beyond a surface without a thickness is in nothing. The straight way between the two samples is
-//!    tested against each triangle by exact signs of determinants (`robust`). Centres of mass that are outside their own
-//!    body (rings) would be free to pass; the suite has none.
+//!    that is fixed the triangles of its surface, corners without faces a piece each. Two pieces of two bodies whose boxes
+//!    overlap must be parted by a move of at most the tolerance, which a direction proves (`depth`). This covers vertices
+//!    in faces, edges through edges and faces through faces, coincident bodies and one convex body within another.
+//! 2. *Within.* The marks of a body must not be inside a solid that is not convex.
+//! 3. *Through.* Between two samples the marks of a body, seen from the other one, must not cross its surface: a body that
+//!    is beyond a surface without a thickness, or a link that has left another, is in nothing. The straight way between
+//!    the two samples is tested against each triangle by exact signs of determinants (`robust`). It is the true way only as far as
+//!    bodies turn little from sample to sample: scenes of fast ones are sampled more often.
+//!
+//! The mark of a body is its centre of mass. A body that does not hold its own, as a ring, has the centres of its convex
+//! parts and the places halfway from there to their corners.
 //!
 //! Tolerance: 1e-12 of the smaller of the two sizes and 4 epsilon of the largest coordinate, the bound that the project's
 //! design judges penetration by. Nothing is shrunk: a depth of up to the tolerance passes.
@@ -43,41 +47,51 @@ pub(crate) struct Findings {
     pub(crate) of_tolerance: f64,
     /// Time of the first depth beyond the tolerance, s.
     pub(crate) since_s: Option<f64>,
-    /// Centres of mass found inside a solid.
+    /// Marks found inside a solid.
     pub(crate) within: u64,
-    /// Centres of mass that went through a surface.
+    /// Marks that went through a surface.
     pub(crate) through: u64,
     /// Pairs of pieces whose boxes overlapped.
     pub(crate) pairs: u64,
 }
 
+/// The form of a body in its own frame.
+#[derive(Debug)]
+pub(crate) enum Form {
+    Mesh(TriangleMesh),
+    /// Corners without faces.
+    Points(Vec<DVec3>),
+}
+
 /// A body as the check sees it.
 struct Checked {
-    mesh: TriangleMesh,
+    /// None of corners without faces.
+    mesh: Option<TriangleMesh>,
     parts: Vec<Part>,
     /// Of a solid that is not convex.
     locator: Option<PointLocator>,
-    center_of_mass: Option<DVec3>,
+    /// Places inside the body, in its frame; of one that moves.
+    marks: Vec<DVec3>,
     size: f64,
 }
 
-/// Checks all samples of a run. `meshes` are those of the bodies, in the order of the scene, in the bodies' own frames.
+/// Checks all samples of a run. `forms` are those of the bodies, in the order of the scene.
 ///
 /// # Errors
-/// When there is not one mesh for each body, or one that moves has no convex parts.
-pub(crate) fn check(run: &Run, meshes: &[TriangleMesh]) -> Result<Findings, Box<dyn Error>> {
+/// When there is not one form for each body, or one that moves has no convex parts.
+pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error>> {
     let scene = &run.scene;
-    if meshes.len() != scene.bodies().len() {
-        return Err(format!("{} meshes for {} bodies", meshes.len(), scene.bodies().len()).into());
+    if forms.len() != scene.bodies().len() {
+        return Err(format!("{} forms for {} bodies", forms.len(), scene.bodies().len()).into());
     }
-    let pairs: Vec<(usize, usize)> = (0..meshes.len())
-        .flat_map(|a| (a + 1..meshes.len()).map(move |b| (a, b)))
+    let pairs: Vec<(usize, usize)> = (0..forms.len())
+        .flat_map(|a| (a + 1..forms.len()).map(move |b| (a, b)))
         .filter(|&(a, b)| scene.may_collide(a, b))
         .collect();
     let meets = |body: usize| pairs.iter().any(|&(a, b)| a == body || b == body);
     let mut bodies = Vec::new();
-    for (index, mesh) in meshes.iter().enumerate() {
-        bodies.push(checked(scene, index, mesh, meets(index)).map_err(|error| format!("body {index}: {error}"))?);
+    for (index, form) in forms.iter().enumerate() {
+        bodies.push(checked(scene, index, form, meets(index)).map_err(|error| format!("body {index}: {error}"))?);
     }
     let mut findings = Findings::default();
     let mut hints = BTreeMap::new();
@@ -105,8 +119,16 @@ pub(crate) fn check(run: &Run, meshes: &[TriangleMesh]) -> Result<Findings, Box<
     Ok(findings)
 }
 
-fn checked(scene: &Scene, index: usize, mesh: &TriangleMesh, meets: bool) -> Result<Checked, Box<dyn Error>> {
+fn checked(scene: &Scene, index: usize, form: &Form, meets: bool) -> Result<Checked, Box<dyn Error>> {
     let body = &scene.bodies()[index];
+    let mesh = match form {
+        Form::Mesh(mesh) => mesh,
+        // They have no size that a depth could be held against.
+        Form::Points(points) => {
+            let parts = points.iter().copied().map(Part::of_point).collect();
+            return Ok(Checked { mesh: None, parts, locator: None, marks: Vec::new(), size: f64::INFINITY });
+        }
+    };
     let solid = SolidMesh::new(mesh.clone()).ok();
     let is_convex = solid.as_ref().is_some_and(|solid| convexity(solid).is_convex());
     let parts = match &solid {
@@ -119,13 +141,15 @@ fn checked(scene: &Scene, index: usize, mesh: &TriangleMesh, meets: bool) -> Res
         _ if body.is_fixed() => mesh.corner_positions().map(Part::of_triangle).collect(),
         _ => return Err("an open surface that moves".into()),
     };
-    Ok(Checked {
-        locator: solid.as_ref().filter(|_| meets && !is_convex).map(PointLocator::new),
-        center_of_mass: body.mass_properties().map(polhode::spatial::MassProperties::center_of_mass),
-        size: mesh.bounds().diagonal(),
-        mesh: mesh.clone(),
-        parts,
-    })
+    let locator = solid.as_ref().filter(|_| meets && !is_convex).map(PointLocator::new);
+    let center = body.mass_properties().map(polhode::spatial::MassProperties::center_of_mass);
+    let holds = |center: &DVec3| locator.as_ref().is_none_or(|locator| locator.contains(*center));
+    let marks = match center {
+        Some(center) if holds(&center) => vec![center],
+        Some(_) => parts.iter().flat_map(Part::marks).collect(),
+        None => Vec::new(),
+    };
+    Ok(Checked { locator, marks, size: mesh.bounds().diagonal(), mesh: Some(mesh.clone()), parts })
 }
 
 /// Places all pieces; those of bodies that have not moved stay as they are.
@@ -175,26 +199,33 @@ fn depths(
     deepest
 }
 
-/// Where the centre of mass of a body is in the frame of another, m.
-fn seen_from(bodies: &[Checked], samples: &[BodySample], body: usize, frame: usize) -> Option<DVec3> {
-    let center = samples[body].pose.transform_point(bodies[body].center_of_mass?);
-    Some(samples[frame].pose.inverse_transform_point(center))
+/// Where the marks of a body are in the frame of another, m.
+fn seen_from<'a>(
+    bodies: &'a [Checked],
+    samples: &'a [BodySample],
+    body: usize,
+    frame: usize,
+) -> impl Iterator<Item = DVec3> + 'a {
+    let seen = samples[frame].pose.relative(&samples[body].pose);
+    bodies[body].marks.iter().map(move |&mark| seen.transform_point(mark))
 }
 
 fn is_within(bodies: &[Checked], samples: &[BodySample], body: usize, solid: usize) -> bool {
-    let (Some(locator), Some(center)) = (&bodies[solid].locator, seen_from(bodies, samples, body, solid)) else {
-        return false;
-    };
-    locator.contains(center)
+    let Some(locator) = &bodies[solid].locator else { return false };
+    seen_from(bodies, samples, body, solid).any(|mark| locator.contains(mark))
 }
 
 fn went_through(bodies: &[Checked], before: &[BodySample], after: &[BodySample], body: usize, surface: usize) -> bool {
-    let at = |samples| seen_from(bodies, samples, body, surface);
-    let (Some(from), Some(to)) = (at(before), at(after)) else { return false };
-    let (low, high) = (from.min(to), from.max(to));
-    bodies[surface].mesh.corner_positions().any(|[a, b, c]| {
-        let apart = a.min(b).min(c).cmpgt(high).any() || a.max(b).max(c).cmplt(low).any();
-        !apart && crosses([from, to], [a, b, c])
+    let marks = |samples| seen_from(bodies, samples, body, surface);
+    let Some(mesh) = &bodies[surface].mesh else { return false };
+    let bounds = mesh.bounds();
+    marks(before).zip(marks(after)).any(|(from, to)| {
+        let (low, high) = (from.min(to), from.max(to));
+        part::box_overlap((low, high), (bounds.min, bounds.max)) >= 0.0
+            && mesh.corner_positions().any(|[a, b, c]| {
+                let apart = a.min(b).min(c).cmpgt(high).any() || a.max(b).max(c).cmplt(low).any();
+                !apart && crosses([from, to], [a, b, c])
+            })
     })
 }
 
@@ -217,8 +248,10 @@ fn coordinates(point: DVec3) -> Coord3D<f64> {
 
 #[cfg(test)]
 mod tests {
-    //! Ways through a triangle, its rim and past it.
+    //! Ways through a triangle, its rim and past it; a link that leaves another.
     use super::*;
+    use polhode::mesh::{Refinement, Torus};
+    use polhode_spatial::{Rotation, Velocity};
 
     #[test]
     fn a_way_through_a_triangle_or_its_rim_is_found_and_one_beside_it_is_not() {
@@ -228,5 +261,26 @@ mod tests {
         assert!(crosses(down(0.5, 0.5), triangle));
         assert!(!crosses(down(0.75, 0.75), triangle));
         assert!(!crosses([DVec3::new(0.25, 0.25, 2.0), DVec3::new(0.25, 0.25, 1.0)], triangle));
+    }
+
+    #[test]
+    fn a_link_that_leaves_another_between_two_samples_is_found_and_one_that_turns_in_it_is_not() {
+        let solid = Torus::new(0.3, 0.05).and_then(|ring| ring.mesh(Refinement::COARSEST)).expect("a ring");
+        let parts = convex_decomposition(&solid, DecompositionSettings::default()).expect("parts");
+        let link = || Checked {
+            mesh: Some(solid.mesh().clone()),
+            parts: Vec::new(),
+            locator: None,
+            marks: parts.parts.iter().flat_map(|part| Part::of_mesh(part.mesh()).marks()).collect(),
+            size: 0.7,
+        };
+        let links = [link(), link()];
+        let sample = |x: f64, turn: f64| {
+            let across = Pose::new(Rotation::from_rotation_vector(DVec3::X * turn), DVec3::X * x);
+            [Pose::IDENTITY, across].map(|pose| BodySample { pose, velocity: Velocity::ZERO })
+        };
+        let hanging = sample(0.45, 1.5);
+        assert!(went_through(&links, &hanging, &sample(0.75, 1.5), 1, 0), "the link has left");
+        assert!(!went_through(&links, &hanging, &sample(0.46, 1.6), 1, 0), "the link has turned");
     }
 }

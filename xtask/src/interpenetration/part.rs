@@ -1,4 +1,4 @@
-//! Convex pieces of bodies: a convex part of a solid, or one triangle of a surface.
+//! Convex pieces of bodies: a convex part of a solid, one triangle of a surface, or a point.
 
 use glam::DVec3;
 use polhode::mesh::TriangleMesh;
@@ -28,11 +28,22 @@ impl Part {
         Self::new(corners.to_vec(), vec![[0, 1, 2]])
     }
 
+    /// A point.
+    pub(super) fn of_point(point: DVec3) -> Self {
+        Self::new(vec![point], Vec::new())
+    }
+
     fn new(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Self {
         let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let edges: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
         let (low, high) = bounds(&vertices);
         Self { vertices, faces, edges: edges.into_iter().collect(), low, high }
+    }
+
+    /// The middle of the vertices and the places halfway to them: inside, as the piece is convex.
+    pub(super) fn marks(&self) -> Vec<DVec3> {
+        let middle = self.vertices.iter().sum::<DVec3>() / self.vertices.len() as f64;
+        self.vertices.iter().map(|vertex| middle.midpoint(*vertex)).chain([middle]).collect()
     }
 
     /// The piece in the world, every vertex rounded once.

@@ -5,9 +5,9 @@
 //! `x` into `x pi / 180` N m), `force` acts at the centre of mass.
 
 use super::error::ImportError;
-use super::meshes::Meshes;
+use super::meshes::{Form, Meshes};
 use super::rotation;
-use super::scene::{BodyText, ForceKindText, ForceText, MeshText, ShapeText};
+use super::scene::{BodyText, ForceKindText, ForceText, MeshText, PointsText, ShapeText};
 use super::table::Table;
 use super::{HeldRotations, MATERIAL};
 use glam::DVec3;
@@ -56,9 +56,9 @@ pub(super) fn import(
     if body.flag("enabled")? == Some(false) {
         return Ok(None);
     }
-    let mesh = meshes.of_body(body)?;
+    let placed = meshes.of_body(body)?;
     let mut notes = Vec::new();
-    let name = name_of(&mesh.stem);
+    let name = name_of(&placed.stem);
     let linear = body.vector("linear_velocity")?.unwrap_or(DVec3::ZERO);
     let angular = body.vector("angular_velocity")?.unwrap_or(DVec3::ZERO) * RADIANS;
     let freedom = freedom(body, linear == DVec3::ZERO && angular == DVec3::ZERO)?;
@@ -77,8 +77,8 @@ pub(super) fn import(
             }
         }
     }
-    let pivot = match freedom {
-        Freedom::Turns => Some(pose.transform_point(center_of_mass(body, &mesh.mesh)?).to_array()),
+    let pivot = match (freedom, &placed.form) {
+        (Freedom::Turns, Form::Mesh { mesh, .. }) => Some(pose.transform_point(center_of_mass(body, mesh)?).to_array()),
         _ => None,
     };
     let velocity = matches!(freedom, Freedom::Free | Freedom::Slides).then_some(linear);
@@ -89,7 +89,7 @@ pub(super) fn import(
     let text = BodyText {
         name,
         fixed: freedom == Freedom::Fixed,
-        shape: ShapeText { mesh: MeshText { file: mesh.file, scale: mesh.scale } },
+        shape: shape(body, placed.form, freedom)?,
         density: (freedom != Freedom::Fixed).then_some(density),
         position: pose.translation.to_array(),
         orientation: orientation.to_wxyz(),
@@ -99,6 +99,19 @@ pub(super) fn import(
         material: MATERIAL,
     };
     Ok(Some(ImportedBody { text, forces, group, notes }))
+}
+
+fn shape(body: &Table<'_>, form: Form, freedom: Freedom) -> Result<ShapeText, ImportError> {
+    match form {
+        Form::Mesh { file, scale, .. } => Ok(ShapeText::Mesh(MeshText { file, scale })),
+        Form::Points(positions) if freedom == Freedom::Fixed => {
+            Ok(ShapeText::Points(PointsText { positions: positions.iter().map(DVec3::to_array).collect() }))
+        }
+        Form::Points(_) => {
+            let message = "points without faces have no volume to take a mass from: available are static ones";
+            Err(body.refuse("type", message))
+        }
+    }
 }
 
 /// What is held, by `type` and `is_dof_fixed`; velocities of what is held are zero there too.

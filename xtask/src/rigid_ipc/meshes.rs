@@ -1,26 +1,36 @@
 //! Mesh files of the suite, brought to the size that a scene asks for.
 
 use super::error::ImportError;
+use super::points;
 use super::table::Table;
 use glam::DVec3;
-use polhode::mesh::{Repair, RepairOptions, SolidMesh, TriangleMesh, obj, repair};
+use polhode::mesh::{Bounds, Repair, RepairOptions, SolidMesh, TriangleMesh, obj, repair};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Name of the folder of mesh files.
 const FOLDER: &str = "meshes";
 
-/// A mesh as a body uses it.
+/// The form of a body.
 #[derive(Debug)]
-pub(super) struct PlacedMesh {
-    /// File of the result, beside the scene.
-    pub(super) file: String,
-    /// What the coordinates of that file are multiplied by.
-    pub(super) scale: Option<f64>,
-    /// The mesh at its full size.
-    pub(super) mesh: TriangleMesh,
-    /// Name of the file without its ending.
+pub(super) struct Placed {
+    /// Name of the mesh file without its ending, or what a body without one is called.
     pub(super) stem: String,
+    pub(super) form: Form,
+}
+
+/// What the form of a body is made of, at its full size.
+#[derive(Debug)]
+pub(super) enum Form {
+    Mesh {
+        /// File of the result, beside the scene.
+        file: String,
+        /// What the coordinates of that file are multiplied by.
+        scale: Option<f64>,
+        mesh: TriangleMesh,
+    },
+    /// Corners without edges and faces.
+    Points(Vec<DVec3>),
 }
 
 /// Where mesh files come from and where they go.
@@ -40,29 +50,45 @@ impl<'a> Meshes<'a> {
         Self { scene, folder, written: BTreeMap::new(), notes: Vec::new() }
     }
 
-    /// The mesh of a body: read, scaled by `scale` or to `dimensions`, and put among the files of the result.
-    pub(super) fn of_body(&mut self, body: &mut Table<'_>) -> Result<PlacedMesh, ImportError> {
-        let name = body.text("mesh")?.ok_or_else(|| {
-            body.refuse("mesh", "absent; bodies given by `vertices`, `edges`, `faces` are not taken over")
-        })?;
+    /// The form of a body: read, scaled by `scale` or to `dimensions`; a mesh is put among the files of the result.
+    pub(super) fn of_body(&mut self, body: &mut Table<'_>) -> Result<Placed, ImportError> {
+        let Some(name) = body.text("mesh")? else {
+            let positions = points::of_scene(body)?;
+            return Ok(Placed { stem: "points".to_owned(), form: scaled_points(body, positions)? });
+        };
         let path = self.find(name).ok_or_else(|| ImportError::NoMesh {
             path: self.scene.to_owned(),
             key: body.key("mesh"),
             mesh: name.to_owned(),
         })?;
-        let mesh = self.closed(polhode_scene::read_mesh(&path)?, body)?;
         let stem = path.file_stem().map_or_else(|| "body".to_owned(), |stem| stem.to_string_lossy().into_owned());
-        let factors = factors(body, &mesh)?;
+        if let Some(positions) = points::of_file(&path, body)? {
+            return Ok(Placed { stem, form: scaled_points(body, positions)? });
+        }
+        let mesh = self.closed(polhode_scene::read_mesh(&path)?, body)?;
+        let factors = factors(body, &mesh.bounds())?;
+        let form = self.scaled(body, &stem, &mesh, factors)?;
+        Ok(Placed { stem, form })
+    }
+
+    /// A mesh with its coordinates multiplied by these factors.
+    fn scaled(
+        &mut self,
+        body: &Table<'_>,
+        stem: &str,
+        mesh: &TriangleMesh,
+        factors: DVec3,
+    ) -> Result<Form, ImportError> {
         if factors == DVec3::splat(factors.x) {
-            let file = self.keep(&stem, &mesh);
+            let file = self.keep(stem, mesh);
             let scaled = mesh.scaled(factors.x).map_err(|source| self.refused(body, source))?;
-            return Ok(PlacedMesh { file, scale: (factors.x != 1.0).then_some(factors.x), mesh: scaled, stem });
+            return Ok(Form::Mesh { file, scale: (factors.x != 1.0).then_some(factors.x), mesh: scaled });
         }
         let vertices = mesh.vertices().iter().map(|&vertex| vertex * factors).collect();
         let scaled =
             TriangleMesh::new(vertices, mesh.triangles().to_vec()).map_err(|source| self.refused(body, source))?;
         let file = self.keep(&format!("{stem}-scaled"), &scaled);
-        Ok(PlacedMesh { file, scale: None, mesh: scaled, stem })
+        Ok(Form::Mesh { file, scale: None, mesh: scaled })
     }
 
     /// The mesh with the corners that it repeats joined, when that makes it a solid: exporters part a mesh along seams that
@@ -114,9 +140,17 @@ impl<'a> Meshes<'a> {
     }
 }
 
+fn scaled_points(body: &mut Table<'_>, mut positions: Vec<DVec3>) -> Result<Form, ImportError> {
+    let factors = factors(body, &Bounds::of(positions.iter().copied()))?;
+    for position in &mut positions {
+        *position *= factors;
+    }
+    Ok(Form::Points(positions))
+}
+
 /// Factors of the three coordinates. `dimensions` wins over `scale` and counts a direction without extent as 1 m long,
 /// both as in the suite's reader.
-fn factors(body: &mut Table<'_>, mesh: &TriangleMesh) -> Result<DVec3, ImportError> {
+fn factors(body: &mut Table<'_>, bounds: &Bounds) -> Result<DVec3, ImportError> {
     let scale = match body.value("scale") {
         None => DVec3::ONE,
         Some(value) => match value.as_f64() {
@@ -127,7 +161,6 @@ fn factors(body: &mut Table<'_>, mesh: &TriangleMesh) -> Result<DVec3, ImportErr
     let (key, factors) = match body.vector("dimensions")? {
         None => ("scale", scale),
         Some(dimensions) => {
-            let bounds = mesh.bounds();
             let extent = (bounds.max - bounds.min).to_array().map(|extent| if extent == 0.0 { 1.0 } else { extent });
             ("dimensions", dimensions / DVec3::from_array(extent))
         }

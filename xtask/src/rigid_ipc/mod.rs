@@ -11,6 +11,7 @@
 //! | `table` | objects of the document; keys read and unread |
 //! | `body` | bodies |
 //! | `meshes` | mesh files and their sizes |
+//! | `points` | corners without faces |
 //! | `rotation` | three angles |
 //! | `scene` | what is written |
 //! | `error` | [`ImportError`] |
@@ -18,6 +19,7 @@
 mod body;
 mod error;
 mod meshes;
+mod points;
 mod rotation;
 mod scene;
 mod table;

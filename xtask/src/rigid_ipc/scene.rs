@@ -55,8 +55,15 @@ pub(super) struct BodyText {
 }
 
 #[derive(Debug, Serialize)]
-pub(super) struct ShapeText {
-    pub(super) mesh: MeshText,
+#[serde(rename_all = "snake_case")]
+pub(super) enum ShapeText {
+    Mesh(MeshText),
+    Points(PointsText),
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct PointsText {
+    pub(super) positions: Vec<[f64; 3]>,
 }
 
 #[derive(Debug, Serialize)]

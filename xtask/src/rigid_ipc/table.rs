@@ -76,9 +76,20 @@ impl<'a> Table<'a> {
     /// Three numbers.
     pub(super) fn vector(&mut self, key: &'static str) -> Result<Option<DVec3>, ImportError> {
         let Some(value) = self.value(key) else { return Ok(None) };
+        self.three_numbers(key, value).map(Some)
+    }
+
+    /// A list of three numbers each.
+    pub(super) fn vectors(&mut self, key: &'static str) -> Result<Option<Vec<DVec3>>, ImportError> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let list = value.as_array().ok_or_else(|| self.refuse(key, "not a list"))?;
+        list.iter().map(|item| self.three_numbers(key, item)).collect::<Result<_, _>>().map(Some)
+    }
+
+    fn three_numbers(&self, key: &str, value: &Value) -> Result<DVec3, ImportError> {
         let numbers: Option<Vec<f64>> = value.as_array().and_then(|values| values.iter().map(Value::as_f64).collect());
         match numbers.as_deref() {
-            Some(&[x, y, z]) => Ok(Some(DVec3::new(x, y, z))),
+            Some(&[x, y, z]) => Ok(DVec3::new(x, y, z)),
             _ => Err(self.refuse(key, format!("{value} is not three numbers (plane scenes are not taken over)"))),
         }
     }

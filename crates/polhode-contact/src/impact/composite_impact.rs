@@ -38,8 +38,20 @@ const APPROACHING: f64 = 1e-10;
 /// After so many closings without approach of one pair of parts the next one counts.
 const MOST_SLIDES: u32 = 4096;
 
+/// Which parts are searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parts {
+    /// All.
+    All,
+    /// Those that are clear of each other at the start, for bodies that others of their parts hold together.
+    Clear,
+}
+
 /// The pair of whole bodies.
 struct Pair<'a> {
+    parts: Parts,
+    /// Poses at the start.
+    poses: [Pose; 2],
     shapes: [&'a Shape; 2],
     motions: [&'a dyn Motion; 2],
     settings: &'a ImpactSearch,
@@ -59,6 +71,7 @@ pub(crate) fn find_composite(
     motions: [&dyn Motion; 2],
     (t0, t1): (f64, f64),
     settings: &ImpactSearch,
+    parts: Parts,
 ) -> Result<ImpactReport, ImpactError> {
     let mut workspace = Workspace::default();
     let poses = [motions[0].pose(t0), motions[1].pose(t0)];
@@ -67,7 +80,7 @@ pub(crate) fn find_composite(
         return Err(ImpactError::NotFinite { t: t0 });
     }
     let touch = touch_tolerance(shapes[0], &poses[0], shapes[1], &poses[1], settings.touch_relative);
-    let pair = Pair { shapes, motions, settings, touch, starts_in_touch: separation <= touch };
+    let pair = Pair { parts, poses, shapes, motions, settings, touch, starts_in_touch: separation <= touch };
     let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 1 };
     let mut candidates = Vec::new();
     let mut windows = 1;
@@ -165,6 +178,12 @@ impl Pair<'_> {
         let (Some(a), Some(b)) = (part(self.shapes[0], parts[0]), part(self.shapes[1], parts[1])) else {
             return Ok(());
         };
+        if self.parts == Parts::Clear {
+            let [pose_a, pose_b] = &self.poses;
+            if separation_with(workspace, a.as_ref(), pose_a, b.as_ref(), pose_b) <= self.touch {
+                return Ok(());
+            }
+        }
         let mut from = start;
         for slides in 0..=MOST_SLIDES {
             let limit = best.time.unwrap_or(t1);
@@ -178,6 +197,9 @@ impl Pair<'_> {
             if !self.starts_in_touch || slides == MOST_SLIDES || t <= from || self.approaches(workspace, t) {
                 best.time = Some(t);
                 best.separation = found.separation;
+                break;
+            }
+            if self.parts == Parts::Clear {
                 break;
             }
             from = t;

@@ -15,7 +15,7 @@
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
-use crate::impact::composite_impact::{find_composite, is_composite};
+use crate::impact::composite_impact::{Parts, find_composite, is_composite};
 use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
@@ -128,9 +128,34 @@ pub fn find_impact(
     }
     let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
     if shapes.into_iter().any(is_composite) {
-        return find_composite(shapes, motions, (t0, t1), settings);
+        return find_composite(shapes, motions, (t0, t1), settings, Parts::All);
     }
     find_in_parts(shapes, shapes, motions, (t0, t1), settings)
+}
+
+/// First time in `(t0, t1]` at which parts that are clear of each other at `t0` close and their bodies approach: for bodies
+/// that touch with other parts of theirs all along, of which one at least is a compound or a triangle mesh. Others have
+/// one part each, and there is no such time.
+///
+/// # Errors
+/// See [`ImpactError`].
+pub fn time_of_further_impact(
+    shape_a: &Shape,
+    motion_a: &dyn Motion,
+    shape_b: &Shape,
+    motion_b: &dyn Motion,
+    t0: f64,
+    t1: f64,
+    settings: &ImpactSearch,
+) -> Result<Option<f64>, ImpactError> {
+    let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
+    if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
+        return Err(ImpactError::Interval { t0, t1 });
+    }
+    if !shapes.into_iter().any(is_composite) {
+        return Ok(None);
+    }
+    find_composite(shapes, motions, (t0, t1), settings, Parts::Clear).map(|report| report.time)
 }
 
 /// The impact of one part of each of two bodies; the whole bodies give the tolerances.

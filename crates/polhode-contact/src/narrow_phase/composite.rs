@@ -12,6 +12,7 @@ use crate::narrow_phase::compound_surface::on_whole;
 use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::manifold::{along_tied_faces, is_upward, manifold_into};
 use crate::narrow_phase::part_feature::globalized;
+use crate::narrow_phase::ridge_ends::{TouchingPair, crossings};
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
@@ -109,8 +110,8 @@ fn of_compound(
             kept.extend(contacts.iter().filter_map(of_whole));
             kept.len() - before == contacts.len()
         };
+        candidates.extend(of_parts.contacts.iter().map(candidate));
         if !keep(&of_parts.contacts) {
-            candidates.extend(of_parts.contacts.iter().map(candidate));
             // Along an axis that separates the parts as well there may be contacts of the whole.
             along_tied_faces(workspace, (pair[0], near[0]), (pair[1], near[1]), reach, of_parts);
             keep(&of_parts.contacts);
@@ -121,7 +122,12 @@ fn of_compound(
         let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
         return found.set_empty(separation, axis);
     }
-    if kept.is_empty() && found.separation <= tolerance {
+    let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE * tolerance };
+    // Where a ridge bends, what the parts have by themselves is none of the whole: the ridges are crossed there.
+    let at_border = |c: &&Candidate| touching.is_at_border(&c.geometry);
+    workspace.ridges.places.extend(candidates.iter().filter(at_border).map(|c| c.geometry.point));
+    crossings(&mut workspace.ridges, touching, &mut found.contacts);
+    if kept.is_empty() && found.contacts.is_empty() && found.separation <= tolerance {
         // Bodies that touch have a contact, also where the parts hide it: they overlap more than a part is thick.
         kept.extend(candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
     }

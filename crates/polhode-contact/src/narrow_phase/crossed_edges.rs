@@ -12,7 +12,7 @@
 //! separation that may be rounding.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge, Shape};
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge, Shape, TriangleMesh};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
@@ -45,9 +45,15 @@ pub(crate) struct EdgeLine {
 }
 
 impl EdgeLine {
-    fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
+    pub(crate) fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
         let edge = polyhedron.edges.get(index as usize)?;
         let ends = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+    }
+
+    pub(crate) fn of_mesh(mesh: &TriangleMesh, index: u32) -> Option<Self> {
+        let edge = mesh.edges.get(index as usize)?;
+        let ends = edge.vertices.map(|v| mesh.vertices[v as usize]);
         Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
     }
 }
@@ -57,12 +63,7 @@ impl Shape {
     pub(crate) fn edge_line(&self, index: u32) -> Option<EdgeLine> {
         match self {
             Self::Convex(polyhedron) => EdgeLine::of_polyhedron(polyhedron, index),
-            Self::TriangleMesh(mesh) => mesh.edges.get(index as usize).map(|edge| EdgeLine {
-                ends: edge.vertices.map(|v| mesh.vertices[v as usize]),
-                direction: edge.direction,
-                length: edge.length,
-                outward: edge.outward,
-            }),
+            Self::TriangleMesh(mesh) => EdgeLine::of_mesh(mesh, index),
             _ => None,
         }
     }

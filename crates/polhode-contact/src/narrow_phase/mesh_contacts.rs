@@ -5,7 +5,8 @@ use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::face_pair;
 use crate::narrow_phase::manifold::{ALIKE, is_upward, manifold_into};
 use crate::narrow_phase::mesh_feature::Flatness;
-use crate::narrow_phase::mesh_pair::{DEEPER, MeshContact};
+use crate::narrow_phase::mesh_pair::{DEEPER, MeshContact, SAME_PLACE};
+use crate::narrow_phase::ridge_ends::TouchingPair;
 use crate::narrow_phase::round::gap::{Body, Gap};
 use crate::narrow_phase::round::region;
 use crate::narrow_phase::separating_axis::Workspace;
@@ -30,6 +31,14 @@ pub(crate) struct MeshPair<'a> {
     pub(crate) x: Pose,
     pub(crate) tolerance: f64,
     pub(crate) reach: f64,
+}
+
+impl<'a> MeshPair<'a> {
+    /// The pair in the mesh's frame.
+    pub(crate) const fn touching(&'a self) -> TouchingPair<'a> {
+        let poses = [&Pose::IDENTITY, &self.x];
+        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE * self.tolerance }
+    }
 }
 
 /// Places a polyhedron in the mesh's frame, and gives the offsets of its faces there, m.
@@ -86,7 +95,11 @@ pub(crate) fn of_polyhedron(
     }
     let features = std::mem::take(&mut workspace.features);
     let judge = OnTriangle { pair, triangle };
+    let touching = pair.touching();
     for &feature in &features {
+        // Where a ridge bends, what a triangle has by itself is none of the surface: the ridges are crossed there.
+        let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
+        workspace.ridges.places.extend(place.map(|geometry| geometry.point));
         let Some(found) = judge.on_surface(feature) else { continue };
         let geometry = found.contact.geometry;
         let alike = |normal: &DVec3| geometry.normal.dot(*normal) >= ALIKE;

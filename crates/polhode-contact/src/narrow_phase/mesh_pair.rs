@@ -12,6 +12,7 @@ use crate::narrow_phase::composite::measure_again;
 use crate::narrow_phase::mesh_contacts::{
     FlatTriangle, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other, separation_of_part,
 };
+use crate::narrow_phase::ridge_ends::crossings;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::triangle_axes::{Decision, Triangle, TriangleAxes, triangle_axes};
 use crate::shape::TriangleMesh;
@@ -19,7 +20,7 @@ use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 
 /// Places nearer than this many place tolerances are one.
-const SAME_PLACE: f64 = 8.0;
+pub(crate) const SAME_PLACE: f64 = 8.0;
 
 /// How much deeper along a triangle's axis than as a whole a body may overlap there.
 pub(crate) const DEEPER: f64 = 1.5;
@@ -170,6 +171,7 @@ fn of_surface(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshP
     }
     one_on_convex_edges(contacts, SAME_PLACE * tolerance);
     found.contacts.extend(contacts.iter().map(|c| c.contact));
+    crossings(&mut workspace.ridges, pair.touching(), &mut found.contacts);
     workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
     let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
     if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {

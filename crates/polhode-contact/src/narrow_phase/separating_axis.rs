@@ -34,6 +34,7 @@ pub struct Workspace {
     pub(crate) composite: crate::narrow_phase::composite::CompositeBuffers,
     pub(crate) mesh: crate::narrow_phase::mesh_pair::MeshBuffers,
     pub(crate) same_places: crate::narrow_phase::composite::SamePlaces,
+    pub(crate) ridges: crate::narrow_phase::ridge_ends::RidgeBuffers,
     pub(crate) bounds: [Vec<crate::impact::quadratic_bound::Quadratic>; 2],
 }
 

@@ -4,7 +4,7 @@
 use crate::support::{Flight, Random, at, cuboid, prism};
 use polhode_contact::{
     Contact, ContactFeature, ImpactSearch, Shape, ShapeError, Side, evaluate, find_impact, kinematics, manifold,
-    mirror_defect, separation, swept_aabb, time_of_impact,
+    mirror_defect, separation, swept_aabb, time_of_further_impact, time_of_impact,
 };
 use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
 use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector, Velocity};
@@ -133,7 +133,8 @@ fn quarters_strike_at_the_time_of_the_whole() {
     assert!(hits > 30, "only {hits} of 60 shots hit");
 }
 
-/// A body that rests on one part and slides over the seam has no impact there; a step on the way is one.
+/// A body that rests on one part and slides over the seam has no impact there; a step on the way is one. A search of the
+/// parts that are clear at the start alone says the same, and nothing of a ground of one part.
 #[test]
 fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
     let settings = ImpactSearch::default();
@@ -150,6 +151,10 @@ fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
     let stepped = Shape::compound(parts).expect("five parts");
     let hit = time_of_impact(&brick, &slide, &stepped, &ground_pose, 0.0, 1.0, &settings).expect("an answer");
     assert!((hit.expect("a hit") - 0.65).abs() < 1e-12, "{hit:?}");
+    let further =
+        |of: &Shape| time_of_further_impact(&brick, &slide, of, &ground_pose, 0.0, 1.0, &settings).expect("an answer");
+    assert!((further(&stepped).expect("a hit") - 0.65).abs() < 1e-12);
+    assert_eq!([further(&ground), further(&cuboid(6.0, 2.0, 1.0))], [None; 2]);
 }
 
 /// An L of two exact parts: a brick in its inner corner touches the floor with its four corners and the wall with the

@@ -23,6 +23,7 @@ mod polyhedra;
 mod query_parts;
 mod rays;
 mod reentrant_edges;
+mod ridge_ends;
 mod rings;
 mod round_bounds;
 mod round_contacts;

@@ -1,15 +1,21 @@
 //! The first impact within a step: pairs that close on their true motion.
 //!
 //! Pairs held together by a contact are watched by the location of contact changes; every other pair whose swept
-//! boxes meet is searched by conservative advancement, which is never late.
+//! boxes meet is searched by conservative advancement, which is never late. So are the parts that are clear of each
+//! other of held pairs that are fast: between two looks they could go through each other.
 
 use super::engine::{Engine, Mode};
+use super::locate::DIP_SAMPLES;
 use super::trial::Trial;
 use crate::SimulationError;
 use crate::interaction::contact_set::Hold;
-use polhode_contact::{Aabb, ImpactSearch, Shape, swept_aabb, time_of_impact};
+use polhode_contact::{Aabb, ImpactSearch, Shape, swept_aabb, time_of_further_impact, time_of_impact};
 use polhode_spatial::Motion;
 use std::collections::BTreeSet;
+
+/// How far bodies that are held together may go between two looks at them, relative to the smaller of their sizes, before
+/// their other parts are searched.
+const FAST: f64 = 0.01;
 
 impl Engine {
     /// The time of the first impact of the pairs `near` in `(t, limit]`.
@@ -31,19 +37,20 @@ impl Engine {
         let mut first = None;
         let mut limit = limit;
         for &(a, b) in near {
-            if held.contains(&(a, b)) {
-                continue;
-            }
             let Some((shape_a, shape_b)) = self.world.shapes(a, b) else { continue };
             let (motion_a, motion_b) = (self.motion_within(trial, a), self.motion_within(trial, b));
-            let found =
-                time_of_impact(shape_a, &*motion_a, shape_b, &*motion_b, trial.t, limit, &ImpactSearch::default())
-                    .map_err(|source| SimulationError::ImpactSearch {
-                        t: self.t,
-                        body_a: self.world.bodies[a].name.clone(),
-                        body_b: self.world.bodies[b].name.clone(),
-                        source,
-                    })?;
+            let search = match held.contains(&(a, b)) {
+                false => time_of_impact,
+                true if self.is_fast([(a, &*motion_a), (b, &*motion_b)], (trial.t, limit)) => time_of_further_impact,
+                true => continue,
+            };
+            let found = search(shape_a, &*motion_a, shape_b, &*motion_b, trial.t, limit, &ImpactSearch::default())
+                .map_err(|source| SimulationError::ImpactSearch {
+                    t: self.t,
+                    body_a: self.world.bodies[a].name.clone(),
+                    body_b: self.world.bodies[b].name.clone(),
+                    source,
+                })?;
             if let Some(t) = found {
                 let t = if self.puts_up() && self.is_stall(t) { self.looks_again().min(limit) } else { t };
                 limit = t;
@@ -51,6 +58,17 @@ impl Engine {
             }
         }
         Ok(first)
+    }
+
+    /// Whether two bodies go so far between two of the looks by which their contacts are watched that they could go through
+    /// each other.
+    fn is_fast(&self, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f64)) -> bool {
+        let speed = bodies.map(|(body, motion)| {
+            let bounds = motion.bounds(start, end);
+            bounds.speed + bounds.angular_speed * self.world.bodies[body].size
+        });
+        let between = (end - start) / f64::from(DIP_SAMPLES);
+        (speed[0] + speed[1]) * between > FAST * self.world.pair_size(bodies[0].0, bodies[1].0)
     }
 
     /// Pairs that may collide, of which one moves and whose boxes, swept over the step, meet; ascending.

@@ -25,11 +25,7 @@ const EXTRAPOLATION: f64 = 1e-5;
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
 /// Intervals of a step at whose ends contacts that are not held are looked for.
-const DIP_SAMPLES: u32 = 8;
-
-/// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
-/// judged by (1e-12).
-const PENETRATION_RELATIVE: f64 = 2.5e-13;
+pub(super) const DIP_SAMPLES: u32 = 8;
 
 impl Engine {
     /// The first time in the trial at which the held contacts of some group cease to be right.
@@ -80,18 +76,28 @@ impl Engine {
             None if self.violations(group, limit, tolerated, states)?.is_empty() => return Ok(None),
             None => (start, limit),
         };
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (right + wrong);
-            if middle <= right || middle >= wrong {
-                break;
+        loop {
+            for _ in 0..BISECTIONS {
+                let middle = 0.5 * (right + wrong);
+                if middle <= right || middle >= wrong {
+                    break;
+                }
+                if self.violations(group, middle, tolerated, states)?.is_empty() {
+                    right = middle;
+                } else {
+                    wrong = middle;
+                }
             }
-            if self.violations(group, middle, tolerated, states)?.is_empty() {
-                right = middle;
-            } else {
-                wrong = middle;
+            // Another pair may have come to overlap before.
+            group.states_at(wrong, states);
+            if !self.sunk(group, states, tolerated).is_unseen() {
+                return Ok(Some(wrong));
+            }
+            match self.first_seen_sinking(group, (start, wrong), tolerated, states) {
+                Some(t) if t < wrong => (right, wrong) = (start, t),
+                _ => return Ok(Some(wrong)),
             }
         }
-        Ok(Some(wrong))
     }
 
     /// The first of some intervals of the step at whose end a contact that is not held has sunk in: bodies that rock on
@@ -105,10 +111,16 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Option<(f64, f64)> {
         let mut before = start;
-        for k in 1..DIP_SAMPLES {
+        for k in 1..=DIP_SAMPLES {
             let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
             group.states_at(t, states);
-            if self.penetrating(group, states, tolerated).is_some() {
+            let sunk = self.sunk(group, states, tolerated);
+            // What is wrong at the end is looked for there, with all else.
+            if sunk.contact.is_some() && k < DIP_SAMPLES {
+                return Some((before, t));
+            }
+            let unseen = sunk.contact.is_none() && sunk.is_unseen();
+            if unseen && let Some(t) = self.first_seen_sinking(group, (before, t), tolerated, states) {
                 return Some((before, t));
             }
             before = t;
@@ -196,33 +208,6 @@ impl Engine {
         }
         let back = first * (late - wrong) / (second - first);
         Ok(Some((wrong - back.min(LONGEST_EXTRAPOLATION * (late - wrong))).max(trial.t)))
-    }
-
-    /// A contact of the group's touching pairs that is not held, penetrates and closes.
-    fn penetrating(
-        &self,
-        group: &GroupTrial,
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> Option<ContactId> {
-        let mut pairs: Vec<_> = group.held.iter().map(|id| (id.a, id.b)).collect();
-        pairs.dedup();
-        pairs.into_iter().find_map(|(a, b)| {
-            let depth = PENETRATION_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(states, a, b);
-            // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
-            let contacts = self.world.contacts_of_pair(states, a, b, self.world.touch_distance(states, a, b));
-            // What parts already needs no contact: it leaves by itself, unless it has come in since the step began.
-            let closing = contacts.iter().filter(|touch| {
-                touch.kinematics.geometry.separation < -depth
-                    && (touch.kinematics.separation_rate < 0.0 || self.was_clear(touch.id, depth))
-            });
-            closing.map(|touch| touch.id).find(|id| group.held.binary_search(id).is_err() && !tolerated.contains(id))
-        })
-    }
-
-    /// Whether a contact was clear of its features at the start of the step.
-    fn was_clear(&self, id: ContactId, depth: f64) -> bool {
-        self.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// When a contact that was clear at the start of the step closes within it: the time at which its separation is

@@ -12,6 +12,7 @@ mod locate;
 mod progress;
 mod projection;
 mod resolve;
+mod sinking;
 mod start;
 pub(crate) mod stepped;
 mod system;

@@ -55,6 +55,13 @@ impl Trial {
 }
 
 impl GroupTrial {
+    /// The pairs that contacts hold together, ascending.
+    pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
+        let mut pairs: Vec<_> = self.held.iter().map(|id| (id.a, id.b)).collect();
+        pairs.dedup();
+        pairs
+    }
+
     /// States of the group's bodies at a time within the step, written over `states`.
     pub(super) fn states_at(&self, t: f64, states: &mut [BodyState]) {
         let mut flat = vec![0.0; self.end_state.len()];

@@ -100,7 +100,13 @@ impl World {
 
     /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
     pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<Touch> {
-        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return Vec::new() };
+        self.pair(states, a, b, reach).1
+    }
+
+    /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them: two bodies may overlap
+    /// more than any contact tells.
+    pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
+        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
         let manifold = polhode_contact::manifold(shape_a, pose_a, shape_b, pose_b, reach);
         let mut features: Vec<_> = manifold.contacts.iter().map(|contact| contact.feature).collect();
@@ -126,6 +132,6 @@ impl World {
             let geometry = &touch.kinematics.geometry;
             geometry.separation <= reach && geometry.margin >= border
         };
-        features.into_iter().filter_map(touch).filter(within).collect()
+        (manifold.separation, features.into_iter().filter_map(touch).filter(within).collect())
     }
 }

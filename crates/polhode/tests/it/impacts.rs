@@ -1,10 +1,10 @@
 //! Impacts.
 
-use crate::support::{accurate, ball, elastic, floor, run};
+use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::Method;
-use polhode::spatial::{DVec3, Pose, UnitVector};
-use polhode::{Body, Effects, EventKind, Recorder, Scene, Simulation, SimulationError};
+use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, Simulation, SimulationError};
 
 /// IM-05: the accumulating bounce ends at its exact time, and its tenth impact comes when the series says.
 #[test]
@@ -49,4 +49,46 @@ fn a_run_that_makes_no_progress_says_where() {
     assert_eq!((*steps, body_b.as_str()), (1024, "ball"));
     assert!(*advanced_s < 1.0 && (t - advanced_s).abs() < 1e-3, "{error}");
     assert!(error.to_string().contains("no progress"), "{error}");
+}
+
+/// A plank stands with one end on another one and its other end comes down at 100 m/s: within an eighth of a step it would
+/// be through, where the way out is shorter on the far side. What counts is that the two were apart before.
+#[test]
+fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
+    let (length, thickness, tilt, spin) = (10.0, 0.02, 0.008, 10.0);
+    let lower = Body::fixed("lower")
+        .geometry(Geometry::Shape(Shape::cuboid(DVec3::new(12.0, 1.0, thickness)).unwrap()))
+        .pose(Pose::from_translation(DVec3::Z * (-0.5 * thickness)));
+    let rotation = Rotation::from_rotation_vector(DVec3::Y * -tilt);
+    let from_end = rotation.rotate(DVec3::new(0.5 * length, 0.0, 0.5 * thickness));
+    let angular = DVec3::Y * spin;
+    let upper = brick("upper", DVec3::new(length, 1.0, thickness), DVec3::ZERO)
+        .pose(Pose::new(rotation, from_end - DVec3::X * (0.5 * length)))
+        .velocity(Velocity::new(angular.cross(from_end), angular));
+    let scene = Scene::builder("planks").method(accurate()).duration_s(0.05).body(lower).body(upper).build().unwrap();
+    let (_, recorder) = run(&scene, Effects::Planned);
+    for (t, bodies) in recorder.times.iter().zip(&recorder.samples) {
+        let lowest =
+            [-0.5, 0.5].map(|end| bodies[1].pose.transform_point(DVec3::new(end * length, 0.0, -0.5 * thickness)).z);
+        assert!(lowest.into_iter().all(|z| z > -1e-11), "{t} s: {lowest:?}");
+    }
+}
+
+/// A box slides over the floor of a room at 1000 m/s; the wall is of the same body that holds it, and in an eighth of a step
+/// the box goes farther than both are thick.
+#[test]
+fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
+    let slab =
+        |size: DVec3, center: DVec3| Shape::cuboid(size).unwrap().placed(&Pose::from_translation(center)).unwrap();
+    let floor = slab(DVec3::new(60.0, 2.0, 1.0), DVec3::new(0.0, 0.0, -0.5));
+    let wall = slab(DVec3::new(0.1, 2.0, 3.0), DVec3::new(5.6, 0.0, 1.5));
+    let room = Body::fixed("room").geometry(Geometry::Shape(Shape::compound(vec![floor, wall]).unwrap()));
+    let slider = brick("slider", DVec3::new(0.5, 0.5, 0.5), DVec3::Z * 0.25)
+        .velocity(Velocity::new(DVec3::X * 1000.0, DVec3::ZERO));
+    let scene = Scene::builder("room").method(accurate()).duration_s(0.05).body(room).body(slider).build().unwrap();
+    let (_, recorder) = run(&scene, Effects::Planned);
+    for (t, bodies) in recorder.times.iter().zip(&recorder.samples) {
+        let reach = bodies[1].pose.translation.x + 0.25;
+        assert!(reach < 5.55 + 1e-11, "{t} s: {reach} m");
+    }
 }

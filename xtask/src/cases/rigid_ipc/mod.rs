@@ -12,11 +12,12 @@
 mod own_scenes;
 
 use super::{Amount, CaseResult, Context, Run};
-use crate::interpenetration;
+use crate::interpenetration::{self, Form};
 use crate::rigid_ipc::{HeldRotations, import};
 use crate::row::Row;
+use glam::DVec3;
 use polhode::Effects;
-use polhode::mesh::{TriangleMesh, obj};
+use polhode::mesh::obj;
 use polhode_scene::format::{SceneFile, ShapeEntry};
 use polhode_scene::{Override, load_with, read_mesh};
 use std::error::Error;
@@ -36,6 +37,9 @@ pub(super) fn own(context: &Context) -> CaseResult {
     let folder = tempfile::tempdir()?;
     for (file, mesh) in own_scenes::mesh_files()? {
         fs::write(folder.path().join(file), obj::write(&mesh))?;
+    }
+    for (file, text) in own_scenes::point_files() {
+        fs::write(folder.path().join(file), text)?;
     }
     let mut rows = Vec::new();
     for (number, scene) in own_scenes::all().iter().enumerate() {
@@ -91,7 +95,7 @@ fn measure(context: &Context, case: &str, name: &str, path: &Path) -> CaseResult
     let shortened = [Override::new("verify", "duration", duration.to_string())];
     let scene = load_with(&file, &shortened).map_err(|error| error.to_string())?.scene;
     let run = Run::of(&scene, Effects::Planned)?;
-    let findings = interpenetration::check(&run, &body_meshes(&description, folder.path())?)?;
+    let findings = interpenetration::check(&run, &body_forms(&description, folder.path())?)?;
     if let Some(t) = findings.since_s {
         eprintln!("\n{name}: {} m beyond the tolerance, first at {t} s", findings.beyond_m);
     }
@@ -106,15 +110,20 @@ fn measure(context: &Context, case: &str, name: &str, path: &Path) -> CaseResult
     ])
 }
 
-/// The meshes of the bodies of a scene that was taken over, read again from their files.
-fn body_meshes(scene: &SceneFile, folder: &Path) -> Result<Vec<TriangleMesh>, Box<dyn Error>> {
-    let mut meshes = Vec::new();
+/// The forms of the bodies of a scene that was taken over, meshes read again from their files.
+fn body_forms(scene: &SceneFile, folder: &Path) -> Result<Vec<Form>, Box<dyn Error>> {
+    let mut forms = Vec::new();
     for body in &scene.bodies {
-        let Some(ShapeEntry::Mesh(entry)) = &body.shape else {
-            return Err(format!("{}: no mesh", body.name).into());
-        };
-        let mesh = read_mesh(&folder.join(&entry.file))?;
-        meshes.push(entry.scale.map_or(Ok(mesh.clone()), |scale| mesh.scaled(scale))?);
+        forms.push(match &body.shape {
+            Some(ShapeEntry::Mesh(entry)) => {
+                let mesh = read_mesh(&folder.join(&entry.file))?;
+                Form::Mesh(entry.scale.map_or(Ok(mesh.clone()), |scale| mesh.scaled(scale))?)
+            }
+            Some(ShapeEntry::Points(entry)) => {
+                Form::Points(entry.positions.iter().map(|position| DVec3::from_array(position.0)).collect())
+            }
+            _ => return Err(format!("{}: neither a mesh nor points", body.name).into()),
+        });
     }
-    Ok(meshes)
+    Ok(forms)
 }

@@ -6,7 +6,7 @@ use polhode::mesh::{Ellipsoid, MeshError, Refinement, Torus, TriangleMesh, box_m
 use std::error::Error;
 use std::f64::consts::TAU;
 
-type Made = Result<TriangleMesh, Box<dyn Error>>;
+pub(super) type Made = Result<TriangleMesh, Box<dyn Error>>;
 
 /// A cube of edge 1 about the origin.
 pub(super) fn cube() -> Made {
@@ -176,27 +176,27 @@ pub(super) fn rack() -> Made {
     band(&back, &teeth, Ends::Open, 0.25)
 }
 
-fn on_circle(radius: f64, angle: f64) -> [f64; 2] {
+pub(super) fn on_circle(radius: f64, angle: f64) -> [f64; 2] {
     let (sine, cosine) = libm::sincos(angle);
     [radius * cosine, radius * sine]
 }
 
 /// The prism over a convex polygon that goes round anticlockwise seen from +z.
-fn polygon(outline: &[[f64; 2]], half: f64) -> Made {
+pub(super) fn polygon(outline: &[[f64; 2]], half: f64) -> Made {
     let fan: Vec<[u32; 3]> = (2..outline.len() as u32).map(|corner| [0, corner - 1, corner]).collect();
     prism(outline, &fan, half)
 }
 
 /// Whether a band ends or closes on itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Ends {
+pub(super) enum Ends {
     Open,
     Joined,
 }
 
 /// The prism over a band between two lines of as many corners, whose rungs part it into quadrangles. Seen from +z the band
 /// is on the right of the first line.
-fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64) -> Made {
+pub(super) fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64) -> Made {
     let count = left.len() as u32;
     let at = |z: f64| left.iter().chain(right).map(move |&[x, y]| DVec3::new(x, y, z));
     let vertices: Vec<DVec3> = at(half).chain(at(-half)).collect();
@@ -222,7 +222,7 @@ fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64) -> Made {
 
 /// The solid between an outline in the plane of x and y and its copy, `half` before and behind it. The outline goes round
 /// anticlockwise seen from +z, and `inside` fills it with triangles that go round alike.
-fn prism(outline: &[[f64; 2]], inside: &[[u32; 3]], half: f64) -> Made {
+pub(super) fn prism(outline: &[[f64; 2]], inside: &[[u32; 3]], half: f64) -> Made {
     let count = outline.len() as u32;
     let at = |z: f64| outline.iter().map(move |&[x, y]| DVec3::new(x, y, z));
     let vertices = at(-half).chain(at(half)).collect();

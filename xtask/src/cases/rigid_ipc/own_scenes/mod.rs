@@ -4,13 +4,25 @@
 //! | module | scenes |
 //! |---|---|
 //! | `units` | unit tests: features, what Erleben finds hard, tunnels, planes, stacks, rotations |
-//! | `chains` | chains |
+//! | `chains` | chains, a wrecking ball, a net |
 //! | `machines` | a lever, a compactor, gears |
+//! | `clouds` | bodies that fall on points |
+//! | `screw` | a screw in a nut |
+//! | `planar` | the suite's scenes in the plane, as prisms |
+//! | `unheld` | scenes that friction holds there, and that nothing holds here; piles |
 //! | `meshes` | the meshes of all |
+//! | `outlines` | those of `planar` |
+//! | `round` | those of `unheld` |
 
 mod chains;
+mod clouds;
 mod machines;
 mod meshes;
+mod outlines;
+mod planar;
+mod round;
+mod screw;
+mod unheld;
 mod units;
 
 use polhode::mesh::TriangleMesh;
@@ -34,11 +46,23 @@ impl OwnScene {
         });
         Self { name, document }
     }
+
+    /// With samples this often, s: where bodies are fast or turn fast, the way between two samples is not straight.
+    fn with_samples_every(mut self, interval_s: f64) -> Self {
+        self.document["timestep"] = json!(interval_s);
+        self
+    }
+
+    /// With this restitution of all contacts.
+    fn with_restitution(mut self, restitution: f64) -> Self {
+        self.document["rigid_body_problem"]["coefficient_restitution"] = json!(restitution);
+        self
+    }
 }
 
 /// The mesh files that the scenes name.
 pub(super) fn mesh_files() -> Result<Vec<(&'static str, TriangleMesh)>, Box<dyn Error>> {
-    Ok(vec![
+    let mut files = vec![
         ("cube.obj", meshes::cube()?),
         ("plane.obj", meshes::plane(1)?),
         ("plane-8.obj", meshes::plane(2)?),
@@ -59,10 +83,22 @@ pub(super) fn mesh_files() -> Result<Vec<(&'static str, TriangleMesh)>, Box<dyn 
         ("gear.obj", meshes::gear()?),
         ("pin.obj", meshes::pin()?),
         ("rack.obj", meshes::rack()?),
-    ])
+    ];
+    files.extend(planar::mesh_files()?);
+    files.extend(unheld::mesh_files()?);
+    files.extend(screw::mesh_files()?);
+    Ok(files)
+}
+
+/// The files of corners without faces that the scenes name.
+pub(super) fn point_files() -> Vec<(&'static str, String)> {
+    clouds::files()
 }
 
 /// All of them.
 pub(super) fn all() -> Vec<OwnScene> {
-    [units::all(), chains::all(), machines::all()].into_iter().flatten().collect()
+    [units::all(), chains::all(), machines::all(), clouds::all(), screw::all(), planar::all(), unheld::all()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -1,0 +1,131 @@
+//! Bodies held together that come to overlap elsewhere.
+//!
+//! A contact that is not held, has sunk in and closes says so by itself, as long as it stands on its features: that is for
+//! some 1e-11 of the bodies' size where features end, as at the bend of a ridge. A trial is looked at some times only, and
+//! by then the bodies may overlap so much more that no contact of theirs tells where they came in. The separation of the
+//! pair does, which is that of its parts along all axes: an interval at whose end it is far below those of the held
+//! contacts is bisected until the contact shows.
+//!
+//! Fails where bodies come to overlap and part again between two looks.
+
+use super::engine::Engine;
+use super::trial::GroupTrial;
+use crate::interaction::contact_set::ContactId;
+use polhode_contact::separation;
+use polhode_dynamics::BodyState;
+use std::collections::BTreeSet;
+
+/// Bisections of an interval: 2^-44 is below 1e-13.
+const BISECTIONS: usize = 44;
+
+/// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
+/// judged by (1e-12).
+const PENETRATION_RELATIVE: f64 = 2.5e-13;
+
+/// Bodies that overlap by more than this many such depths, where no contact says so, have come in somewhere: well beyond
+/// what held contacts drift.
+const DEEP: f64 = 64.0;
+
+/// How far pairs that are held together overlap beside the contacts that hold them.
+pub(super) struct Sunk {
+    /// A contact that is not held, penetrates and closes.
+    pub(super) contact: Option<ContactId>,
+    /// Of pairs without such a contact: how much more the bodies overlap than the held contacts do, in units of the depth
+    /// at which a contact counts as penetrating.
+    depths: f64,
+}
+
+impl Sunk {
+    /// Whether some pair has come to overlap where no contact shows it.
+    pub(super) fn is_unseen(&self) -> bool {
+        self.depths > DEEP
+    }
+}
+
+impl Engine {
+    /// A contact of the group's touching pairs that is not held, penetrates and closes.
+    pub(super) fn penetrating(
+        &self,
+        group: &GroupTrial,
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> Option<ContactId> {
+        group.held_pairs().into_iter().find_map(|pair| self.sunk_pair(group, pair, states, tolerated).contact)
+    }
+
+    /// How far the group's touching pairs overlap where no contact is held.
+    pub(super) fn sunk(&self, group: &GroupTrial, states: &[BodyState], tolerated: &BTreeSet<ContactId>) -> Sunk {
+        let mut all = Sunk { contact: None, depths: 0.0 };
+        for pair in group.held_pairs() {
+            let sunk = self.sunk_pair(group, pair, states, tolerated);
+            all.contact = all.contact.or(sunk.contact);
+            // A NaN compares as nothing, and is found where it comes from.
+            all.depths = all.depths.max(sunk.depths);
+        }
+        all
+    }
+
+    fn sunk_pair(
+        &self,
+        group: &GroupTrial,
+        (a, b): (usize, usize),
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> Sunk {
+        let depth = PENETRATION_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(states, a, b);
+        // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
+        let (separation, contacts) = self.world.pair(states, a, b, self.world.touch_distance(states, a, b));
+        // What parts already needs no contact: it leaves by itself, unless it has come in since the step began.
+        let came_in = || separation < -depth && !self.overlapped((a, b), depth);
+        let closing = contacts.iter().filter(|touch| {
+            touch.kinematics.geometry.separation < -depth
+                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(touch.id, depth) || came_in())
+        });
+        let not_held = |id: &ContactId| group.held.binary_search(id).is_err() && !tolerated.contains(id);
+        let contact = closing.map(|touch| touch.id).find(not_held);
+        if contact.is_some() || separation >= -depth {
+            return Sunk { contact, depths: 0.0 };
+        }
+        let held = group.held.iter().filter(|id| (id.a, id.b) == (a, b));
+        let held = held.filter_map(|&id| Some(self.world.kinematics(states, id)?.geometry.separation));
+        Sunk { contact, depths: (held.fold(0.0, f64::min) - separation) / depth }
+    }
+
+    /// Whether a contact was clear of its features at the start of the step.
+    fn was_clear(&self, id: ContactId, depth: f64) -> bool {
+        self.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
+    }
+
+    /// Whether two bodies overlapped at the start of the step. What has swung through another one since then is nearest to
+    /// the way out on its far side, by features that were never clear.
+    fn overlapped(&self, (a, b): (usize, usize), depth: f64) -> bool {
+        self.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &self.states[a].pose, shape_b, &self.states[b].pose) < -depth
+        })
+    }
+
+    /// A time at which the contact shows through which the bodies have come to overlap within an interval: once they
+    /// overlap deeply it may have left its features, and nothing else tells where they came in.
+    pub(super) fn first_seen_sinking(
+        &self,
+        group: &GroupTrial,
+        (mut clear, mut sunken): (f64, f64),
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Option<f64> {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (clear + sunken);
+            group.states_at(middle, states);
+            let sunk = self.sunk(group, states, tolerated);
+            if sunk.contact.is_some() {
+                return Some(middle);
+            }
+            if sunk.depths > 1.0 {
+                sunken = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        None
+    }
+}
