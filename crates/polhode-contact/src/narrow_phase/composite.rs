@@ -1,10 +1,11 @@
 //! Compounds and triangle meshes: what their parts give, put together.
 //!
 //! The separation is the least over the pairs of parts that can be nearest by their boxes. A manifold takes the contacts
-//! of every pair of parts within reach, leaves out those that are none of the whole body (`compound_surface.rs`), and
-//! keeps one for each place and normal: a vertex on a face before others, then the higher face, vertex and edge number,
-//! then the upper body's, a rule that follows the bodies and not their names. All of it is computed about A's origin, so
-//! that a pair far away loses nothing; the geometry of the contacts that stay is [`evaluate`]'s at the poses given.
+//! of every pair of parts within reach, leaves out those that are none of the whole body (`compound_surface.rs`), adds
+//! what re-entrant edges (`tied_faces.rs`) and bent ridges (`ridge_ends.rs`) hold instead, and keeps one for each place
+//! and normal: a vertex on a face before others, then the higher face, vertex and edge number, then the upper body's, a
+//! rule that follows the bodies and not their names. All of it is computed about A's origin, so that a pair far away
+//! loses nothing; the geometry of the contacts that stay is [`evaluate`]'s at the poses given.
 
 use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;

@@ -167,11 +167,6 @@ pub(crate) fn at_border(other: &Shape, feature: ContactFeature, y: DVec3, tolera
     edge
 }
 
-/// Signed distance of a place from the planes of a polyhedron, m: negative inside.
-fn outside(polyhedron: &ConvexPolyhedron, x: DVec3) -> f64 {
-    polyhedron.faces.iter().map(|f| f.normal.dot(x) - f.offset).fold(f64::NEG_INFINITY, f64::max)
-}
-
 impl Place<'_> {
     fn others(&self) -> impl Iterator<Item = &ConvexPolyhedron> {
         self.near.iter().filter_map(|&part| match &self.compound.parts[part] {
@@ -183,7 +178,7 @@ impl Place<'_> {
     /// Whether another part holds the place strictly inside.
     fn is_covered(&self) -> bool {
         self.near.iter().any(|&part| match &self.compound.parts[part] {
-            Shape::Convex(polyhedron) => outside(polyhedron, self.x) < -self.tolerance,
+            Shape::Convex(polyhedron) => polyhedron.outside(self.x) < -self.tolerance,
             Shape::Sphere(s) => (self.x - s.center()).length() < s.radius() - self.tolerance,
             _ => false,
         })
@@ -231,7 +226,7 @@ impl Place<'_> {
             let shape = &self.compound.parts[part];
             let (centers, radius) = shape.centers();
             let here = match shape {
-                Shape::Convex(polyhedron) => outside(polyhedron, self.x) <= self.tolerance,
+                Shape::Convex(polyhedron) => polyhedron.outside(self.x) <= self.tolerance,
                 Shape::Sphere(s) => (self.x - s.center()).length() <= s.radius() + self.tolerance,
                 _ => false,
             };
@@ -247,14 +242,14 @@ impl Place<'_> {
     }
 
     fn is_filled(&self, x: DVec3) -> bool {
-        self.others().any(|other| outside(other, x) <= self.tolerance)
+        self.others().any(|other| other.outside(x) <= self.tolerance)
     }
 
     /// Whether another part goes on in the plane beyond an edge of this one.
     fn continues_across(&self, own: &ConvexPolyhedron, edge: DVec3) -> bool {
         let side = edge.cross(self.v).normalize_or_zero() * self.probe;
-        let away = if outside(own, self.x + side) <= self.tolerance { -side } else { side };
-        outside(own, self.x - away) <= self.tolerance && self.is_filled(self.x + away)
+        let away = if own.outside(self.x + side) <= self.tolerance { -side } else { side };
+        own.outside(self.x - away) <= self.tolerance && self.is_filled(self.x + away)
     }
 
     /// The direction of an edge of this part in the plane that goes on beyond the vertex in another part.
@@ -271,7 +266,7 @@ impl Place<'_> {
         let Shape::Convex(own) = &self.compound.parts[self.part] else { return false };
         self.probes().all(|d| {
             let x = self.x + d * self.probe;
-            outside(own, x) <= self.tolerance || self.is_filled(x)
+            own.outside(x) <= self.tolerance || self.is_filled(x)
         })
     }
 }

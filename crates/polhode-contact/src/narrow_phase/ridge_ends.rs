@@ -223,13 +223,13 @@ impl<'a> Looked<'a> {
         }
         self.look(x, near);
         let level = v.dot(x) + self.slack;
-        let holding = || self.polyhedra(near).map(|(p, _)| p).filter(|p| outside(p, x) <= self.slack);
+        let holding = || self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
         let falls = |p: &ConvexPolyhedron| p.vertices.iter().all(|w| w.dot(v) <= level + SLOPE * w.distance(x));
         if !holding().all(falls) {
             return false;
         }
         let across = edge.along.cross(v).normalize_or_zero() * (LEAST_PROBE * self.slack);
-        let is_filled = |y: DVec3| holding().any(|p| outside(p, y) <= self.slack);
+        let is_filled = |y: DVec3| holding().any(|p| p.outside(y) <= self.slack);
         !(is_filled(x + across) && is_filled(x - across))
     }
 
@@ -243,12 +243,7 @@ impl<'a> Looked<'a> {
                 from_triangle(&corners, x).0.length() <= self.slack && corners.iter().any(above)
             });
         }
-        let mut holding = self.polyhedra(near).map(|(p, _)| p).filter(|p| outside(p, x) <= self.slack);
+        let mut holding = self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
         holding.any(|p| p.vertices.iter().any(above))
     }
-}
-
-/// Signed distance of a place from the planes of a polyhedron, m: negative inside.
-fn outside(polyhedron: &ConvexPolyhedron, x: DVec3) -> f64 {
-    polyhedron.faces.iter().map(|f| f.normal.dot(x) - f.offset).fold(f64::NEG_INFINITY, f64::max)
 }

@@ -155,6 +155,11 @@ impl ConvexPolyhedron {
         &self.vertices
     }
 
+    /// Signed distance of a place from the planes of the faces, m: negative inside, and no more than the distance outside.
+    pub(crate) fn outside(&self, x: DVec3) -> f64 {
+        self.faces.iter().map(|f| f.normal.dot(x) - f.offset).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// How many faces there are.
     pub fn face_count(&self) -> usize {
         self.faces.len()

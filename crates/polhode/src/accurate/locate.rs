@@ -14,8 +14,8 @@ use crate::world::TOUCH_RELATIVE;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
-/// Bisections of a step: 2^-44 is below 1e-13.
-const BISECTIONS: usize = 44;
+/// Bisections of a step or a part of it: 2^-44 is below 1e-13.
+pub(super) const BISECTIONS: usize = 44;
 
 /// How far after the opening of a contact its acceleration is measured again, as a fraction of the step: long enough
 /// to tell its growth from rounding, so short that the growth is linear.
@@ -51,15 +51,38 @@ impl Engine {
                 wrong = self.first_wrong(group, trial.t, limit, &tolerated, &mut states)?;
             }
             let Some(wrong) = wrong else { continue };
-            self.departing.clear();
-            let change = match self.closing_time(group, trial.t, wrong, &mut states) {
-                Some(closing) => closing,
-                None => self.opening_time(group, trial, wrong, &mut states)?.unwrap_or(wrong),
-            };
+            let change = self.change_before(group, trial, wrong, &tolerated, &mut states)?;
             limit = change;
             found = Some(change);
         }
         Ok(found)
+    }
+
+    /// The time of the change that shows at `wrong`: when the contact closes that has sunk in by then, or the force of
+    /// one that opens reaches zero. What has sunk in most visibly at `wrong` need not have been the first to: where
+    /// another contact has sunk in by the time found, it is located in turn.
+    fn change_before(
+        &mut self,
+        group: &GroupTrial,
+        trial: &Trial,
+        mut wrong: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Result<f64, SimulationError> {
+        loop {
+            self.departing.clear();
+            let Some(closing) = self.closing_time(group, trial.t, wrong, states) else {
+                return Ok(self.opening_time(group, trial, wrong, states)?.unwrap_or(wrong));
+            };
+            group.states_at(closing, states);
+            if closing >= wrong || self.penetrating(group, states, tolerated).is_none() {
+                return Ok(closing);
+            }
+            match self.first_wrong(group, trial.t, closing, tolerated, states)? {
+                Some(earlier) if earlier < wrong => wrong = earlier,
+                _ => return Ok(closing),
+            }
+        }
     }
 
     /// The end of the shortest interval, to 1e-13 of the step, at whose start the set is right and at whose end wrong.

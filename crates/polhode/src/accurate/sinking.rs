@@ -9,14 +9,12 @@
 //! Fails where bodies come to overlap and part again between two looks.
 
 use super::engine::Engine;
+use super::locate::BISECTIONS;
 use super::trial::GroupTrial;
 use crate::interaction::contact_set::ContactId;
 use polhode_contact::separation;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
-
-/// Bisections of an interval: 2^-44 is below 1e-13.
-const BISECTIONS: usize = 44;
 
 /// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
 /// judged by (1e-12).

@@ -18,12 +18,17 @@ fn ring() -> SolidMesh {
 /// Links with some play, every other one turned by a quarter about the direction in which the next one lies; the first is
 /// held.
 fn chain(links: u32, towards: DVec3, duration_s: f64) -> Scene {
+    turned_chain(&vec![0.0; links as usize], towards, duration_s)
+}
+
+/// The same with each link turned further by an angle, rad.
+fn turned_chain(angles: &[f64], towards: DVec3, duration_s: f64) -> Scene {
     let solid = ring();
     let properties = solid_mass_properties(&solid, Density::new(1000.0).unwrap()).unwrap();
     let mut scene = Scene::builder("chain").gravity(DVec3::NEG_Y * 9.81).duration_s(duration_s);
-    for number in 0..links {
-        let angle = if number % 2 == 0 { 0.0 } else { FRAC_PI_2 };
-        let pose = Pose::new(Rotation::from_rotation_vector(towards * angle), towards * (0.45 * f64::from(number)));
+    for (number, angle) in angles.iter().enumerate() {
+        let angle = angle + if number % 2 == 0 { 0.0 } else { FRAC_PI_2 };
+        let pose = Pose::new(Rotation::from_rotation_vector(towards * angle), towards * (0.45 * number as f64));
         let name = format!("link {number}");
         let body = if number == 0 { Body::fixed(name) } else { Body::movable(name, properties) };
         scene = scene.body(body.geometry(Geometry::Mesh(solid.clone())).pose(pose));
@@ -64,4 +69,15 @@ fn the_links_of_a_swinging_chain_do_not_overlap() {
     // Without friction a chain loses energy at impacts alone, and the books know how much.
     assert!(report.ledger.closure_relative() < 1e-11, "{:?}", report.ledger);
     assert!(report.ledger.numerical.value().abs() < 1e-8 * report.ledger.scale_j, "{:?}", report.ledger);
+}
+
+/// Links that are turned a little swing out of their plane, where contacts change one by one. At one of the changes two
+/// crossings sink in within a step, and the one that shows at its end is not the first.
+#[test]
+fn links_that_swing_out_of_their_plane_do_not_overlap() {
+    for angles in [[0.0, -0.01, 0.3, -0.19], [0.0, -0.1, 0.24, -0.14], [0.0, 0.02, -0.29, 0.2]] {
+        let (report, _) = run(&turned_chain(&angles, DVec3::X, 1.0), Effects::Planned);
+        let deepest = report.certificate.max_penetration_m;
+        assert!(deepest < 1e-11, "{angles:?}: {deepest:e} m");
+    }
 }
