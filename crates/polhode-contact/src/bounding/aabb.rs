@@ -4,7 +4,7 @@ use super::extent::extents;
 use crate::Shape;
 use crate::shape::extent::turned;
 use glam::{DMat3, DVec3};
-use polhode_spatial::{Motion, MotionBounds, Pose, Rotation};
+use polhode_spatial::{Motion, Pose, Rotation};
 use thiserror::Error;
 
 /// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
@@ -121,42 +121,73 @@ pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
 /// # Errors
 /// When the interval is not finite or reversed, or the motion is not finite.
 pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Result<Aabb, AabbError> {
-    if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
-        return Err(AabbError::Interval { t0, t1 });
-    }
-    if let Shape::HalfSpace(_) = shape {
-        return Ok(Aabb::UNBOUNDED);
-    }
-    if let Shape::Compound(compound) = shape {
-        let mut boxes = compound.parts().iter().map(|part| swept_aabb(part, motion, t0, t1));
-        let Some(first) = boxes.next() else { return Ok(Aabb::UNBOUNDED) };
-        return boxes.try_fold(first?, |whole, part| Ok(whole.merged(&part?)));
-    }
-    let duration = t1 - t0;
-    let bounds = motion.bounds(t0, t1);
-    let (start, end) = (motion.pose(t0).translation, motion.pose(t1).translation);
-    let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
-    let reach = DVec3::splat(bounds.speed * duration);
-    let (low, high) = (start.min(end) - sag, start.max(end) + sag);
-    let (low, high) = (low.max(start - reach), high.min(start + reach));
-    let (spread_low, spread_high) = turning_extent(shape, motion, &bounds, t0, duration);
-    let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()) + spread_high.abs().max(spread_low.abs()));
-    Aabb::new(low + spread_low - rounding, high + spread_high + rounding)
+    Sweep::new(motion, t0, t1)?.of(shape)
 }
 
-/// Bounds of the shape's points relative to the centre of mass, along the world's axes.
-fn turning_extent(shape: &Shape, motion: &dyn Motion, bounds: &MotionBounds, t0: f64, duration: f64) -> (DVec3, DVec3) {
-    let rotation = motion.pose(t0 + 0.5 * duration).rotation;
-    let radius = shape.radius();
-    let stray = DVec3::splat(radius * (0.5 * bounds.angular_speed * duration).min(2.0));
-    if let Shape::TriangleMesh(mesh) = shape {
-        // The corners of the box around it stand in for many vertices.
-        let around = turned(mesh.bounds(), &Pose { rotation, translation: DVec3::ZERO });
-        return (around.min - stray, around.max + stray);
+/// A motion over an interval as boxes need it: the same for all parts of a body.
+pub(crate) struct Sweep {
+    /// Where the centre of mass may be.
+    low: DVec3,
+    high: DVec3,
+    /// Half of the angle that the body may turn by, at most so much that any point may be anywhere (rad).
+    turn: f64,
+    /// At the middle of the interval.
+    rotation: Rotation,
+    axes: DMat3,
+}
+
+impl Sweep {
+    /// # Errors
+    /// When the interval is not finite or reversed.
+    pub(crate) fn new(motion: &dyn Motion, t0: f64, t1: f64) -> Result<Self, AabbError> {
+        if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
+            return Err(AabbError::Interval { t0, t1 });
+        }
+        let duration = t1 - t0;
+        let bounds = motion.bounds(t0, t1);
+        let (start, end) = (motion.pose(t0).translation, motion.pose(t1).translation);
+        let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
+        let reach = DVec3::splat(bounds.speed * duration);
+        let (low, high) = (start.min(end) - sag, start.max(end) + sag);
+        let (low, high) = (low.max(start - reach), high.min(start + reach));
+        let turn = (0.5 * bounds.angular_speed * duration).min(2.0);
+        let rotation = motion.pose(t0 + 0.5 * duration).rotation;
+        Ok(Self { low, high, turn, rotation, axes: axes_seen(rotation) })
     }
-    let (low, high) = extents(shape, &axes_seen(rotation));
-    let ball = DVec3::splat(radius);
-    ((low - stray).max(-ball), (high + stray).min(ball))
+
+    /// A box that contains a shape throughout.
+    ///
+    /// # Errors
+    /// When the motion is not finite.
+    pub(crate) fn of(&self, shape: &Shape) -> Result<Aabb, AabbError> {
+        if let Shape::HalfSpace(_) = shape {
+            return Ok(Aabb::UNBOUNDED);
+        }
+        if let Shape::Compound(compound) = shape {
+            let mut boxes = compound.parts().iter().map(|part| self.of(part));
+            let Some(first) = boxes.next() else { return Ok(Aabb::UNBOUNDED) };
+            return boxes.try_fold(first?, |whole, part| Ok(whole.merged(&part?)));
+        }
+        let (low, high) = (self.low, self.high);
+        let (spread_low, spread_high) = self.turning_extent(shape);
+        let largest = low.abs().max(high.abs()) + spread_high.abs().max(spread_low.abs());
+        let rounding = ROUNDING_ULPS * f64::EPSILON * largest;
+        Aabb::new(low + spread_low - rounding, high + spread_high + rounding)
+    }
+
+    /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
+    fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
+        let radius = shape.radius();
+        let stray = DVec3::splat(radius * self.turn);
+        if let Shape::TriangleMesh(mesh) = shape {
+            // The corners of the box around it stand in for many vertices.
+            let around = turned(mesh.bounds(), &Pose { rotation: self.rotation, translation: DVec3::ZERO });
+            return (around.min - stray, around.max + stray);
+        }
+        let (low, high) = extents(shape, &self.axes);
+        let ball = DVec3::splat(radius);
+        ((low - stray).max(-ball), (high + stray).min(ball))
+    }
 }
 
 /// The world's axes in the frame of a body at this rotation.

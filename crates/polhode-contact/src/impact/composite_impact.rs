@@ -10,19 +10,20 @@
 //! approaches; otherwise the search of this part goes on from there as one of a pair that touches. A point of a cloud that
 //! lies in a triangle at the start has no inside that would tell its side of the sheet: it may leave on either.
 
-use crate::Shape;
 use crate::bounding::Bounds;
-use crate::bounding::aabb::{Aabb, swept_aabb};
+use crate::bounding::aabb::{Aabb, Sweep};
 use crate::clearance::touch_tolerance;
 use crate::impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_in_parts};
 use crate::narrow_phase::evaluate::kinematics;
-use crate::narrow_phase::manifold::manifold_with;
+use crate::narrow_phase::manifold::near_manifold_into;
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
 use crate::shape::TriangleMesh;
 use crate::shape::extent::turned;
+use crate::{Manifold, Shape};
 use polhode_spatial::{Motion, Pose, Velocity};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 /// An interval in which more pairs of parts could meet is cut into twice as many windows.
@@ -57,15 +58,12 @@ struct Pair<'a> {
     settings: &'a ImpactSearch,
     /// Distance up to which the bodies touch at the start, m.
     touch: f64,
-    starts_in_touch: bool,
+    /// Whether the bodies touch at the start, once it has been asked.
+    starts_in_touch: OnceCell<bool>,
 }
 
-/// Whether a shape is searched part by part.
-pub(crate) const fn is_composite(shape: &Shape) -> bool {
-    matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_))
-}
-
-/// The earliest impact of two bodies of which one at least is a compound or a mesh.
+/// The earliest impact of two bodies of which one at least is a compound or a mesh. Without one the separation is left
+/// infinite: that of all parts at the end of the interval is more work than most searches, and few ask for it.
 pub(crate) fn find_composite(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],
@@ -75,13 +73,12 @@ pub(crate) fn find_composite(
 ) -> Result<ImpactReport, ImpactError> {
     let mut workspace = Workspace::default();
     let poses = [motions[0].pose(t0), motions[1].pose(t0)];
-    let separation = separation_with(&mut workspace, shapes[0], &poses[0], shapes[1], &poses[1]);
-    if separation.is_nan() {
+    if !(poses[0].is_finite() && poses[1].is_finite()) {
         return Err(ImpactError::NotFinite { t: t0 });
     }
     let touch = touch_tolerance(shapes[0], &poses[0], shapes[1], &poses[1], settings.touch_relative);
-    let pair = Pair { parts, poses, shapes, motions, settings, touch, starts_in_touch: separation <= touch };
-    let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 1 };
+    let pair = Pair { parts, poses, shapes, motions, settings, touch, starts_in_touch: OnceCell::new() };
+    let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 0 };
     let mut candidates = Vec::new();
     let mut windows = 1;
     pair.candidates(t0, t1, &mut candidates)?;
@@ -104,11 +101,6 @@ pub(crate) fn find_composite(
             }
         }
     }
-    if best.time.is_none() {
-        let end = [motions[0].pose(t1), motions[1].pose(t1)];
-        best.separation = separation_with(&mut workspace, shapes[0], &end[0], shapes[1], &end[1]);
-        best.evaluations = best.evaluations.saturating_add(1);
-    }
     Ok(best)
 }
 
@@ -117,8 +109,10 @@ impl Pair<'_> {
     fn candidates(&self, start: f64, end: f64, found: &mut Vec<[u32; 2]>) -> Result<(), ImpactError> {
         found.clear();
         let fail = |_| ImpactError::NotFinite { t: start };
+        let [sweep_a, sweep_b] = self.motions.map(|motion| Sweep::new(motion, start, end).map_err(fail));
+        let sweeps = [sweep_a?, sweep_b?];
         let swept = |at: usize, part: &Shape| -> Result<Aabb, ImpactError> {
-            swept_aabb(part, self.motions[at], start, end).and_then(|b| b.inflated(2.0 * self.touch)).map_err(fail)
+            sweeps[at].of(part).and_then(|b| b.inflated(2.0 * self.touch)).map_err(fail)
         };
         match self.shapes {
             // Grounds do not meet each other.
@@ -194,7 +188,11 @@ impl Pair<'_> {
                 find_in_parts([a.as_ref(), b.as_ref()], self.shapes, self.motions, (from, limit), self.settings)?;
             best.evaluations = best.evaluations.saturating_add(found.evaluations);
             let Some(t) = found.time else { break };
-            if !self.starts_in_touch || slides == MOST_SLIDES || t <= from || self.approaches(workspace, t) {
+            if !self.starts_in_touch(workspace, best)
+                || slides == MOST_SLIDES
+                || t <= from
+                || self.approaches(workspace, t)
+            {
                 best.time = Some(t);
                 best.separation = found.separation;
                 break;
@@ -207,12 +205,22 @@ impl Pair<'_> {
         Ok(())
     }
 
+    /// Whether the bodies touch at the start: asked only where a part closes, for all parts have to be measured for it.
+    fn starts_in_touch(&self, workspace: &mut Workspace, best: &mut ImpactReport) -> bool {
+        *self.starts_in_touch.get_or_init(|| {
+            best.evaluations = best.evaluations.saturating_add(1);
+            let ([shape_a, shape_b], [pose_a, pose_b]) = (self.shapes, &self.poses);
+            separation_with(workspace, shape_a, pose_a, shape_b, pose_b) <= self.touch
+        })
+    }
+
     /// Whether at a time a contact of the whole pair closes.
     fn approaches(&self, workspace: &mut Workspace, t: f64) -> bool {
         let [shape_a, shape_b] = self.shapes;
         let poses = self.motions.map(|motion| motion.pose(t));
         let velocities = self.motions.map(|motion| motion.velocity(t));
-        let touching = manifold_with(workspace, shape_a, &poses[0], shape_b, &poses[1], self.touch);
+        let mut touching = Manifold::default();
+        near_manifold_into(workspace, shape_a, &poses[0], shape_b, &poses[1], self.touch, &mut touching);
         // Other parts have closed before, and their search will tell when: no contact of this overlap means anything.
         if touching.separation < -self.touch {
             return true;

@@ -15,11 +15,12 @@
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
-use crate::impact::composite_impact::{Parts, find_composite, is_composite};
+use crate::impact::composite_impact::{Parts, find_composite};
 use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
 use crate::impact::root_bracket::{Sample, last_open};
+use crate::narrow_phase::composite::is_composite;
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::nearest_feature;
 use crate::narrow_phase::round::element::{Element, Locus};
@@ -107,7 +108,7 @@ pub fn time_of_impact(
     t1: f64,
     settings: &ImpactSearch,
 ) -> Result<Option<f64>, ImpactError> {
-    find_impact(shape_a, motion_a, shape_b, motion_b, t0, t1, settings).map(|report| report.time)
+    search([shape_a, shape_b], [motion_a, motion_b], (t0, t1), settings).map(|report| report.time)
 }
 
 /// As [`time_of_impact`], with the work it took.
@@ -123,10 +124,26 @@ pub fn find_impact(
     t1: f64,
     settings: &ImpactSearch,
 ) -> Result<ImpactReport, ImpactError> {
+    let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
+    let mut report = search(shapes, motions, (t0, t1), settings)?;
+    if report.time.is_none() && shapes.into_iter().any(is_composite) {
+        let end = motions.map(|motion| motion.pose(t1));
+        report.separation = separation_with(&mut Workspace::default(), shape_a, &end[0], shape_b, &end[1]);
+        report.evaluations = report.evaluations.saturating_add(1);
+    }
+    Ok(report)
+}
+
+/// The impact, and the separation there; that at the end of the interval only of shapes of one part each.
+fn search(
+    shapes: [&Shape; 2],
+    motions: [&dyn Motion; 2],
+    (t0, t1): (f64, f64),
+    settings: &ImpactSearch,
+) -> Result<ImpactReport, ImpactError> {
     if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
         return Err(ImpactError::Interval { t0, t1 });
     }
-    let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
     if shapes.into_iter().any(is_composite) {
         return find_composite(shapes, motions, (t0, t1), settings, Parts::All);
     }

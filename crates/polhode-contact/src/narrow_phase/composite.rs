@@ -11,11 +11,12 @@ use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::compound_surface::on_whole;
 use crate::narrow_phase::evaluate::evaluate;
-use crate::narrow_phase::manifold::{along_tied_faces, is_upward, manifold_into};
+use crate::narrow_phase::manifold::{along_tied_faces, is_upward, near_manifold_into};
 use crate::narrow_phase::part_feature::globalized;
 use crate::narrow_phase::ridge_ends::{TouchingPair, crossings};
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::narrow_phase::separation::separation_with;
+use crate::shape::extent::turned;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
 use polhode_spatial::Pose;
 use std::cmp::Ordering;
@@ -36,6 +37,11 @@ pub(crate) struct Candidate {
     pub(crate) geometry: ContactGeometry,
     /// A vertex that has taken the place of one of the other body.
     pub(crate) replaced: bool,
+}
+
+/// Whether a shape is one of parts that are taken one by one.
+pub(crate) const fn is_composite(shape: &Shape) -> bool {
+    matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_))
 }
 
 /// The separation of a pair of which one is a compound; nothing for other pairs.
@@ -65,7 +71,7 @@ pub(crate) struct CompositeBuffers {
     near: Vec<usize>,
 }
 
-/// All contacts of a pair of which one is a compound.
+/// All contacts of a pair of which one is a compound; its separation only when it is within reach.
 pub(crate) fn compound_manifold(
     workspace: &mut Workspace,
     shapes: [&Shape; 2],
@@ -99,7 +105,7 @@ fn of_compound(
     kept.clear();
     for &parts in pairs.iter() {
         let pair = pair_of(parts);
-        manifold_into(workspace, pair[0], near[0], pair[1], near[1], reach, of_parts);
+        near_manifold_into(workspace, pair[0], near[0], pair[1], near[1], reach, of_parts);
         if of_parts.separation < found.separation || of_parts.separation.is_nan() {
             found.separation = of_parts.separation;
             found.axis = axis_of_whole(of_parts.axis, shapes, parts);
@@ -119,9 +125,7 @@ fn of_compound(
         }
     }
     if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
-        let separation = separation_with(workspace, shapes[0], poses[0], shapes[1], poses[1]);
-        let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
-        return found.set_empty(separation, axis);
+        return found.set_empty(found.separation, SeparatingAxis::None);
     }
     let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE * tolerance };
     // Where a ridge bends, what the parts have by themselves is none of the whole: the ridges are crossed there.
@@ -198,13 +202,9 @@ fn part_of(shape: &Shape, part: usize) -> &Shape {
 
 /// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
 pub(crate) fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut Vec<[usize; 2]>) {
-    let all = match shapes[0] {
-        Shape::Compound(a) => a.parts.as_slice(),
-        other => std::slice::from_ref(other),
-    };
     let x_ba = poses[1].relative(poses[0]);
     let whole = shapes[1].bounds_at(&Pose::IDENTITY).inflated(reach);
-    for (i, part) in all.iter().enumerate() {
+    let mut add = |i: usize, part: &Shape| {
         // A half-space has no box: it may meet anything.
         let unbounded = matches!(part, Shape::HalfSpace(_)) || matches!(shapes[1], Shape::HalfSpace(_));
         let bounds = if unbounded { Bounds::ALL } else { part.bounds_at(&x_ba).inflated(reach) };
@@ -213,6 +213,15 @@ pub(crate) fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, p
             _ if unbounded || bounds.overlaps(&whole) => pairs.push([i, 0]),
             _ => {}
         }
+    };
+    let everywhere = matches!(shapes[1], Shape::HalfSpace(_));
+    match shapes[0] {
+        Shape::Compound(a) => {
+            // The box of a part here takes all of its vertices: those of parts out of the other's way are not made.
+            let near = |of: &Bounds| everywhere || turned(*of, &x_ba).inflated(reach).overlaps(&whole);
+            a.tree.passing(&near, &mut |i| add(i as usize, part_of(shapes[0], i as usize)));
+        }
+        other => add(0, other),
     }
     pairs.sort_unstable();
 }

@@ -10,7 +10,7 @@
 //! Other pairs: every vertex or point below the reach; the nearest features of a sphere.
 
 use crate::clearance::place_tolerance;
-use crate::narrow_phase::composite::compound_manifold;
+use crate::narrow_phase::composite::{compound_manifold, is_composite};
 use crate::narrow_phase::crossed_edges::CrossedEdges;
 use crate::narrow_phase::evaluate::evaluate;
 use crate::narrow_phase::face_contacts::FacePair;
@@ -69,6 +69,35 @@ pub fn manifold_with(
 /// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough. What
 /// stood in the result before is forgotten.
 pub fn manifold_into(
+    workspace: &mut Workspace,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    reach: f64,
+    found: &mut Manifold,
+) {
+    near_manifold_into(workspace, shape_a, pose_a, shape_b, pose_b, reach, found);
+    let composite = is_composite(shape_a) || is_composite(shape_b);
+    if !composite || found.separation <= reach || !(pose_a.is_finite() && pose_b.is_finite()) {
+        return;
+    }
+    let separation = separation_with(workspace, shape_a, pose_a, shape_b, pose_b);
+    let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
+    found.set_empty(separation, axis);
+}
+
+/// As [`manifold`] for those who ask for no more than what is within reach: beyond it the separation of a compound or a
+/// mesh is some value above the reach, infinite perhaps, and the axis none. The separation of all parts is most of the work
+/// of a pair that is near but apart.
+pub fn near_manifold(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, reach: f64) -> Manifold {
+    let mut found = Manifold::default();
+    near_manifold_into(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b, reach, &mut found);
+    found
+}
+
+/// As [`near_manifold`], with buffers and a result that the caller keeps.
+pub(crate) fn near_manifold_into(
     workspace: &mut Workspace,
     shape_a: &Shape,
     pose_a: &Pose,
@@ -278,8 +307,8 @@ pub(crate) fn along_axes(
     }
 }
 
-/// Contacts of polyhedra that touch where the pair of faces has one or none: edges that lie along each other share more,
-/// and tolerances may leave none, but bodies that touch have a contact.
+/// Contacts of polyhedra that touch or overlap where the pair of faces has one or none: edges that lie along each other
+/// share more, and tolerances may leave none, but bodies that touch have a contact.
 fn touching(
     workspace: &mut Workspace,
     (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
@@ -289,7 +318,7 @@ fn touching(
     found: &mut Manifold,
 ) {
     let contacts = &mut found.contacts;
-    if axes.deciding_edges().is_none() {
+    if axes.deciding_edges().is_none() && found.separation.abs() <= SAME_PLACES * axes.tolerance {
         let which = (found.separation, axes.tolerance, reach);
         along_best_tied_face(workspace, (polyhedron_a, a), (polyhedron_b, b), which, contacts);
     }

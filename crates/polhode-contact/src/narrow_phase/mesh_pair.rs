@@ -84,7 +84,7 @@ pub(crate) struct MeshBuffers {
     of_part: Manifold,
 }
 
-/// All contacts of a pair of which one is a mesh.
+/// All contacts of a pair of which one is a mesh; its separation only when it is within reach.
 pub(crate) fn mesh_manifold(
     workspace: &mut Workspace,
     shapes: [&Shape; 2],
@@ -115,9 +115,7 @@ pub(crate) fn mesh_manifold(
         found.contacts.sort_unstable_by_key(|contact| contact.feature);
         return;
     }
-    let separation = mesh_separation(workspace, shapes, poses).unwrap_or(f64::INFINITY);
-    let axis = if separation == f64::INFINITY { SeparatingAxis::None } else { SeparatingAxis::Nearest };
-    found.set_empty(separation, axis);
+    found.set_empty(found.separation, SeparatingAxis::None);
 }
 
 /// The separation of the triangles within reach and, of bodies that are no polyhedra, their contacts.

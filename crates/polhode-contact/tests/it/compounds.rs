@@ -4,7 +4,7 @@
 use crate::support::{Flight, Random, at, cuboid, prism};
 use polhode_contact::{
     Contact, ContactFeature, ImpactSearch, Shape, ShapeError, Side, evaluate, find_impact, kinematics, manifold,
-    mirror_defect, separation, swept_aabb, time_of_further_impact, time_of_impact,
+    mirror_defect, near_manifold, separation, swept_aabb, time_of_further_impact, time_of_impact,
 };
 use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
 use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector, Velocity};
@@ -79,6 +79,27 @@ fn four_quarters_resting_on_a_plane_or_a_box_have_the_contacts_of_the_whole() {
             assert!((found.separation - expected.separation).abs() <= ROUNDING);
         }
     }
+}
+
+/// What is within reach is the same, bit by bit; beyond it the separation is not asked for, and said to be beyond.
+#[test]
+fn a_near_manifold_is_the_manifold_within_reach() {
+    let mut random = Random(29);
+    let other = prism(7, 0.5, 0.8);
+    let mut within = 0;
+    for case in 0..300 {
+        let parts = quartered(DVec3::new(2.0, 1.0, 0.5), 0.1, -0.2);
+        let pose = Pose::new(random.rotation(), 1.5 * random.vector());
+        let whole = manifold(&parts, &pose, &other, &Pose::IDENTITY, 0.1);
+        let near = near_manifold(&parts, &pose, &other, &Pose::IDENTITY, 0.1);
+        if whole.separation <= 0.1 {
+            within += 1;
+            assert_eq!(near, whole, "case {case}");
+        } else {
+            assert!(near.separation > 0.1 && near.contacts.is_empty(), "case {case}: {near:?}");
+        }
+    }
+    assert!((50..250).contains(&within), "{within} of 300 within reach");
 }
 
 #[test]

@@ -99,16 +99,17 @@ impl Engine {
             None if self.violations(group, limit, tolerated, states)?.is_empty() => return Ok(None),
             None => (start, limit),
         };
+        let mut suspect = None;
         loop {
             for _ in 0..BISECTIONS {
                 let middle = 0.5 * (right + wrong);
                 if middle <= right || middle >= wrong {
                     break;
                 }
-                if self.violations(group, middle, tolerated, states)?.is_empty() {
-                    right = middle;
-                } else {
+                if self.is_wrong(group, middle, tolerated, states, &mut suspect)? {
                     wrong = middle;
+                } else {
+                    right = middle;
                 }
             }
             // Another pair may have come to overlap before.
@@ -137,7 +138,7 @@ impl Engine {
         for k in 1..=DIP_SAMPLES {
             let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
             group.states_at(t, states);
-            let sunk = self.sunk(group, states, tolerated);
+            let sunk = self.first_sunk(group, states, tolerated);
             // What is wrong at the end is looked for there, with all else.
             if sunk.contact.is_some() && k < DIP_SAMPLES {
                 return Some((before, t));
@@ -182,6 +183,25 @@ impl Engine {
             left.extend(opens.map(|(touch, _)| touch.id));
         }
         Ok(left)
+    }
+
+    /// Whether anything is wrong with the held contacts of a group at a time. The pair of what was wrong last is asked
+    /// first: where it penetrates, nothing else need be asked, and in a large group that is most of the work.
+    fn is_wrong(
+        &mut self,
+        group: &GroupTrial,
+        t: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+        suspect: &mut Option<(usize, usize)>,
+    ) -> Result<bool, SimulationError> {
+        group.states_at(t, states);
+        if suspect.is_some_and(|pair| self.penetrates(group, pair, states, tolerated)) {
+            return Ok(true);
+        }
+        let first = self.violations(group, t, tolerated, states)?.first().map(|id| (id.a, id.b));
+        *suspect = first.or(*suspect);
+        Ok(first.is_some())
     }
 
     fn forces_of(

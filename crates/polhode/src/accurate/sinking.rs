@@ -63,6 +63,30 @@ impl Engine {
         all
     }
 
+    /// As [`Self::sunk`], up to the first pair with a contact that says so: then nothing is said of what is unseen.
+    pub(super) fn first_sunk(&self, group: &GroupTrial, states: &[BodyState], tolerated: &BTreeSet<ContactId>) -> Sunk {
+        let mut all = Sunk { contact: None, depths: 0.0 };
+        for pair in group.held_pairs() {
+            let sunk = self.sunk_pair(group, pair, states, tolerated);
+            if sunk.contact.is_some() {
+                return sunk;
+            }
+            all.depths = all.depths.max(sunk.depths);
+        }
+        all
+    }
+
+    /// Whether a contact of one pair that is not held penetrates and closes.
+    pub(super) fn penetrates(
+        &self,
+        group: &GroupTrial,
+        pair: (usize, usize),
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> bool {
+        self.sunk_pair(group, pair, states, tolerated).contact.is_some()
+    }
+
     fn sunk_pair(
         &self,
         group: &GroupTrial,
@@ -114,7 +138,7 @@ impl Engine {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (clear + sunken);
             group.states_at(middle, states);
-            let sunk = self.sunk(group, states, tolerated);
+            let sunk = self.first_sunk(group, states, tolerated);
             if sunk.contact.is_some() {
                 return Some(middle);
             }

@@ -103,12 +103,12 @@ impl World {
         self.pair(states, a, b, reach).1
     }
 
-    /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them: two bodies may overlap
-    /// more than any contact tells.
+    /// The separation of one pair, m, as far as it is within reach, and its contacts as [`Self::contacts_of_pair`] gives
+    /// them: two bodies may overlap more than any contact tells.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
         let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
-        let manifold = polhode_contact::manifold(shape_a, pose_a, shape_b, pose_b, reach);
+        let manifold = polhode_contact::near_manifold(shape_a, pose_a, shape_b, pose_b, reach);
         let mut features: Vec<_> = manifold.contacts.iter().map(|contact| contact.feature).collect();
         let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
         for i in 0..features.len() {
