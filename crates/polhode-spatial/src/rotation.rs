@@ -69,6 +69,7 @@ impl Rotation {
 
     /// From a quaternion that arithmetic has moved off the unit sphere; any non-zero finite length is accepted, and
     /// anything else gives NaN, which the next check of the state reports.
+    #[inline]
     pub fn renormalized(q: DQuat) -> Self {
         let length_squared = q.length_squared();
         // A quaternion that is already normalised to round-off keeps its bits.
@@ -165,6 +166,7 @@ impl Rotation {
 impl std::ops::Mul for Rotation {
     type Output = Self;
     /// `R_AC = R_AB * R_BC`.
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::renormalized(self.0 * other.0)
     }

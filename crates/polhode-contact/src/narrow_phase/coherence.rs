@@ -10,9 +10,11 @@
 //!    comes up to the separation of the best face. Until then the others alone are searched, at the new poses and with the
 //!    operations of a full search, and give its result bit by bit.
 //!
-//! No geometry is kept, only which features need not be looked at.
+//! The contacts of two faces that lie on each other are kept in the same way (`region_coherence.rs`). No geometry is kept,
+//! only which features need not be looked at and which ones touch.
 
 use crate::narrow_phase::edge_axes::axis_slack;
+use crate::narrow_phase::region_coherence::KeptRegion;
 use crate::narrow_phase::separating_axis::{Axes, Workspace, lowest, plane_of_b};
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
@@ -20,7 +22,7 @@ use polhode_spatial::Pose;
 
 /// How far below the best face an axis must stay to be left out, relative to the length that turns into its change: about
 /// the turn in rad for which a search lasts. Larger, and more features are looked at every time.
-const MARGIN: f64 = 0.05;
+const MARGIN: f64 = 0.02;
 
 /// What the last full search found.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -34,35 +36,64 @@ enum Verdict {
     Close,
 }
 
+/// How the bodies lay when something was kept.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Drift {
+    /// Pose of B in A's frame.
+    relative: Pose,
+    /// Lengths that turn into changes of heights above the faces of A and of B, m.
+    levers: [f64; 2],
+}
+
+impl Drift {
+    /// From now on.
+    pub(crate) fn since(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
+        Self { relative: *x_ab, levers: [radius(&b.vertices), radius(&a.vertices) + x_ab.translation.length()] }
+    }
+
+    /// How much heights above planes of A and of B may have changed, m.
+    #[inline]
+    pub(crate) fn changes(&self, x_ab: &Pose) -> [f64; 2] {
+        let shift = (x_ab.translation - self.relative.translation).length();
+        let (before, now) = (self.relative.rotation.quaternion(), x_ab.rotation.quaternion());
+        // A quaternion and its negative are the same rotation.
+        let nearest = (now - before).length_squared().min((now + before).length_squared());
+        let turn = 2.0 * nearest.sqrt();
+        self.levers.map(|lever| shift + lever * turn)
+    }
+}
+
 /// What is known of a pair of polyhedra.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Coherence {
     verdict: Verdict,
     /// Faces and edges of both bodies: were they of other shapes, no index of theirs would hold.
     counts: [usize; 4],
-    /// Pose of B in A's frame at the last full search.
-    relative: Pose,
-    /// Lengths that turn into changes of heights above the faces of A and of B, m.
-    levers: [f64; 2],
+    /// Since the last full search.
+    drift: Drift,
     /// Separations, m, that every axis of A and of B that is left out stayed below.
     limits: [f64; 2],
     faces: [Vec<u32>; 2],
     edges: [Vec<u32>; 2],
+    /// Contacts of the pair of faces that was looked at last.
+    pub(crate) region: KeptRegion,
 }
 
 impl Coherence {
     /// Forgets everything but the buffers.
     pub(crate) fn forget(&mut self) {
         self.verdict = Verdict::Unknown;
+        self.region.forget();
     }
 
     /// A separation beyond `reach` that the pair certainly has at this relative pose, m.
+    #[inline]
     pub(crate) fn apart(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, reach: f64) -> Option<f64> {
         let Verdict::Apart { family, separation } = self.verdict else { return None };
         if self.counts != counts(a, b) {
             return None;
         }
-        let least = separation - self.changes(x_ab)[family] - axis_slack(a, b, x_ab);
+        let least = separation - self.drift.changes(x_ab)[family] - axis_slack(a, b, x_ab);
         (least > reach).then_some(least)
     }
 
@@ -79,10 +110,12 @@ impl Coherence {
         if let Some(axes) = self.search_again(workspace, a, b, x_ab, reach) {
             return axes;
         }
+        if self.counts != counts(a, b) {
+            self.forget();
+        }
         self.verdict = Verdict::Unknown;
         self.counts = counts(a, b);
-        self.relative = *x_ab;
-        self.levers = [radius(&b.vertices), radius(&a.vertices) + x_ab.translation.length()];
+        self.drift = Drift::since(a, b, x_ab);
         let mut axes = match workspace.search_faces(a, b, x_ab, reach) {
             Ok(axes) => {
                 let family = usize::from(axes.face_b.separation > axes.face_a.separation);
@@ -91,7 +124,7 @@ impl Coherence {
             }
             Err(axes) => axes,
         };
-        self.limits = axes.edge_limits(a, b, x_ab, self.levers.map(|lever| MARGIN * lever));
+        self.limits = axes.edge_limits(a, b, x_ab, self.drift.levers.map(|lever| MARGIN * lever));
         workspace.select_edges(a, b, x_ab, self.limits);
         if self.limits.into_iter().all(f64::is_finite) {
             self.keep(workspace);
@@ -144,7 +177,7 @@ impl Coherence {
         }
         // Faces within the tolerance of the best and those that lie against them within as much again are compared.
         let needed = axes.face_separation().min(0.0) - 2.0 * axes.tolerance - axis_slack(a, b, x_ab);
-        let changes = self.changes(x_ab);
+        let changes = self.drift.changes(x_ab);
         if !(0..2).all(|k| self.limits[k] + changes[k] < needed) {
             return None;
         }
@@ -154,16 +187,6 @@ impl Coherence {
             axes.edges = workspace.deciding_edges(a, b, x_ab, &axes, reach);
         }
         Some(axes)
-    }
-
-    /// How much heights above the faces of A and of B may have changed since the last full search, m.
-    fn changes(&self, x_ab: &Pose) -> [f64; 2] {
-        let shift = (x_ab.translation - self.relative.translation).length();
-        let (before, now) = (self.relative.rotation.quaternion(), x_ab.rotation.quaternion());
-        // A quaternion and its negative are the same rotation.
-        let nearest = (now - before).length_squared().min((now + before).length_squared());
-        let turn = 2.0 * nearest.sqrt();
-        self.levers.map(|lever| shift + lever * turn)
     }
 }
 

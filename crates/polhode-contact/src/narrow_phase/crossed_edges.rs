@@ -90,6 +90,7 @@ impl PlacedEdge {
         }
     }
 
+    #[inline]
     pub(crate) fn of_polyhedron(edge: &Edge, pose: &Pose) -> Self {
         Self {
             middle: pose.rotation.rotate(edge.middle),

@@ -155,6 +155,7 @@ impl PointOnSurface {
 
     /// A vertex of a polyhedron V over a face of another, E, whose normal in the world is given; nothing when it is
     /// higher than `reach` (m). The operations are those of [`Self::new`].
+    #[inline]
     fn above_face(
         center_of: Side,
         (vertex, pose_v): (DVec3, &Pose),
@@ -202,6 +203,7 @@ impl PointOnSurface {
 
 /// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, as [`evaluate`]
 /// would give it; nothing when its separation exceeds `reach` (m).
+#[inline]
 pub(crate) fn vertex_above_face(
     vertex_of: Side,
     vertex: (DVec3, &Pose),
@@ -237,6 +239,7 @@ pub(crate) fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
 }
 
 /// Signed distance of a place over a face from the face's border, m; positive inside.
+#[inline]
 pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVec3) -> f64 {
     let mut least = f64::INFINITY;
     for (vertex, side) in face.vertices.iter().zip(face.sides) {

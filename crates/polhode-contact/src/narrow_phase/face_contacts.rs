@@ -27,26 +27,20 @@ pub(crate) struct FacePair<'a> {
 pub(crate) type PlacedEdges = Vec<(u32, PlacedEdge)>;
 
 impl FacePair<'_> {
-    /// The features with their geometry, as far as they are within reach and their normals are like a deciding one, sorted,
-    /// instead of what the list held.
-    pub(crate) fn measure(
-        &self,
-        features: &mut [ContactFeature],
-        placed_b: &mut PlacedEdges,
-        contacts: &mut Vec<Contact>,
-    ) {
+    /// The features with their geometry, as far as they are within reach and their normals are like a deciding one, instead
+    /// of what the list held. The features are sorted, and so are the contacts then.
+    pub(crate) fn measure(&self, features: &[ContactFeature], placed_b: &mut PlacedEdges, contacts: &mut Vec<Contact>) {
         contacts.clear();
         let [a, b] = self.polyhedra;
         let (Some(face_a), Some(face_b)) = (a.face(self.faces[0] as usize), b.face(self.faces[1] as usize)) else {
             return;
         };
-        features.sort_unstable();
         placed_b.clear();
         let gradient_a = self.poses[0].rotation.rotate(face_a.normal);
         let gradient_b = self.poses[1].rotation.rotate(face_b.normal);
         let (on_a, on_b) = (self.is_alike(-gradient_a), self.is_alike(gradient_b));
         let mut placed_a: Option<(u32, PlacedEdge)> = None;
-        for &feature in features.iter() {
+        for &feature in features {
             let geometry = match feature {
                 ContactFeature::VertexFace { vertex_of: Side::A, vertex, .. } if on_b => {
                     self.vertex_on((Side::A, vertex), &face_b, gradient_b)

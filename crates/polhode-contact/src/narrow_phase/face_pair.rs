@@ -42,6 +42,9 @@ pub(crate) struct Buffers {
     b: PlacedFace,
     /// Corners of B's face that may be in one place with one of A's.
     near: Vec<usize>,
+    /// By how much heights above the sides and the plane of A's face and of B's may change before the contacts are other
+    /// ones, m; not positive when that is not known.
+    pub(crate) clearances: [f64; 2],
 }
 
 /// Corners and outward sides of a face.
@@ -88,8 +91,9 @@ impl PlacedFace {
         }
     }
 
-    /// On which side of every side of the other face each corner is, and which corners are contacts.
-    fn take_signs(&mut self, other: &Self, tolerance: f64) {
+    /// On which side of every side of the other face each corner is, and which corners are contacts. The least distance of a
+    /// corner from a side, m.
+    fn take_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
         self.deep.resize(corners, false);
@@ -97,6 +101,7 @@ impl PlacedFace {
         self.kept.resize(corners, true);
         self.signs.clear();
         self.signs.resize(corners * sides, 0);
+        let mut least = f64::INFINITY;
         let rows = self.signs.chunks_exact_mut(sides);
         for ((corner, kept), row) in self.corners.iter().zip(&mut self.kept).zip(rows) {
             for ((from, side), sign) in other.corners.iter().zip(&other.sides).zip(row) {
@@ -104,8 +109,10 @@ impl PlacedFace {
                 let outside = distance > tolerance;
                 *sign = if outside { 1 } else { -i8::from(distance < -tolerance) };
                 *kept &= !outside;
+                least = if distance.abs() < least { distance.abs() } else { least };
             }
         }
+        least
     }
 
     /// Which corners are contacts.
@@ -153,9 +160,11 @@ pub(crate) fn collect(
     buffers.b.sides.extend(sides_of_placed(b, &face_b, normal_b, directions));
     let few = face_a.vertices.len() * face_b.vertices.len() < FEW_PAIRS;
     if few {
-        buffers.a.take_signs(&buffers.b, tolerance);
-        buffers.b.take_signs(&buffers.a, tolerance);
+        let least = [buffers.b.take_signs(&buffers.a, tolerance), buffers.a.take_signs(&buffers.b, tolerance)];
+        // Further from every side than this, no two corners are in one place.
+        buffers.clearances = least.map(|distance| distance - DEEP_PLACES * tolerance);
     } else {
+        buffers.clearances = [0.0; 2];
         buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
         buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
         buffers.a.keep_inside(&buffers.b, tolerance);
@@ -167,15 +176,21 @@ pub(crate) fn collect(
     for ((&vertex, corner), _) in
         face_a.vertices.iter().zip(&buffers.a.corners).zip(&buffers.a.kept).filter(|(_, k)| **k)
     {
-        if normal_b.dot(*corner) - plane_b <= highest {
+        let height = normal_b.dot(*corner) - plane_b;
+        if height <= highest {
             features.push(ContactFeature::VertexFace { vertex_of: Side::A, vertex, face: index_b });
+        } else {
+            buffers.clearances[1] = buffers.clearances[1].min(height - highest);
         }
     }
     for ((&vertex, corner), _) in
         face_b.vertices.iter().zip(&buffers.b.corners).zip(&buffers.b.kept).filter(|(_, k)| **k)
     {
-        if face_a.normal.dot(*corner) - face_a.offset <= highest {
+        let height = face_a.normal.dot(*corner) - face_a.offset;
+        if height <= highest {
             features.push(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: index_a });
+        } else {
+            buffers.clearances[0] = buffers.clearances[0].min(height - highest);
         }
     }
     if few {

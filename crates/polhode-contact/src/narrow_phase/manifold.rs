@@ -17,6 +17,7 @@ use crate::narrow_phase::face_contacts::FacePair;
 use crate::narrow_phase::face_pair;
 use crate::narrow_phase::mesh_pair::mesh_manifold;
 use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::region_coherence::KeptRegion;
 use crate::narrow_phase::round::gap::{self, Gap};
 use crate::narrow_phase::round::region;
 use crate::narrow_phase::round::ring;
@@ -122,7 +123,7 @@ pub(crate) fn near_manifold_into(
         let x_ab = pose_a.relative(pose_b);
         workspace.place(polyhedron_b, &x_ab);
         let axes = workspace.search_deciding(polyhedron_a, polyhedron_b, &x_ab, reach);
-        return along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), &axes, reach, found);
+        return along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), (&axes, None), reach, found);
     }
     let ring = |shape: &Shape| matches!(shape, Shape::Torus(_));
     if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || ring(shape)) {
@@ -248,7 +249,7 @@ pub(crate) fn along_axes(
     workspace: &mut Workspace,
     (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
     (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
-    axes: &Axes,
+    (axes, kept): (&Axes, Option<&mut KeptRegion>),
     reach: f64,
     found: &mut Manifold,
 ) {
@@ -277,7 +278,13 @@ pub(crate) fn along_axes(
     if let Some(pair) = pair {
         let toward_a = -a.pose.rotation.rotate(polyhedron_a.faces[pair.0 as usize].normal);
         let upper = if is_upward(toward_a) { Side::A } else { Side::B };
-        face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, (axes.tolerance, reach), upper);
+        let limits = (axes.tolerance, reach);
+        if let Some(kept) = kept {
+            kept.collect(workspace, polyhedron_a, polyhedron_b, pair, limits, upper);
+        } else {
+            face_pair::collect(workspace, polyhedron_a, polyhedron_b, pair, limits, upper);
+            workspace.features.sort_unstable();
+        }
         // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
         // crossings of the two outlines do not keep the bodies apart.
         let normals = normals_of(workspace, polyhedron_a, pair, a.pose);
@@ -290,7 +297,7 @@ pub(crate) fn along_axes(
             deciding: [0, 1].map(|k| deciding[k].then_some(normals[k])),
             reach,
         };
-        faces.measure(&mut workspace.features, &mut workspace.placed_edges, contacts);
+        faces.measure(&workspace.features, &mut workspace.placed_edges, contacts);
         if let (Some(edges), Some(crossed), [false, true] | [true, false]) = (edges, crossed, alike) {
             along_edge(contacts, edges, &crossed.geometry(), axes.tolerance);
         }

@@ -19,6 +19,7 @@ mod mesh_feature;
 pub(crate) mod mesh_pair;
 pub(crate) mod part_feature;
 pub mod persistent;
+mod region_coherence;
 pub(crate) mod ridge_ends;
 pub(crate) mod round;
 pub mod separating_axis;

@@ -304,5 +304,5 @@ fn find(
         return found.set_empty(separation, SeparatingAxis::None);
     }
     let axes = coherence.search(workspace, polyhedron_a, polyhedron_b, &x_ab, reach);
-    along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), &axes, reach, found);
+    along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), (&axes, Some(&mut coherence.region)), reach, found);
 }

@@ -148,6 +148,39 @@ fn sliding_and_rolling() {
     assert!(world.compared > 5000, "{}", world.compared);
 }
 
+/// Two faces whose corners pass the reach, the sides and each other's corners slowly, in steps from far below the tolerance
+/// of places up to ones that pass it at once: a list of contacts is kept no longer than it holds. Both orders of the bodies.
+#[test]
+fn corners_that_pass_limits_slowly() {
+    let at_edge = |tilt: f64, x: f64, z: f64| {
+        let rotation = Rotation::from_rotation_vector(DVec3::Y * tilt);
+        // The lower edge at x = -0.5 stays where it is.
+        Pose::new(rotation, DVec3::new(x, 0.1, z) - rotation.rotate(DVec3::new(-0.5, 0.0, -0.5)))
+    };
+    let reach = 0.05;
+    let mut compared = 0;
+    for order in [[0, 1], [1, 0]] {
+        let ordered = |bodies: [Pose; 2]| order.map(|k| bodies[k]).to_vec();
+        let shapes = [cuboid(3.0, 3.0, 1.0), cuboid(1.0, 1.0, 1.0)];
+        let rising = World::new(order.map(|k| shapes[k].clone()).to_vec(), Vec::new());
+        let passing = World::new(vec![cuboid(1.0, 1.0, 1.0); 2], Vec::new());
+        for (mut world, steps) in [(rising, [1e-6, 1e-5, 1e-4]), (passing, [1e-15, 1e-14, 1e-13])] {
+            for (k, step) in steps.into_iter().flat_map(|step| (-60..60).map(move |k| (k, step))) {
+                let by = -f64::from(k) * step;
+                world.poses = match steps[0] {
+                    // The far corners come down through the reach.
+                    1e-6 => ordered([at(0.0, 0.0, 0.0), at_edge(-(reach + by), -0.3, 0.5)]),
+                    // Two cubes that overlap by their corners alone move apart.
+                    _ => ordered([at(0.0, 0.0, 0.0), at(1.0 - by, 1.0 - 0.8 * by, 1.0)]),
+                };
+                world.check(&[(0, 1)], reach, &format!("{order:?}, step {step}, {k}"));
+            }
+            compared += world.compared;
+        }
+    }
+    assert!(compared > 2000, "{compared}");
+}
+
 /// Pairs that come and go, reaches that change, a body of another shape, poses that are not finite: nothing stale is used.
 #[test]
 fn pairs_that_come_and_go() {
