@@ -3,8 +3,8 @@
 //! A contact that is not held, has sunk in and closes says so by itself, as long as it stands on its features: that is for
 //! some 1e-11 of the bodies' size where features end, as at the bend of a ridge. A trial is looked at some times only, and
 //! by then the bodies may overlap so much more that no contact of theirs tells where they came in. The separation of the
-//! pair does, which is that of its parts along all axes: an interval at whose end it is far below those of the held
-//! contacts is bisected until the contact shows.
+//! pair does, which is that of its parts along all axes: an interval at whose end it is below those of all contacts
+//! is bisected until the contact shows.
 //!
 //! Fails where bodies come to overlap and part again between two looks.
 
@@ -20,16 +20,16 @@ use std::collections::BTreeSet;
 /// judged by (1e-12).
 const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
-/// Bodies that overlap by more than this many such depths, where no contact says so, have come in somewhere: well beyond
-/// what held contacts drift.
-const DEEP: f64 = 64.0;
+/// Bodies that overlap by this many such depths more than any contact says have come in somewhere: by what a run is judged
+/// by.
+const DEEP: f64 = 4.0;
 
 /// How far pairs that are held together overlap beside the contacts that hold them.
 pub(super) struct Sunk {
     /// A contact that is not held, penetrates and closes.
     pub(super) contact: Option<ContactId>,
-    /// Of pairs without such a contact: how much more the bodies overlap than the held contacts do, in units of the depth
-    /// at which a contact counts as penetrating.
+    /// Of pairs without such a contact: how much more the bodies overlap than any contact of theirs, held or parting, in units
+    /// of the depth at which a contact counts as penetrating.
     depths: f64,
 }
 
@@ -110,7 +110,8 @@ impl Engine {
         }
         let held = group.held.iter().filter(|id| (id.a, id.b) == (a, b));
         let held = held.filter_map(|&id| Some(self.world.kinematics(states, id)?.geometry.separation));
-        Sunk { contact, depths: (held.fold(0.0, f64::min) - separation) / depth }
+        let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
+        Sunk { contact, depths: (held.chain(found).fold(0.0, f64::min) - separation) / depth }
     }
 
     /// Whether a contact was clear of its features at the start of the step.

@@ -8,6 +8,12 @@ use polhode::spatial::{DVec3, Density, Pose, Rotation};
 use polhode::{Body, Effects, Geometry, Recorder, Scene};
 use std::f64::consts::FRAC_PI_2;
 
+/// What a run is judged by: 1e-12 of the size of a ring, m.
+const JUDGED: f64 = 2.0 * (RING[0] + RING[1]) * 1e-12;
+
+/// Multiples of it are spread evenly over the unit interval.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// Radius of a ring's middle line and of its tube, m.
 const RING: [f64; 2] = [0.3, 0.05];
 
@@ -58,14 +64,14 @@ fn a_chain_that_has_fallen_taut_rests() {
         assert!(sample.pose.translation.distance(taut) < 1e-10, "{number}: {}", sample.pose.translation);
         assert_eq!((sample.velocity.linear, sample.velocity.angular), (DVec3::ZERO, DVec3::ZERO), "{number}");
     }
-    assert!(deepest(&recorder) < 1e-11, "{:e} m", deepest(&recorder));
+    assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
 }
 
 /// The links of a chain that swings slide and roll from bend to bend, and none comes to overlap another where it is not held.
 #[test]
 fn the_links_of_a_swinging_chain_do_not_overlap() {
     let (report, recorder) = run(&chain(3, DVec3::X, 1.2), Effects::Planned);
-    assert!(deepest(&recorder) < 1e-11, "{:e} m", deepest(&recorder));
+    assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
     // Without friction a chain loses energy at impacts alone, and the books know how much.
     assert!(report.ledger.closure_relative() < 1e-11, "{:?}", report.ledger);
     assert!(report.ledger.numerical.value().abs() < 1e-8 * report.ledger.scale_j, "{:?}", report.ledger);
@@ -78,6 +84,20 @@ fn links_that_swing_out_of_their_plane_do_not_overlap() {
     for angles in [[0.0, -0.01, 0.3, -0.19], [0.0, -0.1, 0.24, -0.14], [0.0, 0.02, -0.29, 0.2]] {
         let (report, _) = run(&turned_chain(&angles, DVec3::X, 1.0), Effects::Planned);
         let deepest = report.certificate.max_penetration_m;
-        assert!(deepest < 1e-11, "{angles:?}: {deepest:e} m");
+        assert!(deepest < JUDGED, "{angles:?}: {deepest:e} m");
+    }
+}
+
+/// However the bends meet, what comes in beside the held contacts is found before it is deeper than a run is judged by: in
+/// five of these chains it was not, where an overlap had to be sixty-four times the depth of penetration to be looked into.
+#[test]
+fn chains_turned_every_way_overlap_by_rounding_alone() {
+    for chain in [0, 7, 14, 21, 24, 28, 37, 38_u32] {
+        // Well spread over half a radian to both sides; the first link is held as it lies.
+        let spread = |k: u32| (f64::from(7 * chain + k) * GOLDEN).fract() - 0.5;
+        let angles: Vec<f64> = (0..4 + chain % 3).map(|k| if k == 0 { 0.0 } else { spread(k) }).collect();
+        let (report, _) = run(&turned_chain(&angles, DVec3::X, 0.8), Effects::Planned);
+        let deepest = report.certificate.max_penetration_m;
+        assert!(deepest < JUDGED, "{angles:?}: {deepest:e} m");
     }
 }
