@@ -30,7 +30,7 @@ enum Verdict {
     /// Nothing that holds at other poses.
     #[default]
     Unknown,
-    /// A face of A (family 0) or of B (1) separates by so much, m.
+    /// A face of A (family 0) or of B (1) separates by at least so much, m.
     Apart { family: usize, separation: f64 },
     /// Only some features can decide.
     Close,
@@ -119,7 +119,9 @@ impl Coherence {
         let mut axes = match workspace.search_faces(a, b, x_ab, reach) {
             Ok(axes) => {
                 let family = usize::from(axes.face_b.separation > axes.face_a.separation);
-                self.verdict = Verdict::Apart { family, separation: axes.face_separation() };
+                // Less its rounding, which is more than that of one nearby when the bodies are far apart.
+                let separation = axes.face_separation() - axis_slack(a, b, x_ab);
+                self.verdict = Verdict::Apart { family, separation };
                 return axes;
             }
             Err(axes) => axes,

@@ -181,6 +181,27 @@ fn corners_that_pass_limits_slowly() {
     assert!(compared > 2000, "{compared}");
 }
 
+/// Boxes that were so far apart that the rounding of their distance is more than the reach, and are back: their separation
+/// then, less the way they went, says nothing of now.
+#[test]
+fn boxes_that_were_far_apart_touch_again() {
+    let (mut random, mut compared) = (Random(47), 0);
+    for far in (6..40).map(|k| 10.0_f64.powi(k)) {
+        let mut world = World::new(vec![cuboid(1.0, 0.9, 0.8), cuboid(1.0, 1.0, 1.0)], vec![Pose::IDENTITY; 2]);
+        for round in 0..20 {
+            let near = Pose::new(random.rotation(), random.vector() * 0.8);
+            let away = if round % 2 == 0 { DVec3::X } else { random.direction() };
+            for place in [away * far, DVec3::ZERO] {
+                world.poses[1] = Pose::new(near.rotation, near.translation + place);
+                let reach = if round % 4 < 2 { 0.01 } else { -0.05 };
+                world.check(&[(0, 1)], reach, &format!("{far} m, round {round}, {place}"));
+            }
+        }
+        compared += world.compared;
+    }
+    assert!(compared > 500, "{compared}");
+}
+
 /// Pairs that come and go, reaches that change, a body of another shape, poses that are not finite: nothing stale is used.
 #[test]
 fn pairs_that_come_and_go() {
