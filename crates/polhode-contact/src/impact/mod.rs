@@ -1,5 +1,6 @@
 //! Impacts: when two moving shapes close.
 
+mod arc_cuts;
 mod composite_impact;
 mod impact_bounds;
 pub(crate) mod quadratic_bound;

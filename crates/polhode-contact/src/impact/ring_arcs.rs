@@ -8,18 +8,17 @@
 //! spins over a corner; turning with the body it loses nothing of first order to the body's own turning, so that a ring
 //! which slides over a face or an edge and parts slowly from it is clear for a time of the order of that since the touch.
 //!
-//! The arc that fails first is cut in two, until all arcs are clear for the whole window or cutting gains no more. The
-//! gap of a chord is short of that of its arc by an eighth of the radius times the square of its angle, so that arcs
-//! shrink in proportion to their distance from a touch: as many cuts as that ratio has binary digits.
+//! The arc that fails first is cut in two (`arc_cuts.rs`). The gap of a chord is short of that of its arc by an eighth of
+//! the radius times the square of its angle, so that arcs shrink in proportion to their distance from a touch: as many cuts
+//! as that ratio has binary digits.
 
+use crate::impact::arc_cuts::{Piece, cut_worst};
 use crate::impact::impact_bounds::Window;
 use crate::narrow_phase::round::ring::Ring;
 use crate::shape::round::{Circles, Hull, HullPoints};
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 /// Arcs at first.
@@ -27,59 +26,6 @@ const ARCS: u32 = 12;
 
 /// Cuts at most for one window.
 const MOST_CUTS: u32 = 1024;
-
-/// Cutting the arc that fails first must lengthen its time by this factor for another cut of it.
-const GAIN: f64 = 1.25;
-
-/// A part of two bodies, and how long it stays clear, s. The one that fails first is the greatest.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece<P> {
-    pub(crate) part: P,
-    pub(crate) clear: f64,
-}
-
-impl<P> Ord for Piece<P> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.clear.total_cmp(&self.clear)
-    }
-}
-
-impl<P> PartialOrd for Piece<P> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<P> PartialEq for Piece<P> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl<P> Eq for Piece<P> {}
-
-/// How long all of some pieces stay clear, s, at most `window`: the one that fails first is cut (`cut` adds its parts to a
-/// list) until all are clear for the whole window or cutting gains no more, `most` times at most.
-pub(crate) fn cut_worst<P>(
-    pieces: Vec<Piece<P>>,
-    (window, most): (f64, u32),
-    mut cut: impl FnMut(&P, &mut Vec<Piece<P>>),
-) -> f64 {
-    let mut pieces = BinaryHeap::from(pieces);
-    let mut parts = Vec::new();
-    for _ in 0..most {
-        let Some(Piece { part, clear }) = pieces.peek().filter(|worst| worst.clear < window) else { break };
-        cut(part, &mut parts);
-        let better = parts.iter().map(|piece| piece.clear).fold(f64::INFINITY, f64::min);
-        let enough = *clear > 0.0 && better < GAIN * clear;
-        pieces.pop();
-        pieces.extend(parts.drain(..));
-        if enough {
-            break;
-        }
-    }
-    pieces.peek().map_or(window, |worst| worst.clear.min(window))
-}
 
 /// A ring and another convex shape at one moment.
 pub(crate) struct RingArcs<'a> {

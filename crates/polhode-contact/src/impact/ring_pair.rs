@@ -13,9 +13,9 @@
 //!
 //! The pair of arcs that fails first is cut: both arcs in two, or the longer one.
 
+use crate::impact::arc_cuts::{Piece, cut_worst};
 use crate::impact::impact_bounds::Window;
 use crate::impact::quadratic_bound::Quadratic;
-use crate::impact::ring_arcs::{Piece, cut_worst};
 use crate::narrow_phase::round::ring::Ring;
 use crate::shape::round::{Circles, Hull, HullPoints};
 use crate::{Shape, Side};
