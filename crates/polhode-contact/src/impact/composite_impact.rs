@@ -78,7 +78,7 @@ pub(crate) fn find_composite(
     }
     let touch = touch_tolerance(shapes[0], &poses[0], shapes[1], &poses[1], settings.touch_relative);
     let pair = Pair { parts, poses, shapes, motions, settings, touch, starts_in_touch: OnceCell::new() };
-    let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 0 };
+    let mut best = ImpactReport { time: None, separation: f64::INFINITY, evaluations: 0, cuts: 0 };
     let mut candidates = Vec::new();
     let mut windows = 1;
     pair.candidates(t0, t1, &mut candidates)?;
@@ -187,6 +187,7 @@ impl Pair<'_> {
             let found =
                 find_in_parts([a.as_ref(), b.as_ref()], self.shapes, self.motions, (from, limit), self.settings)?;
             best.evaluations = best.evaluations.saturating_add(found.evaluations);
+            best.cuts = best.cuts.saturating_add(found.cuts);
             let Some(t) = found.time else { break };
             if !self.starts_in_touch(workspace, best)
                 || slides == MOST_SLIDES

@@ -12,7 +12,7 @@
 //! the radius times the square of its angle, so that arcs shrink in proportion to their distance from a touch: as many cuts
 //! as that ratio has binary digits.
 
-use crate::impact::arc_cuts::{Piece, cut_worst};
+use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
 use crate::narrow_phase::round::ring::Ring;
 use crate::shape::round::{Circles, Hull, HullPoints};
@@ -23,9 +23,6 @@ use std::f64::consts::TAU;
 
 /// Arcs at first.
 const ARCS: u32 = 12;
-
-/// Cuts at most for one window.
-const MOST_CUTS: u32 = 1024;
 
 /// A ring and another convex shape at one moment.
 pub(crate) struct RingArcs<'a> {
@@ -58,14 +55,14 @@ impl<'a> RingArcs<'a> {
     }
 
     /// How long all arcs stay clear, s: at most the length of the window.
-    pub(crate) fn clear(&self, window: &mut Window<'_>) -> f64 {
+    pub(crate) fn clear(&self, window: &mut Window<'_>, cuts: &mut Cuts) -> f64 {
         let step = TAU / f64::from(ARCS);
         let mut arcs = Vec::with_capacity(2 * ARCS as usize);
         for k in 0..ARCS {
             arcs.push(self.arc(window, step * f64::from(k), step * f64::from(k + 1)));
         }
         let length = window.length();
-        cut_worst(arcs, (length, MOST_CUTS), |&(from, to), arcs| {
+        cuts.clear(arcs, length, |&(from, to), arcs| {
             let middle = 0.5 * (from + to);
             arcs.push(self.arc(window, from, middle));
             arcs.push(self.arc(window, middle, to));

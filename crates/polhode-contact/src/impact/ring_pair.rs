@@ -11,9 +11,9 @@
 //! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. Each pair of points parts along the
 //! direction in which it is apart now. The second derivatives are those at one pair less what they can change over the arcs.
 //!
-//! The pair of arcs that fails first is cut: both arcs in two, or the longer one.
+//! The pair of arcs that fails first is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 
-use crate::impact::arc_cuts::{Piece, cut_worst};
+use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
 use crate::impact::quadratic_bound::Quadratic;
 use crate::narrow_phase::round::ring::Ring;
@@ -25,9 +25,6 @@ use std::f64::consts::TAU;
 
 /// Arcs of either ring at first.
 const ARCS: u32 = 8;
-
-/// Cuts at most for one window: rings that touch while nearly in one plane have to be cut finely.
-const MOST_CUTS: u32 = 2048;
 
 /// How often the nearest places of two arcs are sought on one from that on the other.
 const ALTERNATIONS: usize = 4;
@@ -105,7 +102,7 @@ impl<'a> RingPair<'a> {
     }
 
     /// How long all arcs stay clear, s: at most the length of the window.
-    pub(crate) fn clear(&self, window: &mut Window<'_>) -> f64 {
+    pub(crate) fn clear(&self, window: &mut Window<'_>, cuts: &mut Cuts) -> f64 {
         let step = TAU / f64::from(ARCS);
         let arcs = || (0..ARCS).map(|k| Arc { from: step * f64::from(k), to: step * f64::from(k + 1) });
         let mut pairs = Vec::with_capacity((ARCS * ARCS) as usize);
@@ -113,7 +110,7 @@ impl<'a> RingPair<'a> {
             pairs.extend(arcs().map(|arc_b| self.piece(window, [arc_a, arc_b])));
         }
         let length = window.length();
-        cut_worst(pairs, (length, MOST_CUTS), |&[a, b], pairs| {
+        cuts.clear(pairs, length, |&[a, b], pairs| {
             let long = |of: usize, arc: Arc| self.rings[of].radius() * (arc.to - arc.from);
             let (long_a, long_b) = (long(0, a), long(1, b));
             let (halves_a, halves_b) = (a.halves(), b.halves());

@@ -15,6 +15,7 @@
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
+use crate::impact::arc_cuts::Cuts;
 use crate::impact::composite_impact::{Parts, find_composite};
 use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
@@ -93,6 +94,8 @@ pub struct ImpactReport {
     pub separation: f64,
     /// How many separations were evaluated.
     pub evaluations: u32,
+    /// How often arcs of rings were cut to bound their motion.
+    pub cuts: u32,
 }
 
 /// First time in `(t0, t1]` at which the pair closes from clear to touching.
@@ -192,11 +195,12 @@ pub(crate) fn find_in_parts(
         axes: None,
         gap: None,
         evaluations: 0,
+        cuts: Cuts::new(),
     };
     let start = search.look(t0)?;
     let (time, separation) =
         if start.separation > search.touch(&start) { search.advance(start, t1)? } else { search.depart(start, t1)? };
-    Ok(ImpactReport { time, separation, evaluations: search.evaluations })
+    Ok(ImpactReport { time, separation, evaluations: search.evaluations, cuts: search.cuts.made() })
 }
 
 /// The pair at a time.
@@ -219,6 +223,7 @@ struct Search<'a> {
     /// Best axis at the last look, for a round shape and another convex one.
     gap: Option<Gap>,
     evaluations: u32,
+    cuts: Cuts,
 }
 
 /// The window is narrowed to this many times the first safe step when that was much shorter than the window: bounds
@@ -362,7 +367,7 @@ impl Search<'_> {
         step.ok_or(ImpactError::NotFinite { t: now.t })
     }
 
-    fn clear_in(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+    fn clear_in(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let [a, b] = self.shapes;
         match (a, b) {
             (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
@@ -531,7 +536,7 @@ impl Search<'_> {
 
     /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) arc by
     /// arc, or the distance over the largest speed at which a point of one can move relative to the other.
-    fn ring_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+    fn ring_clear(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let Some(gap) = self.gap else { return 0.0 };
         let [a, b] = self.shapes;
         let apart = (now.poses[0].translation - now.poses[1].translation).length();
@@ -544,9 +549,9 @@ impl Search<'_> {
             return step;
         }
         if let Some(rings) = RingPair::new(self.shapes, now.poses) {
-            return step.max(rings.clear(window));
+            return step.max(rings.clear(window, &mut self.cuts));
         }
-        RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window)))
+        RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window, &mut self.cuts)))
     }
 
     /// From a moment at which the pair touches: see the module's description.

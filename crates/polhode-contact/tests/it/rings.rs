@@ -519,6 +519,36 @@ fn a_ring_deep_in_a_polyhedron_is_as_deep_as_its_deepest_place() {
     }
 }
 
+/// A ring laid into a wider one that slides aside touches it nearly all around before it meets it at one place (random rings,
+/// after a fuzz run had met slow searches of two rings: arcs were cut 2048 times in each of hundreds of windows without
+/// gaining anything). Met at the time of the closed form, `(r - u t)^2 + (z + w t)^2 = (sum of the tubes)^2` for radii that
+/// differ by `r`; the number of cuts is bounded by the number of looks.
+#[test]
+fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
+    let (own, other) = (ring(1.0, 0.04), ring(1.08, 0.2));
+    let mut random = Random(41);
+    let mut finely = 0;
+    for case in 0..24 {
+        let gap = libm::exp10(random.between(-12.0, -3.0));
+        let [sliding, rising] = [random.between(0.5, 3.0), random.between(-0.3, 0.3)];
+        let reach = 0.24 + gap;
+        let height = libm::sqrt(reach * reach - 0.08 * 0.08);
+        let slides = Flight::new(at(0.0, 0.0, height), DVec3::new(sliding, 0.0, rising), DVec3::ZERO);
+        let settings = ImpactSearch::default();
+        let found =
+            find_impact(&own, &slides, &other, &Still(Pose::IDENTITY), 0.0, 0.01, &settings).expect("an answer");
+        let squared = sliding * sliding + rising * rising;
+        let (half, rest) = (height * rising - 0.08 * sliding, gap * (0.48 + gap));
+        let root = half * half - squared * rest;
+        let expected = (root >= 0.0).then(|| rest / (libm::sqrt(root) - half)).filter(|t| (0.0..=0.01).contains(t));
+        let late = found.time.zip(expected).map_or(0.0, |(found, expected)| (found - expected).abs());
+        assert!(found.time.is_some() == expected.is_some() && late < 1e-13, "{case}: {found:?} {expected:?} {gap:e}");
+        assert!(found.cuts <= 4096 + 2 * 256 * found.evaluations, "{case}: {found:?} {gap:e}");
+        finely += u32::from(found.cuts > 4096);
+    }
+    assert!(finely > 2, "{finely}");
+}
+
 /// What names of places rest on: of a circle's dips over a line and over the side of a cone there is at most one on either half
 /// of it, as the line or the cone's axis divides it. Closed forms of the distance, fine samples, random circles and cones of all
 /// proportions; for lines it is proved, for cones this is all that is known.
