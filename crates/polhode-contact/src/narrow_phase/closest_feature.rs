@@ -2,7 +2,9 @@
 
 use crate::SurfaceFeature;
 use crate::narrow_phase::evaluate::face_margin;
+use crate::shape::nearer_place::is_nearer;
 use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::support::farthest;
 use glam::DVec3;
 
 /// A feature and its signed distance from the point, m; negative inside the polyhedron.
@@ -46,10 +48,14 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
 
 fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<Nearest> {
     let mut best: Option<Nearest> = None;
+    let lengths = polyhedron.size() + point.abs().max_element();
+    let reach = |direction| farthest(&polyhedron.vertices, direction).dot(direction) - point.dot(direction);
     let mut offer = |feature, w: DVec3| {
         let distance = w.length();
-        if best.is_none_or(|b| distance < b.distance) {
-            best = Some(Nearest { feature, distance, direction: w / distance });
+        let new = Nearest { feature, distance, direction: w / distance };
+        let way = |nearest: &Nearest| (nearest.distance, nearest.direction);
+        if best.is_none_or(|best| feature != best.feature && is_nearer(way(&new), way(&best), lengths, reach)) {
+            best = Some(new);
         }
     };
     for (index, edge) in polyhedron.edges.iter().enumerate() {

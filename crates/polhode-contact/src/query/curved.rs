@@ -1,15 +1,20 @@
 //! Distance and depth of two convex cores of which one is curved: a cylinder, a cone.
 //!
 //! GJK and the expanding polytope stop when their bounds have met to rounding; their points and normals are then good to
-//! the square root of that. Two more steps make them good to rounding where the surfaces allow it: apart, the points are
-//! projected in closed form onto one body and the other in turn; overlapping, A is moved out along the normal found, and
-//! the normal between the two is taken, of which the normal of the least depth is a fixed point.
+//! the square root of that. Apart, the points are projected in closed form onto one body and the other in turn, which makes
+//! them good to rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase, over all pairs of
+//! elements, takes part: where the depth hardly depends on the axis an iteration ends anywhere. A is then moved out along the
+//! normal found, and the normal between the two is taken, of which the normal of the least depth is a fixed point.
 
 use super::element::{Core, Element};
 use super::penetration::{Found, face_normals};
 use super::signed_distance::{signed, signed_distance};
 use crate::narrow_phase::epa::epa;
 use crate::narrow_phase::gjk::{GjkStatus, gjk};
+use crate::narrow_phase::round::gap::between;
+use crate::shape::topology::flat_triangle;
+use crate::shape::triangle::area_vector;
+use crate::{Capsule, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -18,6 +23,9 @@ const PROJECTIONS: usize = 32;
 
 /// Most moves out of an overlap.
 const MOVES: usize = 8;
+
+/// Depths that differ by less than this many epsilon of the extent are equal.
+const EQUAL_ULPS: f64 = 16.0;
 
 /// How far A is moved beyond touch, relative to the extent: enough that the normal between is sharp.
 const ROOM: f64 = 0.125;
@@ -65,8 +73,14 @@ pub(crate) fn by_expansion(a: &Element<'_>, b: &Element<'_>) -> Found {
     };
     let depth = |normal: DVec3| normal.dot(b.support(normal) - a.support(-normal));
     let (mut normal, mut least) = (-found.outward, found.upper);
+    if let Some(axis) = best_axis(a, b)
+        && depth(axis) < least
+    {
+        (normal, least) = (axis, depth(axis));
+    }
     let mut middle = 0.5 * (found.witnesses.0 + found.witnesses.1);
-    let room = ROOM * (a.ball.1 + b.ball.1);
+    let extent = a.ball.1 + b.ball.1;
+    let (room, rounding) = (ROOM * extent, EQUAL_ULPS * f64::EPSILON * extent);
     for _ in 0..MOVES {
         let out = normal * (least + room);
         let moved = Element {
@@ -76,17 +90,32 @@ pub(crate) fn by_expansion(a: &Element<'_>, b: &Element<'_>) -> Found {
         };
         let Some(between) = apart(&moved, b) else { break };
         let along = depth(between.normal);
-        if along > least {
+        if along > least + rounding {
             break;
         }
-        middle = 0.5 * ((between.on_a - between.normal * (along + room)) + between.on_b);
-        let settled = along == least;
+        middle = 0.5 * ((between.on_a - out) + between.on_b);
+        if along >= least - rounding {
+            break;
+        }
         (normal, least) = (between.normal, along);
-        if settled {
-            break;
-        }
     }
     around(a, b, -least, normal, middle)
+}
+
+/// The axis along which the narrow phase separates two cores best.
+fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
+    let shape = |core: &Core<'_>| match core {
+        Core::Polyhedron(polyhedron) => Some(Shape::Convex((*polyhedron).clone())),
+        Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
+        Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
+        Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
+        Core::Triangle(corners) => {
+            let normal = area_vector(*corners).try_normalize()?;
+            Some(Shape::Convex(flat_triangle(*corners, normal)))
+        }
+        _ => None,
+    };
+    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// Points around the middle of two places.

@@ -34,7 +34,7 @@ pub struct ClosestPoints {
 ///
 /// - Polyhedra, triangles, capsules, spheres, points, half-spaces: to rounding of the coordinates, apart and overlapping.
 /// - Cylinders and cones: to rounding against spheres, points, capsules that their axis does not enter and half-spaces;
-///   otherwise by an iteration to about 1e-12 of the size.
+///   otherwise, apart, by an iteration to about 1e-12 of the size, and overlapping to rounding.
 /// - A torus is a circle with a radius: the least place on the circle is sought from 96 starts. Where the circle enters
 ///   the other body, minus the depth of the deepest ball of the tube is given.
 /// - Meshes, compounds and clouds: the least over their triangles, parts and points; where several parts overlap, this is

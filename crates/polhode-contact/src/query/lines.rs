@@ -2,6 +2,8 @@
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::simplex::unit;
+use crate::shape::nearer_place::is_nearer;
+use crate::shape::support::farthest;
 use crate::shape::triangle::on_segment;
 use glam::DVec3;
 
@@ -12,6 +14,12 @@ pub(crate) struct NearestPlaces {
     pub(crate) on_b: DVec3,
     pub(crate) distance: f64,
     pub(crate) normal: DVec3,
+}
+
+impl NearestPlaces {
+    fn between((on_a, on_b): (DVec3, DVec3)) -> Self {
+        Self { on_a, on_b, distance: on_a.distance(on_b), normal: unit(on_a - on_b) }
+    }
 }
 
 /// The nearest of: the four ends against the other segment, and the crossing of the two lines. Segments that cross have
@@ -25,35 +33,38 @@ pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
     let cross = along_a.cross(along_b);
     let square = cross.length_squared();
     let on = |s: [DVec3; 2], p: DVec3| on_segment(s[0], s[1], p).0;
+    let (middle_a, middle_b) = (0.5 * (a[0] + a[1]), 0.5 * (b[0] + b[1]));
+    let between = middle_b - middle_a;
+    let lengths = along_a.length() + along_b.length() + between.length();
+    let reach = |n: DVec3| n.dot(farthest(&b, n) - farthest(&a, -n));
+    let nearer = |found: &NearestPlaces, other: &NearestPlaces| {
+        is_nearer((found.distance, found.normal), (other.distance, other.normal), lengths, reach)
+    };
     let ends = [(a[0], on(b, a[0])), (a[1], on(b, a[1])), (on(a, b[0]), b[0]), (on(a, b[1]), b[1])];
-    let (mut best, mut least) = (ends[0], f64::INFINITY);
-    for pair in ends {
-        let length = pair.0.distance(pair.1);
-        if length < least {
-            (best, least) = (pair, length);
+    let mut best = NearestPlaces::between(ends[0]);
+    for pair in &ends[1..] {
+        let found = NearestPlaces::between(*pair);
+        if nearer(&found, &best) {
+            best = found;
         }
     }
-    let mut normal = unit(best.0 - best.1);
     if square > 0.0 {
         // From the middles, where the levers are shortest.
-        let (middle_a, middle_b) = (0.5 * (a[0] + a[1]), 0.5 * (b[0] + b[1]));
-        let between = middle_b - middle_a;
         let place = between.cross(along_b).dot(cross) / square;
         let first = middle_a + along_a * place.clamp(-0.5, 0.5);
         let on_b = on(b, first);
         let on_a = on(a, on_b);
-        let length = on_a.distance(on_b);
-        if length <= least {
-            (best, least) = ((on_a, on_b), length);
-            normal = unit(on_a - on_b);
-            let inner = on_a != a[0] && on_a != a[1] && on_b != b[0] && on_b != b[1];
-            if inner && square > PARALLEL_SINE * PARALLEL_SINE * along_a.length_squared() * along_b.length_squared() {
-                normal = unit(if between.dot(cross) > 0.0 { -cross } else { cross });
-            }
+        let mut crossing = NearestPlaces::between((on_a, on_b));
+        let inner = on_a != a[0] && on_a != a[1] && on_b != b[0] && on_b != b[1];
+        if inner && square > PARALLEL_SINE * PARALLEL_SINE * along_a.length_squared() * along_b.length_squared() {
+            crossing.normal = unit(if between.dot(cross) > 0.0 { -cross } else { cross });
+        }
+        if !nearer(&best, &crossing) {
+            best = crossing;
         }
     }
-    if normal == DVec3::ZERO {
-        normal = unit((if along_a == DVec3::ZERO { along_b } else { along_a }).any_orthogonal_vector());
+    if best.normal == DVec3::ZERO {
+        best.normal = unit((if along_a == DVec3::ZERO { along_b } else { along_a }).any_orthogonal_vector());
     }
-    NearestPlaces { on_a: best.0, on_b: best.1, distance: least, normal }
+    best
 }

@@ -6,6 +6,7 @@ use super::element::{Core, Element};
 use super::lines::nearest_places;
 use super::penetration::Found;
 use crate::narrow_phase::evaluate::face_margin;
+use crate::shape::nearer_place::is_nearer;
 use glam::DVec3;
 
 /// The features of one polytope around some of its vertices, in the common frame.
@@ -19,8 +20,11 @@ struct Around {
 pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32>; 2]) -> Found {
     let (around_a, around_b) = (around(a, &vertices[0]), around(b, &vertices[1]));
     let mut best: Option<Found> = None;
+    let lengths = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
+    let reach = |direction: DVec3| direction.dot(b.support(direction) - a.support(-direction));
     let mut offer = |found: Found| {
-        if best.is_none_or(|best| found.distance < best.distance) {
+        let way = |found: &Found| (found.distance, found.normal);
+        if best.is_none_or(|best| is_nearer(way(&found), way(&best), lengths, reach)) {
             best = Some(found);
         }
     };

@@ -32,19 +32,20 @@ pub(crate) fn distance(a: &Element<'_>, b: &Element<'_>) -> Found {
         return by_all_axes(a, b);
     }
     let extent = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
-    let found = on_features(a, b, &walk, extent);
-    if walk.upper - found.distance <= CERTIFIED_ULPS * f64::EPSILON * extent {
+    let certain = |found: &Found| walk.upper - found.distance <= CERTIFIED_ULPS * f64::EPSILON * extent;
+    if let Some(found) = on_features(a, b, &walk, extent).filter(certain) {
         return found;
     }
-    // Near touch of a vertex or an edge the normal is rounding, and no direction bounds the distance sharply: the nearest
-    // pair of features around the simplex does.
+    // Near touch of a vertex or an edge the normal is rounding, and no direction bounds the distance sharply, nor does GJK tell
+    // places that are equally near to rounding: the nearest pair of features around the simplex does.
     let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
     nearest_pair(a, b, &vertices)
 }
 
 /// The largest separation along the directions of the features that GJK ended on; of directions that are equally good to
-/// rounding a face's normal near the direction found is taken first, then that direction, then the others.
-fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Found {
+/// rounding a face's normal near the direction found is taken first, then that direction, then the others. Nothing when the
+/// nearest places are vertices and the direction between them does not separate by their distance: then others are nearer.
+fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Option<Found> {
     let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
     let mut last = walk.simplex;
     let between = last.reduce().direction;
@@ -65,25 +66,27 @@ fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Fou
     directions.append(&mut others);
     directions.extend(walk.simplex.points().iter().map(|pair| unit(pair.w)));
     directions.push(walk.normal);
+    let separation = |n: DVec3| n.dot(a.support(-n) - b.support(n));
+    let certified = CERTIFIED_ULPS * f64::EPSILON * extent;
     let (mut normal, mut most, mut chosen) = (walk.normal, f64::NEG_INFINITY, 0);
     for (index, &n) in directions.iter().enumerate().filter(|(_, n)| n.dot(walk.normal) > 0.0) {
-        let along = n.dot(a.support(-n) - b.support(n));
+        let along = separation(n);
         if along > most + EQUAL_ULPS * f64::EPSILON * extent {
             (normal, most, chosen) = (n, along, index);
         }
     }
     let (on_a, on_b) = walk.simplex.witnesses();
     let [kind_a, kind_b] = [feature(a, &vertices[0]), feature(b, &vertices[1])];
-    if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= CERTIFIED_ULPS * f64::EPSILON * extent
-    {
+    if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= certified {
         // A vertex is nearest: the two points tell themselves how far apart they are, and in which direction. The direction
         // that confirmed it may be that of a face close by.
         let w = on_a - on_b;
-        return Found { distance: w.length(), normal: unit(w), on_a, on_b, kind_a, kind_b };
+        let found = Found { distance: w.length(), normal: unit(w), on_a, on_b, kind_a, kind_b };
+        return (found.distance - separation(found.normal) <= certified).then_some(found);
     }
     let middle = 0.5 * (on_a + on_b);
     let half = normal * (0.5 * most);
-    Found { distance: most, normal, on_a: middle + half, on_b: middle - half, kind_a, kind_b }
+    Some(Found { distance: most, normal, on_a: middle + half, on_b: middle - half, kind_a, kind_b })
 }
 
 /// Numbers of the vertices of a simplex on one body, each once, ascending.

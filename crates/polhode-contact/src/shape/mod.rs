@@ -15,6 +15,7 @@ pub(crate) mod extent;
 mod half_space;
 pub(crate) mod hull;
 pub mod mirror;
+pub(crate) mod nearer_place;
 mod point_cloud;
 pub mod polyhedron;
 pub mod round;

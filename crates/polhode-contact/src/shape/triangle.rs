@@ -5,6 +5,8 @@
 //! perpendicular for any height; how far it stands off the plane does not enter. Rounding then moves the nearest place
 //! within the triangle only, and its distance is good to rounding of the point's distance from a corner.
 
+use super::nearer_place::is_nearer;
+use super::support::farthest;
 use glam::DVec3;
 
 /// Part of a triangle.
@@ -67,24 +69,22 @@ fn over_face(corners: &[DVec3; 3], point: DVec3) -> Option<DVec3> {
 
 /// The same of some of the sides: the nearest place lies on one beyond which the point is.
 fn from_sides(corners: &[DVec3; 3], point: DVec3, wanted: [bool; 3]) -> (DVec3, Part) {
-    let (mut best, mut least) = ((point - corners[0], Part::Corner(0)), f64::INFINITY);
-    for i in 0..3 {
-        if !wanted[i] {
-            continue;
-        }
+    let lengths = corners.iter().map(|&corner| (corner - point).abs().max_element()).fold(0.0, f64::max);
+    let reach = |direction| (farthest(corners, direction) - point).dot(direction);
+    let way = |away: DVec3| (away.length(), away / away.length());
+    let mut best: Option<(DVec3, Part)> = None;
+    for i in (0..3).filter(|&i| wanted[i]) {
         let (place, part) = on_segment(corners[i], corners[(i + 1) % 3], point);
         let away = point - place;
-        let square = away.length_squared();
-        if square < least {
-            least = square;
+        if best.is_none_or(|(other, _)| is_nearer(way(away), way(other), lengths, reach)) {
             let part = match part {
                 Part::Corner(end) => Part::Corner((i + end) % 3),
                 _ => Part::Edge(i),
             };
-            best = (away, part);
+            best = Some((away, part));
         }
     }
-    best
+    best.unwrap_or((point - corners[0], Part::Corner(0)))
 }
 
 /// Nearest place of a segment, its edge or one of its corners.

@@ -17,6 +17,7 @@ mod line_contacts;
 mod mesh_impacts;
 mod mesh_valleys;
 mod meshes;
+mod nearest_normals;
 mod needles;
 mod persistent;
 mod polyhedra;
