@@ -73,14 +73,14 @@ pub(crate) fn by_expansion(a: &Element<'_>, b: &Element<'_>) -> Found {
     };
     let depth = |normal: DVec3| normal.dot(b.support(normal) - a.support(-normal));
     let (mut normal, mut least) = (-found.outward, found.upper);
+    let extent = a.ball.1 + b.ball.1;
+    let (room, rounding) = (ROOM * extent, EQUAL_ULPS * f64::EPSILON * extent);
     if let Some(axis) = best_axis(a, b)
-        && depth(axis) < least
+        && depth(axis) <= least + rounding
     {
         (normal, least) = (axis, depth(axis));
     }
     let mut middle = 0.5 * (found.witnesses.0 + found.witnesses.1);
-    let extent = a.ball.1 + b.ball.1;
-    let (room, rounding) = (ROOM * extent, EQUAL_ULPS * f64::EPSILON * extent);
     for _ in 0..MOVES {
         let out = normal * (least + room);
         let moved = Element {
