@@ -182,15 +182,19 @@ fn ball(center: DVec3, radius: f64, ray: &Line) -> Hit {
 /// Where a line is within a distance of an axis through `base`; all of it or nothing when it is parallel.
 fn within_tube(base: DVec3, axis: DVec3, radius: f64, ray: &Line) -> Option<(f64, f64)> {
     let (from, along) = (across(ray.origin - base, axis), across(ray.direction, axis));
-    let square = along.length_squared();
-    if square == 0.0 {
+    // Of a ray all but parallel to the axis the squares would vanish.
+    let largest = along.abs().max_element();
+    if largest == 0.0 {
         return (from.length() <= radius).then_some((f64::NEG_INFINITY, f64::INFINITY));
     }
-    let middle = -from.dot(along) / square;
+    let scaled = along / largest;
+    let rate = largest * scaled.length();
+    let along = scaled / scaled.length();
+    let middle = -from.dot(along);
     // The least distance from the axis, by the area of the parallelogram: no cancellation for rays from far away.
-    let beside = from.cross(along).length() / square.sqrt();
-    let half_square = (radius - beside) * (radius + beside) / square;
-    (half_square >= 0.0).then(|| (middle - half_square.sqrt(), middle + half_square.sqrt()))
+    let beside = from.cross(along).length();
+    let half_square = (radius - beside) * (radius + beside);
+    (half_square >= 0.0).then(|| ((middle - half_square.sqrt()) / rate, (middle + half_square.sqrt()) / rate))
 }
 
 fn capsule(ends: [DVec3; 2], radius: f64, ray: &Line) -> Hit {
