@@ -1,7 +1,7 @@
 //! What the fuzz targets check. `pair`: any two shapes at any poses have a manifold, a separation and a time of impact, or a
 //! stated answer that there is none; whatever is finite keeps the crate's conventions, and what is kept from step to step
-//! changes nothing. `answers`: distance, separation,
-//! manifold, ray and time of impact of a pair agree with each other, and with the bodies named the other way round.
+//! changes nothing. `answers`: distance, separation, manifold, ray and time of impact of a pair agree with each other, and with
+//! the bodies named the other way round.
 //!
 //! With cargo-fuzz, from the folder of polhode-contact, ten minutes of each:
 //!

@@ -108,6 +108,7 @@ fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
         Core::Polyhedron(polyhedron) => Some(Shape::Convex((*polyhedron).clone())),
         Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
         Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
+        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
         Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
         Core::Triangle(corners) => {
             let normal = area_vector(*corners).try_normalize()?;

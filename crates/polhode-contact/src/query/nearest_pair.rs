@@ -16,7 +16,7 @@ struct Around {
     faces: Vec<u32>,
 }
 
-/// The least distance over the pairs; of equally near ones a vertex over a face of B, then of A, then edges.
+/// The nearest of the pairs; of those that `is_nearer` does not tell apart a vertex over a face of B, then of A, then edges.
 pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32>; 2]) -> Found {
     let (around_a, around_b) = (around(a, &vertices[0]), around(b, &vertices[1]));
     let mut best: Option<Found> = None;

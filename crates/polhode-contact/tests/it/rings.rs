@@ -543,6 +543,7 @@ fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
         let expected = (root >= 0.0).then(|| rest / (libm::sqrt(root) - half)).filter(|t| (0.0..=0.01).contains(t));
         let late = found.time.zip(expected).map_or(0.0, |(found, expected)| (found - expected).abs());
         assert!(found.time.is_some() == expected.is_some() && late < 1e-13, "{case}: {found:?} {expected:?} {gap:e}");
+        // 256 in each of two windows a look, and 4096 to spare.
         assert!(found.cuts <= 4096 + 2 * 256 * found.evaluations, "{case}: {found:?} {gap:e}");
         finely += u32::from(found.cuts > 4096);
     }
