@@ -94,6 +94,14 @@ pub enum SimulationError {
         /// Where they touch, m.
         point: DVec3,
     },
+    /// A time to go on to is not finite, or has passed.
+    #[error("cannot go on to t = {t_s} s from t = {now_s} s: a finite time that has not passed is needed")]
+    TimeInThePast {
+        /// The time asked for, s.
+        t_s: f64,
+        /// The present, s.
+        now_s: f64,
+    },
     /// A time of impact could not be found.
     #[error("time of impact of bodies {body_a} and {body_b} not found at t = {t} s: {source}")]
     ImpactSearch {

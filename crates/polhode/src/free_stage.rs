@@ -6,7 +6,7 @@
 //! `x(h/2) = (x0 + x1)/2 + h/8 (x0' - x1')`. The error of an integral is of order h^5 in the step, and none for bodies
 //! under gravity alone. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.
 
-use crate::books::{Received, given_by_fields};
+use crate::accounting::books::{Received, given_by_fields};
 use crate::interaction::assembly::free_acceleration;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};

@@ -4,9 +4,12 @@
 //! Scene --> Plan --> Simulation --> samples, events --> RunReport (energies, ledger, certificate)
 //! ```
 
+mod accounting;
 mod accurate;
+mod body_id;
 pub mod body_queries;
-mod books;
+mod collision;
+mod core;
 pub mod error;
 pub mod event;
 mod free_method;
@@ -22,8 +25,10 @@ pub mod scene;
 mod settings;
 mod simulation;
 mod thesis;
+mod tier;
 mod world;
 
+pub use body_id::BodyId;
 pub use body_queries::BodyQueries;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
@@ -33,7 +38,7 @@ pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
 pub use report::{Certificate, Energy, Outcome, RunReport};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
-pub use simulation::{Acceleration, Simulation};
+pub use simulation::{Acceleration, ContactView, IslandView, Simulation, StepEnd, StepOutcome};
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

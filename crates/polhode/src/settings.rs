@@ -1,6 +1,7 @@
 //! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
 
 use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
 /// Upper bound of a step when none is given, s.
 const DEFAULT_STEP_S: f64 = 0.01;
@@ -42,6 +43,16 @@ impl Settings {
     /// Whether splitting under error control is the plan's choice, not the scene's.
     pub(crate) fn splits_by_choice(&self) -> bool {
         self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
+    }
+
+    /// The integrator of free motion.
+    pub(crate) fn build_integrator(&self) -> Box<dyn integrator::Integrator> {
+        self.integrator.build(&MethodSettings {
+            tolerance: Tolerance::new(self.tolerance).unwrap_or_default(),
+            orientation: self.orientation,
+            rotation_rate: self.rotation_rate,
+            ..MethodSettings::default()
+        })
     }
 
     /// What the method asks for, and the tier's choice for the rest.

@@ -1,19 +1,27 @@
-//! A simulation: a scene in motion.
+//! A simulation: a scene in motion, in the hand of a program.
 
+use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
+use crate::core::Core;
 use crate::free_method;
-use crate::observer::{Flow, Observer};
+use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
-use crate::report::{Outcome, RunReport};
-use crate::scene::Tier;
+use crate::report::{Energy, Outcome, RunReport};
+use crate::scene::Tier as TierName;
 use crate::settings::Settings;
 use crate::thesis::ThesisEngine;
+use crate::tier::{Reached, Tier};
 use crate::world::World;
-use crate::{Effects, Plan, Scene, SimulationError};
-use polhode_contact::QueryError;
+use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError};
+use polhode_contact::{ContactFeature, QueryError};
+use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
+
+/// What is left of the run after a step is added to it, if it is less than this fraction of the step: a sum of equal
+/// steps may leave over what is no step.
+const LEFT_OVER_RELATIVE: f64 = 1e-9;
 
 /// Acceleration of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,19 +32,87 @@ pub struct Acceleration {
     pub angular: DVec3,
 }
 
+/// How a step ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StepEnd {
+    /// As planned.
+    Planned,
+    /// At an event: an impact, or a change of contacts.
+    Event,
+}
+
+/// A step that has been made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepOutcome {
+    /// Time reached, s.
+    pub t_s: f64,
+    /// How the step ended.
+    pub end: StepEnd,
+}
+
+impl StepOutcome {
+    /// Whether the step ended at an event.
+    pub fn is_event(&self) -> bool {
+        self.end == StepEnd::Event
+    }
+}
+
+/// A contact that touches at the present.
+///
+/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor) the
+/// least ones are given, and another method may give others for the same motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactView {
+    /// Body A.
+    pub body_a: BodyId,
+    /// Body B.
+    pub body_b: BodyId,
+    /// Which features touch.
+    pub feature: ContactFeature,
+    /// Where, world, m.
+    pub point_m: DVec3,
+    /// Unit normal from B to A, world.
+    pub normal: DVec3,
+    /// Signed distance along the normal, m; negative when the bodies overlap.
+    pub separation_m: f64,
+    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found.
+    pub normal_force_n: f64,
+}
+
+/// Bodies that move together: connected by contacts that hold, or by forces that couple them. Bodies in flight, at rest or
+/// immovable are in none.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IslandView {
+    /// The bodies, ascending.
+    pub bodies: Vec<BodyId>,
+}
+
 /// A scene in motion.
+///
+/// ```
+/// use polhode::contact::Shape;
+/// use polhode::mesh::solid_box;
+/// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+/// use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+/// let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0)?)?)
+///     .geometry(Shape::cuboid(DVec3::ONE)?.into())
+///     .pose(Pose::from_translation(DVec3::Z * 0.75));
+/// let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+/// let scene = Scene::builder("drop").body(floor).body(brick).build()?;
+/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+/// let brick = simulation.body_id("brick").ok_or("no brick")?;
+/// simulation.advance_to(0.1, &mut Unobserved)?;
+/// assert!((simulation.body(brick).velocity.linear.z + 0.981).abs() < 1e-14);
+/// simulation.advance_to(0.5, &mut Unobserved)?;
+/// assert_eq!(simulation.contacts().len(), 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Simulation {
     scene: Scene,
     plan: Plan,
-    tier: TierEngine,
-}
-
-/// The engine of a tier.
-#[derive(Debug)]
-enum TierEngine {
-    Accurate(Box<Engine>),
-    Thesis(Box<ThesisEngine>),
+    core: Core,
+    tier: Box<dyn Tier>,
 }
 
 impl Simulation {
@@ -56,13 +132,14 @@ impl Simulation {
             Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
         };
         world.enter_plane(planar.plane, &mut states);
-        let engine = Engine::new(world.clone(), states.clone(), settings, effects)?;
-        let plan = Plan::derive(&world, &settings, effects, engine.touching_pairs(), &Findings { choice, planar });
-        let tier = match settings.tier {
-            Tier::Accurate => TierEngine::Accurate(Box::new(engine)),
-            Tier::Thesis => TierEngine::Thesis(Box::new(ThesisEngine::new(world, states, settings))),
+        let accounts = Accounts::open(&world, &states);
+        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
+        let tier: Box<dyn Tier> = match settings.tier {
+            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
+            TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
-        Ok(Self { scene: scene.clone(), plan, tier })
+        let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
+        Ok(Self { scene: scene.clone(), plan, core, tier })
     }
 
     /// The plan.
@@ -70,42 +147,122 @@ impl Simulation {
         &self.plan
     }
 
-    /// Accelerations of all bodies now, in the order of the scene.
+    /// Time reached, s.
+    pub fn time(&self) -> f64 {
+        self.core.t
+    }
+
+    /// Makes one step, or goes to the first event in it. At the end of the scene's duration a step ends exactly; steps
+    /// beyond it are made as before it.
     ///
     /// # Errors
-    /// When the contact forces cannot be found.
-    pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
-        match &mut self.tier {
-            TierEngine::Accurate(engine) => engine.accelerations(),
-            TierEngine::Thesis(engine) => engine.accelerations(),
+    /// See [`SimulationError`].
+    pub fn step(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        let (t, duration) = (self.core.t, self.scene.duration_s());
+        let stride = self.tier.stride(&self.core);
+        let remaining = duration - t;
+        let left_over = remaining - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
+        let limit = if remaining > 0.0 && left_over { duration } else { t + stride };
+        // After the end of the run nothing says how long a rest lasts.
+        let limit = if limit.is_finite() { limit } else { t + self.core.settings.step_s };
+        self.advance(limit, observer)
+    }
+
+    /// Goes on to a time (s), exactly. The motion is the same however a run is cut, in flight and at rest too.
+    ///
+    /// # Errors
+    /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
+    pub fn advance_to(&mut self, t_s: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        if !(t_s.is_finite() && t_s >= self.core.t) {
+            return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
+        }
+        loop {
+            // A run that is cut nowhere passes through the end of its duration.
+            let duration = self.scene.duration_s();
+            let limit = if self.core.t < duration { t_s.min(duration) } else { t_s };
+            self.advance(limit, observer)?;
+            if self.core.t >= t_s {
+                return Ok(());
+            }
         }
     }
 
-    /// Runs to the end of the scene's duration.
+    /// Advances to a limit of time (s) or to the first event before it.
+    fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        let before = self.core.t;
+        let reached = self.tier.advance(&mut self.core, limit, observer)?;
+        let (t, duration) = (self.core.t, self.scene.duration_s());
+        if before < duration && t >= duration && reached == Reached::Limit {
+            let states = self.tier.states(&self.core);
+            self.core.accounts.observe(&self.core.world, &states, t)?;
+            self.core.accounts.emit_sample(&self.core.world, &states, t, observer);
+        }
+        let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
+        Ok(StepOutcome { t_s: t, end })
+    }
+
+    /// Runs to the end of the scene's duration, or until the observer stops it.
     ///
     /// # Errors
     /// See [`SimulationError`].
     pub fn run(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
         let mut outcome = Outcome::Completed;
-        while self.time() < self.scene.duration_s() {
-            match &mut self.tier {
-                TierEngine::Accurate(engine) => engine.step(observer)?,
-                TierEngine::Thesis(engine) => engine.step(observer)?,
-            }
-            if observer.progress(self.time()) == Flow::Stop {
+        let mut ended = self.core.t >= self.scene.duration_s();
+        while !ended {
+            let step = self.step(observer)?;
+            // An event at the very end is not the end: others may fall on the same instant.
+            ended = step.t_s >= self.scene.duration_s() && !step.is_event();
+            if observer.progress(step.t_s) == Flow::Stop && !ended {
                 outcome = Outcome::Stopped;
                 break;
             }
         }
-        Ok(self.report(outcome))
+        self.report(outcome)
     }
 
-    /// Time reached, s.
-    pub fn time(&self) -> f64 {
-        match &self.tier {
-            TierEngine::Accurate(engine) => engine.time(),
-            TierEngine::Thesis(engine) => engine.time(),
-        }
+    /// The handle of a body by its name.
+    pub fn body_id(&self, name: &str) -> Option<BodyId> {
+        self.core.world.bodies.iter().position(|body| body.name == name).map(BodyId::new)
+    }
+
+    /// A body at the present.
+    ///
+    /// # Panics
+    /// Never for a handle of this simulation; for one of another simulation with more bodies the last body is given.
+    pub fn body(&self, body: BodyId) -> BodySample {
+        let states = self.tier.states(&self.core);
+        let index = body.index().min(states.len().saturating_sub(1));
+        self.core.world.sample(index, &states[index])
+    }
+
+    /// Contacts that touch at the present. Only sums of forces and the motion are unique.
+    pub fn contacts(&self) -> Vec<ContactView> {
+        self.tier.contacts(&self.core)
+    }
+
+    /// Bodies that move together at the present.
+    pub fn islands(&self) -> Vec<IslandView> {
+        self.tier.islands(&self.core)
+    }
+
+    /// Energies at the present.
+    pub fn energy(&self) -> Energy {
+        self.core.accounts.books.clone().observe(&self.core.world, &self.tier.states(&self.core))
+    }
+
+    /// Momentum at the present, the angular part about the point of the ledger of momentum.
+    pub fn momentum(&self) -> Momentum {
+        let mut books = self.core.accounts.books.clone();
+        books.observe(&self.core.world, &self.tier.states(&self.core));
+        books.ledger.momentum.current
+    }
+
+    /// Accelerations of all bodies now, in the order of the scene.
+    ///
+    /// # Errors
+    /// When the contact forces cannot be found.
+    pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
+        self.tier.accelerations(&mut self.core)
     }
 
     /// The bodies where they stand now, for questions: what is nearest, what a ray meets, what overlaps what. An example
@@ -114,33 +271,28 @@ impl Simulation {
     /// # Errors
     /// When a pose is not finite.
     pub fn queries(&self) -> Result<BodyQueries<'_>, QueryError> {
-        let (world, states) = match &self.tier {
-            TierEngine::Accurate(engine) => engine.bodies(),
-            TierEngine::Thesis(engine) => engine.bodies(),
-        };
-        BodyQueries::new(world, states)
+        BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
     }
 
-    fn report(&mut self, outcome: Outcome) -> RunReport {
-        let simulated_s = self.time();
+    /// The report of the run up to the present.
+    fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
+        let mut accounts = self.core.accounts.clone();
+        self.tier.book_present(&self.core, &mut accounts)?;
         let mut report = RunReport {
             scene: self.scene.name().to_owned(),
             plan: self.plan.clone(),
             outcome,
             duration_s: self.scene.duration_s(),
-            simulated_s,
+            simulated_s: self.core.t,
             steps: 0,
             events: 0,
-            energy: crate::Energy::default(),
+            energy: Energy::default(),
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
             bodies: Vec::new(),
         };
-        match &mut self.tier {
-            TierEngine::Accurate(engine) => engine.fill(&mut report),
-            TierEngine::Thesis(engine) => engine.fill(&mut report),
-        }
-        report
+        accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);
+        Ok(report)
     }
 }

@@ -49,7 +49,7 @@ pub(crate) struct World {
     pub(crate) bodies: Vec<WorldBody>,
     /// Those that move, and their mass properties in the same order.
     pub(crate) movable: Vec<usize>,
-    rigid: Vec<RigidBody>,
+    rigid: Arc<[RigidBody]>,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
     /// Bodies on which a force acts that changes with time, also while they rest.
@@ -119,6 +119,11 @@ impl World {
     /// The motion of all movable bodies without contact.
     pub(crate) fn free_motion(&self) -> FreeMotion<'_> {
         FreeMotion::new(&self.rigid, self.gravity(), &self.fields)
+    }
+
+    /// Mass properties of the movable bodies, shared.
+    pub(crate) fn shared_rigid(&self) -> Arc<[RigidBody]> {
+        Arc::clone(&self.rigid)
     }
 
     /// The force fields, shared.

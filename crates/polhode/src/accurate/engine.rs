@@ -1,35 +1,32 @@
-//! The state of a run and one step of it.
+//! The bodies of a run, how each moves until its next event, and the order in which events come.
 
+use super::agenda::{Agenda, Due};
+use super::contacts::Contacts;
+use super::free_stepping::FreeStep;
 use super::hold::Forces;
-use super::progress::Progress;
-use super::projection;
-use super::stepped::Stepper;
-use super::trial::Trial;
-use crate::books::{Books, Received, gravity_at};
-use crate::free_stage::{self, Ends};
+use super::instant::free_end;
+use super::island::{Island, Step};
+use super::near_pairs::NearPairs;
+use super::pace::Pace;
+use crate::accounting::Accounts;
+use crate::accounting::books::{Books, Received, gravity_at};
+use crate::collision::contact_set::{Hold, Touch};
+use crate::core::Core;
 use crate::interaction::assembly::free_acceleration;
-use crate::interaction::contact_set::{ContactId, Hold, Touch};
-use crate::interaction::groups::{Group, coupled_groups, groups};
+use crate::interaction::groups::groups;
 use crate::observer::Observer;
-use crate::settings::Settings;
+use crate::scene::Integrator;
+use crate::simulation::{ContactView, IslandView};
+use crate::tier::{Reached, Tier};
 use crate::world::World;
-use crate::{Acceleration, Certificate, Effects, Energy, Event, RunReport, SimulationError};
-use polhode_contact::BroadPhase;
+use crate::{Acceleration, BodyId, Effects, SimulationError};
+use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, Flight};
-use polhode_response::{ComplementaritySolver, ResponseError, SolverReport, SolverStatus};
-use std::collections::{BTreeMap, BTreeSet};
+use polhode_response::ComplementaritySolver;
+use std::collections::BTreeMap;
 
-/// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
-const STALL_RELATIVE: f64 = 1e-9;
-
-/// Samples between two steps of bodies that all fly in closed form and meet nothing.
+/// Samples between two looks of a caller at bodies that all fly in closed form and meet nothing.
 const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
-
-/// Events of the same instant after which what is still found wrong is put up with for a moment.
-const PATIENCE: u32 = 16;
-
-/// The first such moment lasts this many times as long as an instant, each further one this many times the one before.
-const LEAP: f64 = 8.0;
 
 /// How a body moves until the next event.
 #[derive(Debug, Clone)]
@@ -46,504 +43,509 @@ pub(super) enum Mode {
     Rest,
 }
 
+/// How a body moves, and what is remembered of how it has moved.
+#[derive(Debug, Clone)]
+pub(super) struct Track {
+    pub(super) mode: Mode,
+    /// The island it moves in, by its first body.
+    pub(super) island: Option<usize>,
+    pub(super) pace: Pace,
+    /// Step proposed by the error control, s.
+    pub(super) proposed_step_s: f64,
+    /// Largest speed so far of the body or of any it has met, or what gravity gives over its size, m/s.
+    pub(super) speed_scale: f64,
+    /// Up to when its rest has been booked, s.
+    rest_booked_s: f64,
+    /// Whether forces on it have grown too strong for the splitting that the plan has chosen.
+    gave_up_splitting: bool,
+}
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    pub(super) world: World,
-    pub(super) settings: Settings,
-    effects: Effects,
-    pub(super) t: f64,
-    pub(super) stepper: Stepper,
-    /// States at `t`.
+    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event.
     pub(super) states: Vec<BodyState>,
-    pub(super) modes: Vec<Mode>,
-    /// Contacts that touch at `t`, sorted by identity.
-    pub(super) touches: Vec<Touch>,
-    pub(super) solver: ComplementaritySolver,
-    pub(super) broad_phase: Box<dyn BroadPhase>,
-    /// Pairs whose boxes meet, as the broad phase left them.
-    pub(super) box_pairs: Vec<(u32, u32)>,
-    pub(super) books: Books,
-    pub(super) certificate: Certificate,
-    warnings: Vec<String>,
-    /// Events of the current step, in order of time.
-    pub(super) events: Vec<Event>,
-    event_count: u64,
-    /// Events since time last advanced by a whole step.
-    events_in_step: u64,
-    /// Step proposed by the error control of the contact phases, s.
-    pub(super) proposed_step_s: f64,
-    steps: u64,
-    next_sample: u64,
-    /// Largest speed of any body so far, or what gravity gives over a body's size, m/s.
-    pub(super) speed_scale: f64,
-    /// Contacts whose forces have been found to reach zero at the end of the present step.
-    pub(super) departing: BTreeSet<ContactId>,
-    /// How many events in a row have not let time advance.
-    pub(super) stalls: u32,
-    /// Bodies that the present instant has woken from rest.
-    pub(super) woken: BTreeSet<usize>,
-    /// Free rotations of bodies in integrated groups that nothing turns.
+    /// A copy of `states` to evaluate other times in.
+    pub(super) scratch: Vec<BodyState>,
+    pub(super) tracks: Vec<Track>,
+    islands: BTreeMap<usize, Island>,
+    pub(super) contacts: Contacts,
+    pub(super) near: NearPairs,
+    pub(super) agenda: Agenda,
+    /// Free rotations of bodies in integrated islands that nothing turns.
     pub(super) spins: BTreeMap<usize, Flight>,
-    /// When bounces that were summed up at the present instant end, by body, s.
-    pub(super) rest_times: BTreeMap<usize, f64>,
-    /// Whether time still advances.
-    pub(super) progress: Progress,
+    /// Whether the first instant has been resolved.
+    begun: bool,
+    /// When energies and momenta were last taken note of, s.
+    observed_s: f64,
 }
 
 impl Engine {
-    /// Prepares a run: finds what touches, moves touching bodies out of their round-off, decides which contacts hold.
+    /// Prepares a run: finds what touches, moves touching bodies out of their round-off, guesses which contacts hold.
     ///
     /// # Errors
-    /// When bodies overlap at the start or the contact forces of the start cannot be found.
-    pub(crate) fn new(
-        world: World,
-        states: Vec<BodyState>,
-        settings: Settings,
-        effects: Effects,
-    ) -> Result<Self, SimulationError> {
-        let books = Books::open(&world, &states);
-        let modes = vec![Mode::Fixed; world.bodies.len()];
-        let mut engine = Self {
-            world,
-            settings,
-            effects,
-            t: 0.0,
-            stepper: Stepper::new(&settings),
-            states,
-            modes,
-            touches: Vec::new(),
-            solver: ComplementaritySolver::default(),
-            broad_phase: settings.broad_phase.build(),
-            box_pairs: Vec::new(),
-            books,
-            certificate: Certificate::default(),
-            warnings: Vec::new(),
-            events: Vec::new(),
-            event_count: 0,
-            events_in_step: 0,
-            proposed_step_s: settings.step_s,
-            steps: 0,
-            next_sample: 0,
+    /// When bodies overlap at the start.
+    pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+        let count = core.world.bodies.len();
+        let track = Track {
+            mode: Mode::Fixed,
+            island: None,
+            pace: Pace::starting_at(core.t),
+            proposed_step_s: core.settings.step_s,
             speed_scale: 0.0,
-            departing: BTreeSet::new(),
-            stalls: 0,
-            woken: BTreeSet::new(),
-            spins: BTreeMap::new(),
-            rest_times: BTreeMap::new(),
-            progress: Progress::default(),
+            rest_booked_s: core.t,
+            gave_up_splitting: false,
         };
-        engine.find_initial_contacts()?;
+        let mut engine = Self {
+            scratch: states.clone(),
+            states,
+            tracks: vec![track; count],
+            islands: BTreeMap::new(),
+            contacts: Contacts::new(count),
+            near: NearPairs::new(core, count),
+            agenda: Agenda::default(),
+            spins: BTreeMap::new(),
+            begun: false,
+            observed_s: core.t,
+        };
+        engine.find_initial_contacts(core)?;
+        engine.scratch.clone_from(&engine.states);
         Ok(engine)
     }
 
-    /// Number of pairs that touch.
-    pub(crate) fn touching_pairs(&self) -> usize {
-        let mut pairs: Vec<_> = self.touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
-        pairs.dedup();
-        pairs.len()
+    /// Resolves the first instant.
+    fn begin(&mut self, core: &mut Core, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        self.begun = true;
+        core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
+        self.resolve_start(core)
     }
 
-    /// The bodies and their present states.
-    pub(crate) fn bodies(&self) -> (&World, &[BodyState]) {
-        (&self.world, &self.states)
+    /// Does what is due at `t`; whether it was an event.
+    fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<bool, SimulationError> {
+        match due {
+            Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| false),
+            Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| true),
+            Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
+                self.resolve_event(core, t, &[first]).map(|()| true)
+            }
+            Due::Island(first) => {
+                core.accounts.count_step();
+                self.next_step(core, first, t).map(|()| false)
+            }
+        }
     }
 
-    /// Time reached, s.
-    pub(crate) fn time(&self) -> f64 {
-        self.t
+    /// Takes note of energies and momenta at the present, if a longest step has passed since it was done last.
+    fn observe(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        if core.t - self.observed_s >= core.settings.step_s {
+            let states = self.states_at(core, core.t)?;
+            core.accounts.observe(&core.world, &states, core.t)?;
+            self.observed_s = core.t;
+        }
+        Ok(())
     }
 
-    /// Advances to the end of one step, or to the first event in it.
+    /// Tells the observer the samples before `until` (s).
+    fn emit_samples(
+        &mut self,
+        core: &mut Core,
+        until: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SimulationError> {
+        loop {
+            let t = core.accounts.next_sample_s(&core.world);
+            if t >= until {
+                return Ok(());
+            }
+            let states = self.states_at(core, t)?;
+            core.accounts.observe(&core.world, &states, t)?;
+            self.observed_s = t;
+            core.accounts.emit_sample(&core.world, &states, t, observer);
+        }
+    }
+
+    /// The island of a body that moves in one.
+    pub(super) fn island_of(&self, body: usize) -> Option<&Island> {
+        self.islands.get(&self.tracks[body].island?)
+    }
+
+    /// Puts an island in; its first body.
+    pub(super) fn insert_island(&mut self, island: Island) -> Option<usize> {
+        let first = island.first()?;
+        for &body in &island.bodies {
+            self.tracks[body].island = Some(first);
+        }
+        self.islands.insert(first, island);
+        Some(first)
+    }
+
+    /// Takes an island out to work on it.
+    pub(super) fn take_island(&mut self, first: usize) -> Option<Island> {
+        self.islands.remove(&first)
+    }
+
+    /// Takes an island out for good.
+    pub(super) fn remove_island(&mut self, first: usize) -> Option<Island> {
+        let island = self.islands.remove(&first)?;
+        self.agenda.remove(island.due, Due::Island(first));
+        Some(island)
+    }
+
+    /// Puts the copy of the states back after it has served for these bodies.
+    pub(super) fn restore_scratch(&mut self, mut scratch: Vec<BodyState>, bodies: &[usize]) {
+        for &body in bodies {
+            scratch[body] = self.states[body];
+        }
+        self.scratch = scratch;
+    }
+
+    /// State of a body at a time within its present step.
     ///
     /// # Errors
-    /// See [`SimulationError`].
-    pub(crate) fn step(&mut self, observer: &mut dyn Observer) -> Result<(), SimulationError> {
-        if self.steps == 0 {
-            self.emit_sample(0.0, observer);
-            self.next_sample = 1;
-            self.resolve(&[])?;
+    /// When its integrator cannot evaluate it.
+    pub(super) fn state_at(&mut self, core: &Core, body: usize, t: f64) -> Result<BodyState, SimulationError> {
+        if let Mode::Flight(flight) = &self.tracks[body].mode {
+            return Ok(flight.state(t));
         }
-        self.refresh_resting_forces()?;
-        let trial = self.integrate()?;
-        let contact_change = self.locate_contact_change(&trial)?;
-        let limit = contact_change.unwrap_or(trial.end());
-        let near = self.near_pairs(&trial)?;
-        let impact = self.first_impact(&trial, &near, limit)?;
-        let t_next = impact.map_or(limit, |impact| impact.min(limit));
-        if t_next < limit {
-            self.departing.clear();
-        }
-
-        let event = contact_change.is_some() || impact.is_some();
-        self.note_stall(t_next, event);
-        self.emit_samples(&trial, t_next, observer)?;
-        self.advance(&trial, t_next)?;
-        if event {
-            self.resolve(&near)?;
-            self.count_events()?;
-        } else {
-            self.events_in_step = 0;
-        }
-        self.audit()?;
-        self.note_progress()?;
-        self.emit_events(observer);
-        self.steps += 1;
-        if self.t >= self.world.scene.duration_s() {
-            self.emit_sample(self.t, observer);
-        }
-        Ok(())
+        let Some(first) = self.tracks[body].island else { return Ok(self.states[body]) };
+        let Some(mut island) = self.islands.remove(&first) else { return Ok(self.states[body]) };
+        let mut states = std::mem::take(&mut self.scratch);
+        let written = write_states(core, &mut island, t, &mut states);
+        let state = states[body];
+        self.restore_scratch(states, &island.bodies);
+        self.islands.insert(first, island);
+        written.map(|()| state)
     }
 
-    /// Moving groups: bodies with held contacts that are not at rest, and bodies under forces, those together that
-    /// forces couple.
-    pub(super) fn constrained_groups(&self) -> Vec<Group> {
-        let held = self.touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
-        let constrained = |body: usize| matches!(self.modes[body], Mode::Constrained);
-        let contacts = held
-            .filter(|(_, touch)| constrained(touch.id.a) || constrained(touch.id.b))
-            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        let bodies: Vec<usize> = (0..self.modes.len()).filter(|&body| constrained(body)).collect();
-        coupled_groups(&self.world, contacts, &bodies)
+    /// States of all bodies at a time within all present steps.
+    ///
+    /// # Errors
+    /// When an integrator cannot evaluate them.
+    fn states_at(&mut self, core: &Core, t: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let mut states = self.flying_states(t);
+        for island in self.islands.values_mut().filter(|island| island.t != t) {
+            write_states(core, island, t, &mut states)?;
+        }
+        Ok(states)
     }
 
-    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
-    fn refresh_resting_forces(&mut self) -> Result<(), SimulationError> {
-        if self.effects == Effects::Planned {
-            return Ok(());
-        }
-        let rest = |body: usize| matches!(self.modes[body], Mode::Rest);
-        let resting = groups(
-            &self.world,
-            self.touches
-                .iter()
-                .enumerate()
-                .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
-                .map(|(index, touch)| (index, touch.id.a, touch.id.b)),
-        );
-        for group in resting {
-            let mut pairs: Vec<_> =
-                group.contacts.iter().map(|&i| (self.touches[i].id.a, self.touches[i].id.b)).collect();
-            pairs.dedup();
-            let mut contacts = Vec::with_capacity(group.contacts.len());
-            for (a, b) in pairs {
-                let reach = self.world.touch_distance(&self.states, a, b);
-                contacts.extend(self.world.contacts_of_pair(&self.states, a, b, reach));
+    /// States of all bodies, those in flight at `t`, the others at the start of their steps.
+    fn flying_states(&self, t: f64) -> Vec<BodyState> {
+        let mut states = self.states.clone();
+        for (state, track) in states.iter_mut().zip(&self.tracks) {
+            if let Mode::Flight(flight) = &track.mode {
+                *state = flight.state(t);
             }
-            for touch in &mut contacts {
-                // The set was sorted by identity when it was made; its members keep their status as a warm start.
-                if let Ok(index) = self.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    touch.hold = self.touches[index].hold;
+        }
+        states
+    }
+
+    /// Mode of a body that no contact holds.
+    pub(super) fn free_mode(&self, core: &Core, body: usize, t: f64) -> Option<Mode> {
+        let world = &core.world;
+        let rigid = world.bodies[body].rigid.as_ref()?;
+        Some(match core.settings.integrator {
+            _ if core.settings.flies() && !world.is_loaded(body) => {
+                // In planar motion the spin is about a principal axis, to rounding that must not grow.
+                let record = if world.plane.is_some() { Flight::steady } else { Flight::new };
+                Mode::Flight(Box::new(record(rigid, t, &self.states[body], world.free_acceleration(body))))
+            }
+            Integrator::Dop853 => Mode::Constrained,
+            // What is coupled to bodies that contacts may hold is integrated with them.
+            _ if world.may_collide_at_all() && world.is_coupled(body) => Mode::Constrained,
+            _ if self.tracks[body].gave_up_splitting => Mode::Constrained,
+            _ => Mode::Stepped,
+        })
+    }
+
+    /// Lets a body move freely from its state at `t`.
+    pub(super) fn begin_free_motion(&mut self, core: &Core, body: usize, t: f64) {
+        if let Some(mode) = self.free_mode(core, body, t) {
+            self.tracks[body].mode = mode;
+        }
+    }
+
+    /// The step of bodies that an integrator of free motion moves; where forces have grown too strong for the splitting that
+    /// the plan has chosen, DOP853 goes on from the present states.
+    pub(super) fn free_or_constrained(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        t: f64,
+        step: Result<FreeStep, SimulationError>,
+    ) -> Result<Step, SimulationError> {
+        let too_strong = |error: &SimulationError| {
+            matches!(error, SimulationError::Integration { source: IntegrationError::StepTooSmall { .. }, .. })
+        };
+        match step {
+            Ok(step) => Ok(Step::Free(Box::new(step))),
+            Err(error) if core.settings.splits_by_choice() && too_strong(&error) => {
+                core.accounts.warn(t, "forces have grown too strong for splitting: dop853 goes on from here");
+                for &body in bodies {
+                    self.tracks[body].gave_up_splitting = true;
+                    self.tracks[body].mode = Mode::Constrained;
+                }
+                Ok(Step::Constrained(self.constrained_step(core, bodies, &[], t)?))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Books the flight of a body that ends at `t`, if it is in one.
+    pub(super) fn book_flight(&mut self, core: &mut Core, body: usize, t: f64) {
+        if let Mode::Flight(flight) = &self.tracks[body].mode {
+            book_flight(&core.world, &mut core.accounts.books, (body, flight), t, &mut self.states);
+        }
+    }
+
+    /// Books the rest of a body up to `t`, if it rests; from then on it counts anew.
+    pub(super) fn book_rest(&mut self, core: &mut Core, body: usize, t: f64) {
+        let track = &mut self.tracks[body];
+        if matches!(track.mode, Mode::Rest) && t > track.rest_booked_s {
+            core.accounts.books.equilibrium(&core.world, &self.states, body, t - track.rest_booked_s);
+        }
+        track.rest_booked_s = t;
+    }
+}
+
+/// Books a flight up to `t`: what its record has lost or gained in energy. The body's state is then that of `t`.
+fn book_flight(world: &World, books: &mut Books, (body, flight): (usize, &Flight), t: f64, states: &mut [BodyState]) {
+    let (start, dt) = (*flight.start(), t - flight.t0());
+    states[body] = start;
+    let before = books.balance(world, states, &[body]);
+    // The mean place of the flight for the moment of the weight; what it falls adds nothing to it.
+    states[body].pose.translation += start.linear_velocity * (0.5 * dt);
+    let gravity = gravity_at(world, states, body, books.ledger.momentum.about, dt);
+    states[body] = flight.state(t);
+    let after = books.balance(world, states, &[body]);
+    books.smooth_stage(before, after, Received { gravity, ..Received::default() });
+}
+
+/// Writes the states of an island's bodies at a time within its step over `states`.
+fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyState]) -> Result<(), SimulationError> {
+    match &mut island.step {
+        Step::Constrained(step) => step.states_at(t, states),
+        Step::Free(step) => {
+            for (&body, state) in island.bodies.iter().zip(step.states_at(&core.world, t)?) {
+                states[body] = state;
+            }
+        }
+    }
+    Ok(())
+}
+
+impl Tier for Engine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        if !self.begun {
+            self.begin(core, observer)?;
+        }
+        self.refresh_resting_forces(core)?;
+        let steps = core.accounts.steps();
+        while let Some((t, due)) = self.agenda.first().filter(|&(t, _)| t <= limit_s) {
+            self.emit_samples(core, t, observer)?;
+            core.t = t;
+            self.agenda.remove(t, due);
+            if self.process(core, t, due)? {
+                self.observe(core)?;
+                core.accounts.count_step();
+                core.accounts.emit_events(core.t, observer);
+                return Ok(Reached::Event);
+            }
+        }
+        self.emit_samples(core, limit_s, observer)?;
+        core.t = limit_s;
+        for island in self.islands.values_mut() {
+            if let Step::Free(step) = &mut island.step {
+                step.set_present(&core.world, limit_s)?;
+            }
+        }
+        if core.accounts.steps() == steps {
+            core.accounts.count_step();
+        }
+        core.accounts.emit_events(core.t, observer);
+        Ok(Reached::Limit)
+    }
+
+    /// Motion in closed form in which no event can come needs no steps, but is stopped now and then for those who watch it.
+    fn stride(&self, core: &Core) -> f64 {
+        let is = |free: fn(&Mode) -> bool| self.tracks.iter().all(|track| free(&track.mode));
+        if core.effects == Effects::All {
+            core.settings.step_s
+        } else if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
+            f64::INFINITY
+        } else if !core.world.may_collide_at_all() && is(|mode| matches!(mode, Mode::Fixed | Mode::Flight(_))) {
+            core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
+        } else {
+            core.settings.step_s
+        }
+    }
+
+    fn states(&self, core: &Core) -> Vec<BodyState> {
+        let mut states = self.flying_states(core.t);
+        for island in self.islands.values().filter(|island| island.t != core.t) {
+            match &island.step {
+                Step::Constrained(step) => step.states_at(core.t, &mut states),
+                Step::Free(step) => {
+                    for (&body, state) in island.bodies.iter().zip(step.present()) {
+                        states[body] = *state;
+                    }
                 }
             }
-            let forces = Forces::solve(&self.world, self.t, &self.states, &group.bodies, &contacts, &mut self.solver)
-                .map_err(|source| self.response_error(source))?;
-            self.note_solve(&forces.solution.report)?;
         }
-        Ok(())
+        states
     }
 
-    /// Longest step that may be tried now, s.
-    pub(super) fn step_limit(&self) -> f64 {
-        let remaining = self.horizon() - self.t;
-        let needed = match self.effects {
-            Effects::Planned => self.longest_step(),
-            Effects::All => self.settings.step_s,
-        };
-        // A sum of equal steps may leave over what is no step: it is added to the last.
-        if self.is_instant(remaining - needed) { remaining } else { needed }
-    }
-
-    /// Longest step that the planned effects need, s: motion in closed form in which no event can come needs none, but
-    /// is stopped now and then for those who watch it.
-    fn longest_step(&self) -> f64 {
-        let is = |free: fn(&Mode) -> bool| self.modes.iter().all(free);
-        if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
-            f64::INFINITY
-        } else if !self.world.may_collide_at_all() && is(|mode| matches!(mode, Mode::Fixed | Mode::Flight(_))) {
-            self.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * self.world.scene.output_interval_s())
-        } else {
-            self.settings.step_s
-        }
-    }
-
-    /// Where a step must end at the latest, s: at the end of the run, or where a force is not smooth in time.
-    pub(super) fn horizon(&self) -> f64 {
-        let duration = self.world.scene.duration_s();
-        self.world.free_motion().corner_between(self.t, duration).unwrap_or(duration)
-    }
-
-    /// Whether a time is too short to be a step, s.
-    pub(super) fn is_instant(&self, dt: f64) -> bool {
-        dt <= STALL_RELATIVE * self.settings.step_s
-    }
-
-    /// Whether an event at `t` comes without time having advanced.
-    pub(super) fn is_stall(&self, t: f64) -> bool {
-        self.is_instant(t - self.t)
-    }
-
-    /// Whether the present instant has been resolved so often that what is still found wrong with it is put up with
-    /// until [`Self::looks_again`]: degenerate contacts can leave two answers that undo each other at the level of rounding.
-    pub(super) fn puts_up(&self) -> bool {
-        self.stalls >= PATIENCE
-    }
-
-    /// When what is put up with is looked at again, s: soon, for a contact that does close then sinks in.
-    pub(super) fn looks_again(&self) -> f64 {
-        self.t + self.settings.step_s * (STALL_RELATIVE * libm::pow(LEAP, f64::from(self.progress.leaps()))).min(1.0)
-    }
-
-    /// Counts the events of one instant before a step to `t_next`.
-    fn note_stall(&mut self, t_next: f64, event: bool) {
-        if self.puts_up() {
-            self.progress.note_leap();
-        }
-        if !self.is_stall(t_next) {
-            self.stalls = 0;
-        } else if event {
-            self.stalls += 1;
-        }
-        if self.stalls == PATIENCE && event {
-            self.warn("contacts undo each other at one instant: what is still wrong is put up with for a moment");
-        }
-    }
-
-    /// Brings all states to `t_next`; the smooth stage that ends there is booked.
-    fn advance(&mut self, trial: &Trial, t_next: f64) -> Result<(), SimulationError> {
-        let ends = self.states_at_end(trial, t_next)?;
-        let dt = t_next - self.t;
-        self.t = t_next;
-        for (body, mode) in self.modes.iter().enumerate() {
-            match mode {
-                Mode::Flight(flight) => self.states[body] = flight.state(t_next),
-                Mode::Rest => self.books.equilibrium(&self.world, &self.states, body, dt),
+    fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
+        let (world, t) = (&core.world, core.t);
+        let books = &mut accounts.books;
+        let mut states = self.states.clone();
+        for (body, track) in self.tracks.iter().enumerate() {
+            match &track.mode {
+                Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
+                Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
                 Mode::Fixed | Mode::Constrained | Mode::Stepped => {}
             }
         }
-        self.advance_stepped(trial, t_next)?;
-        for (group, end) in trial.groups.iter().zip(ends) {
-            let before = self.books.balance(&self.world, &self.states, &group.bodies);
-            for (&body, mut state) in group.bodies.iter().zip(end.states) {
-                self.world.keep_in_plane(body, &mut state);
-                self.states[body] = state;
-            }
-            let integrated = self.books.balance(&self.world, &self.states, &group.bodies);
-            self.books.smooth_stage(before, integrated, end.received);
-            projection::project(&self.world, &mut self.states, &group.bodies, &group.held)
-                .map_err(|source| self.response_error(source))?;
-            let projected = self.books.balance(&self.world, &self.states, &group.bodies);
-            self.books.projection(integrated, projected);
-        }
-        self.refresh_kinematics();
-        Ok(())
-    }
-
-    /// Brings the stepped bodies to `t_next`.
-    fn advance_stepped(&mut self, trial: &Trial, t_next: f64) -> Result<(), SimulationError> {
-        let bodies = self.stepped_bodies();
-        if bodies.is_empty() {
-            return Ok(());
-        }
-        let parts = self.stepped_parts(t_next)?;
-        let Some((_, mut ends)) = parts.last().cloned() else { return Ok(()) };
-        if t_next < trial.end() {
-            self.stepper.interrupt();
-        }
-        for &body in &bodies {
-            self.world.keep_in_plane(body, &mut ends[body]);
-        }
-        let before = self.books.balance(&self.world, &self.states, &bodies);
-        let after = self.books.balance(&self.world, &ends, &bodies);
-        let mut received = Received::default();
-        for pair in parts.windows(2) {
-            let [(t0, start), (t1, end)] = pair else { continue };
-            let stage = Ends { t: [*t0, *t1], states: [start, end] };
-            received += free_stage::received(&self.world, stage, &bodies, self.books.ledger.momentum.about);
-        }
-        self.books.smooth_stage(before, after, received);
-        self.states = ends;
-        Ok(())
-    }
-
-    /// Evaluates every touching contact at the current states; those that no longer exist are dropped.
-    pub(super) fn refresh_kinematics(&mut self) {
-        let (world, states) = (&self.world, &self.states);
-        self.touches.retain_mut(|touch| match world.kinematics(states, touch.id) {
-            Some(kinematics) => {
-                touch.kinematics = kinematics;
-                true
-            }
-            None => false,
-        });
-    }
-
-    /// Puts a body on a new flight record from its present state.
-    pub(super) fn take_off(&mut self, body: usize) {
-        if let Some(mode) = self.free_mode(body) {
-            if !matches!(mode, Mode::Constrained) || !matches!(self.modes[body], Mode::Constrained) {
-                self.stepper.interrupt();
-            }
-            self.modes[body] = mode;
-        }
-    }
-
-    /// Ends a body's flight record, if it has one: what the record lost or gained in energy is booked.
-    pub(super) fn land(&mut self, body: usize) {
-        if let Mode::Flight(flight) = &self.modes[body] {
-            let (start, dt) = (*flight.start(), self.t - flight.t0());
-            let mut states = std::mem::take(&mut self.states);
-            states[body] = start;
-            let before = self.books.balance(&self.world, &states, &[body]);
-            // The mean place of the flight for the moment of the weight; what it falls adds nothing to it.
-            let mut middle = start;
-            middle.pose.translation += start.linear_velocity * (0.5 * dt);
-            states[body] = middle;
-            let gravity = gravity_at(&self.world, &states, body, self.books.ledger.momentum.about, dt);
-            states[body] = flight.state(self.t);
-            let after = self.books.balance(&self.world, &states, &[body]);
-            self.states = states;
-            self.books.smooth_stage(before, after, Received { gravity, ..Received::default() });
-        }
-    }
-
-    /// Takes a solver's report into the certificate.
-    ///
-    /// # Errors
-    /// When the problem was not solved to its tolerance.
-    pub(super) fn note_solve(&mut self, report: &SolverReport) -> Result<(), SimulationError> {
-        self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
-        self.certificate.max_acceleration_error_bound = self.certificate.max_acceleration_error_bound.max(report.bound);
-        self.certificate.fallbacks += u64::from(report.method.is_fallback());
-        if report.status == SolverStatus::Solved {
-            Ok(())
-        } else {
-            Err(SimulationError::ContactSolve { t: self.t, residual: report.residual })
-        }
-    }
-
-    pub(super) fn warn(&mut self, what: &str) {
-        self.warnings.push(format!("t = {} s: {what}", self.t));
-    }
-
-    pub(super) fn response_error(&self, source: ResponseError) -> SimulationError {
-        SimulationError::ContactProblem { t: self.t, source }
-    }
-
-    /// Checks that the states are finite, and measures energy and penetration.
-    fn audit(&mut self) -> Result<(), SimulationError> {
-        if let Some(body) = self.states.iter().position(|state| !state.is_finite()) {
-            return Err(SimulationError::Diverged { body: self.world.bodies[body].name.clone(), t: self.t });
-        }
-        let energy = self.books.observe(&self.world, &self.states);
-        if !energy.final_j.is_finite() {
-            return Err(SimulationError::EnergyOverflow { t: self.t });
-        }
-        for body in 0..self.states.len() {
-            self.speed_scale = self.speed_scale.max(self.speed(body));
-        }
-        // The separation of a contact point measures penetration only while the point lies on its features, as that of
-        // held contacts does; others are measured when they are detected.
-        let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);
-        let deepest = held.fold(0.0f64, |depth, touch| depth.max(-touch.kinematics.geometry.separation));
-        self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(deepest);
-        Ok(())
-    }
-
-    fn count_events(&mut self) -> Result<(), SimulationError> {
-        self.events_in_step += 1;
-        let limit = self.settings.max_events_per_step;
-        if self.events_in_step > limit { Err(SimulationError::TooManyEvents { limit, t: self.t }) } else { Ok(()) }
-    }
-
-    fn emit_events(&mut self, observer: &mut dyn Observer) {
-        // The end of bounces that have been summed up lies a little ahead; it is reported in its turn.
-        self.events.sort_by(|x, y| x.t.total_cmp(&y.t));
-        let due = self.events.partition_point(|event| event.t <= self.t);
-        self.event_count += due as u64;
-        for event in self.events.drain(..due) {
-            observer.event(&event);
-        }
-    }
-
-    /// Time of sample number `k`, s.
-    fn sample_time(&self, k: u64) -> f64 {
-        k as f64 * self.world.scene.output_interval_s()
-    }
-
-    /// Samples that fall before `t_next`, evaluated within the step.
-    fn emit_samples(&mut self, trial: &Trial, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
-        while self.sample_time(self.next_sample) < t_next {
-            let t = self.sample_time(self.next_sample);
-            let mut states: Vec<_> =
-                (0..self.world.bodies.len()).map(|body| self.state_within(trial, body, t)).collect();
-            self.stepped_states(t, &mut states)?;
-            let samples: Vec<_> =
-                states.iter().enumerate().map(|(body, state)| self.world.sample(body, state)).collect();
-            observer.sample(t, &samples);
-            self.next_sample += 1;
+        for island in self.islands.values_mut().filter(|island| island.t != t) {
+            let before = books.balance(world, &states, &island.bodies);
+            let received = match &mut island.step {
+                Step::Constrained(step) => {
+                    step.states_at(t, &mut states);
+                    step.received_until(t)
+                }
+                Step::Free(step) => {
+                    let about = books.ledger.momentum.about;
+                    let (ends, received) = free_end(world, step, &island.bodies, &states, about, t)?;
+                    for (&body, state) in island.bodies.iter().zip(ends) {
+                        states[body] = state;
+                    }
+                    received
+                }
+            };
+            let after = books.balance(world, &states, &island.bodies);
+            books.smooth_stage(before, after, received);
         }
         Ok(())
     }
 
-    /// A sample of the present states.
-    fn emit_sample(&self, t: f64, observer: &mut dyn Observer) {
-        let samples: Vec<_> =
-            self.states.iter().enumerate().map(|(body, state)| self.world.sample(body, state)).collect();
-        observer.sample(t, &samples);
-    }
-
-    /// Accelerations of all bodies now, under the contact forces of now.
-    ///
-    /// # Errors
-    /// When the forces cannot be found.
-    pub(crate) fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
-        let loads = self.world.loads(self.t, &self.states);
-        let mut out: Vec<_> = (0..self.world.bodies.len())
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        let states = self.states(core);
+        let world = &core.world;
+        let loads = world.loads(core.t, &states);
+        let mut out: Vec<_> = (0..world.bodies.len())
             .map(|body| {
-                let (linear, angular) = free_acceleration(&self.world, &self.states, &loads, body);
-                self.world.reported_acceleration(body, &self.states[body], linear, angular)
+                let (linear, angular) = free_acceleration(world, &states, &loads, body);
+                world.reported_acceleration(body, &states[body], linear, angular)
             })
             .collect();
-        for (bodies, members) in self.sustained_groups() {
-            let forces = Forces::solve(&self.world, self.t, &self.states, &bodies, &members, &mut self.solver)
-                .map_err(|source| self.response_error(source))?;
-            self.note_solve(&forces.solution.report)?;
+        for (group, members) in self.present_groups(core, &states) {
+            let forces = Forces::solve(&core.world, core.t, &states, &group, &members, &mut core.solver)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            core.accounts.note_solve(core.t, &forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
-                out[body] = self.world.reported_acceleration(body, &self.states[body], linear, angular);
+                out[body] = core.world.reported_acceleration(body, &states[body], linear, angular);
             }
         }
         Ok(out)
     }
 
+    fn contacts(&self, core: &Core) -> Vec<ContactView> {
+        let states = self.states(core);
+        let mut solver = ComplementaritySolver::default();
+        let mut forces_by_id = BTreeMap::new();
+        for (group, members) in self.present_groups(core, &states) {
+            let solved = Forces::solve(&core.world, core.t, &states, &group, &members, &mut solver);
+            let forces = solved.map_or_else(|_| vec![f64::NAN; members.len()], |solved| solved.solution.forces);
+            forces_by_id.extend(members.iter().map(|touch| touch.id).zip(forces));
+        }
+        let mut views = Vec::new();
+        for touch in self.present_contacts(core, &states) {
+            let (id, geometry) = (touch.id, touch.kinematics.geometry);
+            let force = forces_by_id.get(&id).copied();
+            // A contact that has opened since its bodies were last looked at touches no more.
+            if force.is_none() && geometry.separation > core.world.touch_distance(&states, id.a, id.b) {
+                continue;
+            }
+            views.push(ContactView {
+                body_a: BodyId::new(id.a),
+                body_b: BodyId::new(id.b),
+                feature: id.feature,
+                point_m: geometry.point,
+                normal: geometry.normal,
+                separation_m: geometry.separation,
+                normal_force_n: force.unwrap_or(0.0),
+            });
+        }
+        views
+    }
+
+    fn islands(&self, _core: &Core) -> Vec<IslandView> {
+        let ids = |bodies: &[usize]| bodies.iter().map(|&body| BodyId::new(body)).collect();
+        self.islands.values().map(|island| IslandView { bodies: ids(&island.bodies) }).collect()
+    }
+
+    fn touching_pairs(&self) -> usize {
+        self.contacts.pairs()
+    }
+}
+
+impl Engine {
+    /// Contacts that touched when their bodies were last looked at, as they stand in these states.
+    fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
+        let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
+        self.contacts.all().filter_map(present).collect()
+    }
+
     /// Bodies connected by contacts that neither approach nor part, and those contacts.
-    fn sustained_groups(&self) -> Vec<(Vec<usize>, Vec<Touch>)> {
-        let sustained = self.touches.iter().enumerate().filter(|(_, touch)| self.is_sustained(touch));
-        groups(&self.world, sustained.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
+    fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+        let contacts = self.present_contacts(core, states);
+        let sustained = |touch: &Touch| {
+            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+            // While an island moves on, its contacts are those that it holds.
+            if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
+        };
+        let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
+        groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
             .into_iter()
-            .map(|group| (group.bodies, group.contacts.iter().map(|&i| self.touches[i]).collect()))
+            .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
             .collect()
     }
 
-    /// Writes the results of the run into its report.
-    pub(crate) fn fill(&mut self, report: &mut RunReport) {
-        report.energy = self.close_books();
-        report.ledger = self.books.ledger;
-        report.certificate = self.certificate;
-        report.warnings.clone_from(&self.warnings);
-        report.steps = self.steps;
-        report.events = self.event_count;
-        report.bodies = self.world.named_samples(&self.states);
-    }
-
-    /// Closes the books: flights still in the air are booked up to now.
-    fn close_books(&mut self) -> Energy {
-        for body in 0..self.modes.len() {
-            if matches!(self.modes[body], Mode::Flight(_)) {
-                self.land(body);
-                self.take_off(body);
-            }
+    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
+    fn refresh_resting_forces(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        if core.effects == Effects::Planned {
+            return Ok(());
         }
-        self.books.observe(&self.world, &self.states)
+        let rest = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
+        let known: Vec<Touch> = self.contacts.all().copied().collect();
+        let resting = known
+            .iter()
+            .enumerate()
+            .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
+            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        for group in groups(&core.world, resting) {
+            let mut pairs: Vec<_> = group.contacts.iter().map(|&i| (known[i].id.a, known[i].id.b)).collect();
+            pairs.dedup();
+            let mut contacts = Vec::with_capacity(group.contacts.len());
+            for (a, b) in pairs {
+                let reach = core.world.touch_distance(&self.states, a, b);
+                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach));
+            }
+            for touch in &mut contacts {
+                // Contacts that were known keep their status as a warm start.
+                if let Ok(index) = known.binary_search_by(|known| known.id.cmp(&touch.id)) {
+                    touch.hold = known[index].hold;
+                }
+            }
+            let forces = Forces::solve(&core.world, core.t, &self.states, &group.bodies, &contacts, &mut core.solver)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            core.accounts.note_solve(core.t, &forces.solution.report)?;
+        }
+        Ok(())
     }
 }

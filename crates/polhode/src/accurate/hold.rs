@@ -3,8 +3,8 @@
 //! The complementarity problem of thesis 3.4, `0 <= f _|_ chi'' = G f + b >= 0`, decides: a contact that needs a force
 //! stays, one that accelerates apart opens. The motion it gives is unique though the forces may not be (erratum E13).
 
+use crate::collision::contact_set::{Hold, Touch};
 use crate::interaction::assembly::Assembly;
-use crate::interaction::contact_set::{Hold, Touch};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};

@@ -3,19 +3,38 @@
 //! Bodies in flight follow their flight records in closed form. Bodies with held contacts are integrated by DOP853
 //! with the contact forces solved for at every stage, under error control. Time advances from event to event: an
 //! impact (a pair closes), or a change of contacts (a force reaches zero, a corner passes an edge). Each is located,
-//! and everything that happens at that instant is resolved before time goes on.
+//! and everything that happens at that instant to the bodies it concerns is resolved before they go on. Bodies that it does
+//! not concern are left alone: their steps, their contacts and the impacts found for them stay.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `engine` | the bodies, how each moves, and the loop over what is due |
+//! | `agenda` | what is due when |
+//! | `island` | bodies that move together, and their present step |
+//! | `constrained_step` | a step with held contacts, by DOP853 over `system` |
+//! | `free_stepping` | a step by the integrator that the scene asks for |
+//! | `locate`, `penetration` | when held contacts cease to be the right ones |
+//! | `near_pairs` | pairs that may meet, and their impacts |
+//! | `instant` | whom an event concerns, and how they go on |
+//! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
+//! | `contacts` | the contacts that touched when their bodies were last looked at |
+//! | `pace` | whether time advances |
+//! | `start` | the first instant |
 
+mod agenda;
+mod constrained_step;
+mod contacts;
 mod engine;
+mod free_stepping;
 mod hold;
-mod impact_search;
+mod instant;
+mod island;
 mod locate;
-mod progress;
-mod projection;
+mod near_pairs;
+mod pace;
+mod penetration;
 mod resolve;
-mod sinking;
 mod start;
-pub(crate) mod stepped;
 mod system;
-mod trial;
 
 pub(crate) use engine::Engine;

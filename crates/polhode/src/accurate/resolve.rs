@@ -1,16 +1,19 @@
 //! Everything that happens at one instant.
 //!
 //! Stages: find what touches; strike what approaches; sum up bounces too small to see; decide which contacts hold;
-//! put held contacts exactly together; give every body its mode until the next event; report.
+//! put held contacts exactly together; give every body its mode until the next event; report. What is concerned are the
+//! bodies of the instant (`instant.rs`): nothing else is looked at.
 
 use super::engine::{Engine, Mode};
 use super::hold::Forces;
-use super::projection;
+use super::instant::Instant;
 use crate::SimulationError;
+use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::core::Core;
 use crate::event::{Event, EventKind};
-use crate::interaction::contact_set::{ContactId, Hold, Touch};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, strike, support};
+use crate::interaction::projection;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -42,207 +45,188 @@ const DEPARTED_LOAD: f64 = 1e-9;
 const OPENING_FRACTION: f64 = 0.5;
 
 impl Engine {
-    /// Resolves the present instant; `near` are pairs that may have come to touch besides those that did.
+    /// Resolves an instant.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
-    pub(super) fn resolve(&mut self, near: &[(usize, usize)]) -> Result<(), SimulationError> {
-        let held_before = self.held_pairs();
-        self.detect(near);
-        self.strike_approaching()?;
-        for group in self.groups_in_motion() {
-            self.decide_holds(&group)?;
+    pub(super) fn resolve(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+        let held_before = instant.held_pairs();
+        self.detect(core, instant);
+        self.strike_approaching(core, instant)?;
+        for group in self.groups_in_motion(core, instant) {
+            self.decide_holds(core, instant, &group)?;
         }
-        self.wake_coupled();
-        self.release_free_bodies();
-        self.report_pairs(&held_before);
+        self.wake_coupled(core, instant);
+        self.release_free_bodies(core, instant);
+        self.report_pairs(core, instant, &held_before);
         Ok(())
     }
 
     /// Finds the contacts of all pairs that touched or are near, except between bodies that have not moved.
-    fn detect(&mut self, near: &[(usize, usize)]) {
-        let still = |body: usize| matches!(self.modes[body], Mode::Rest | Mode::Fixed);
-        let mut pairs: BTreeSet<_> = near.iter().copied().collect();
-        pairs.extend(self.touches.iter().map(|touch| (touch.id.a, touch.id.b)));
-        let mut found = Vec::with_capacity(self.touches.len());
-        for (a, b) in pairs {
+    fn detect(&mut self, core: &mut Core, instant: &mut Instant) {
+        let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
+        let mut found = Vec::with_capacity(instant.touches.len());
+        for &(a, b) in &instant.pairs {
             if still(a) && still(b) {
-                found.extend(self.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
+                found.extend(instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }
-            let reach = self.world.touch_distance(&self.states, a, b);
-            let mut contacts = self.world.contacts_of_pair(&self.states, a, b, reach);
+            let reach = core.world.touch_distance(&self.states, a, b);
+            let mut contacts = core.world.contacts_of_pair(&self.states, a, b, reach);
             for touch in &mut contacts {
-                if let Ok(index) = self.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    touch.hold = self.touches[index].hold;
+                if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
+                    touch.hold = instant.touches[index].hold;
                     touch.known = true;
                 }
             }
             found.extend(contacts);
         }
         found.sort_by_key(|touch| touch.id);
-        self.touches = found;
+        instant.touches = found;
         // A point beside its features overlaps nothing.
-        let on_features = self.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0);
+        let on_features = instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0);
         let deepest = on_features.fold(0.0f64, |depth, touch| depth.max(-touch.kinematics.geometry.separation));
-        self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(deepest);
+        core.accounts.note_penetration(deepest);
     }
 
     /// Strikes every group in which a contact approaches.
-    fn strike_approaching(&mut self) -> Result<(), SimulationError> {
-        let all = self.touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        for group in groups(&self.world, all) {
+    fn strike_approaching(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+        for group in groups(&core.world, instant.numbered()) {
             let approaches = |&i: &usize| {
-                let touch = &self.touches[i];
-                touch.kinematics.separation_rate < -self.sustained_speed(touch)
+                let touch = &instant.touches[i];
+                touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
             };
             if group.contacts.iter().any(approaches) {
-                self.strike_group(&group)?;
+                self.strike_group(core, instant, &group)?;
             }
         }
-        self.refresh_kinematics();
+        self.refresh_kinematics(core, instant);
         Ok(())
     }
 
-    fn strike_group(&mut self, group: &Group) -> Result<(), SimulationError> {
+    fn strike_group(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
         for &body in &group.bodies {
-            self.land(body);
-            if matches!(self.modes[body], Mode::Rest) {
-                self.woken.insert(body);
+            self.book_flight(core, body, instant.t);
+            if matches!(self.tracks[body].mode, Mode::Rest) {
+                instant.woken.insert(body);
             }
-            self.modes[body] = Mode::Constrained;
+            self.tracks[body].mode = Mode::Constrained;
         }
-        let law = self.settings.impact;
+        let law = core.settings.impact;
         let settings = ImpactSettings::default();
-        let outcome = strike(&self.world, &mut self.states, group, &self.touches, law, &settings, &mut self.solver)
-            .map_err(|source| self.response_error(source))?;
-        self.certificate.max_residual = self.certificate.max_residual.max(outcome.residual);
+        let outcome = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
+            .map_err(|source| Core::response_error(instant.t, source))?;
+        let worst = &mut core.accounts.certificate.max_residual;
+        *worst = worst.max(outcome.residual);
         let impulses = group.contacts.iter().zip(&outcome.impulses);
-        let impulses = impulses.map(|(&i, &p)| (self.touches[i].id, &self.touches[i].kinematics.geometry, p));
-        let given = support(&self.world, self.books.ledger.momentum.about, impulses);
-        self.books.impact(outcome.energy_change, given);
+        let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
+        let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
+        core.accounts.books.impact(outcome.energy_change, given);
         for application in &outcome.applications {
-            let touch = self.touches[group.contacts[application.row]];
-            self.report_contact(&impulse_event(self.t, &touch, application), touch.id);
+            let touch = instant.touches[group.contacts[application.row]];
+            self.report_contact(core, &impulse_event(instant.t, &touch, application), touch.id);
         }
-        self.warn_about_impact(&outcome);
+        warn_about_impact(core, instant.t, &outcome);
         if outcome.status == ImpactStatus::NotSolved {
-            return Err(SimulationError::ContactSolve { t: self.t, residual: outcome.residual });
+            return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
         Ok(())
-    }
-
-    fn warn_about_impact(&mut self, outcome: &ImpactOutcome) {
-        let what = match outcome.status {
-            ImpactStatus::StoppedAtThreshold => {
-                "an impact by propagation does not end: stopped when every speed of approach was below the threshold"
-            }
-            ImpactStatus::LimitReached => {
-                "an impact reached its limit of applications: the rest was resolved inelastically"
-            }
-            ImpactStatus::RestitutionLowered => {
-                "an impact between contacts of different restitution would have gained energy: the smallest was used"
-            }
-            ImpactStatus::NoApproach | ImpactStatus::Separated | ImpactStatus::NotSolved => return,
-        };
-        self.warn(what);
     }
 
     /// Groups with a body that is not at rest.
-    fn groups_in_motion(&self) -> Vec<Group> {
-        let all = self.touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        let mut moving = groups(&self.world, all);
-        moving.retain(|group| group.bodies.iter().any(|&body| !matches!(self.modes[body], Mode::Rest)));
+    fn groups_in_motion(&self, core: &Core, instant: &Instant) -> Vec<Group> {
+        let mut moving = groups(&core.world, instant.numbered());
+        moving.retain(|group| group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest)));
         moving
     }
 
     /// Decides which contacts of a group hold until the next event, and whether its bodies rest.
-    fn decide_holds(&mut self, group: &Group) -> Result<(), SimulationError> {
-        let mut candidates: Vec<usize> =
-            group.contacts.iter().copied().filter(|&i| self.is_sustained(&self.touches[i])).collect();
-        let mut forces = self.forces(group, &candidates)?;
+    fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
+        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+        let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
+        let mut forces = self.forces(core, instant, group, &candidates)?;
         // A contact may come back only because the one below it is held, so those found hold before others are judged.
         loop {
-            let bounces = self.invisible_bounces(group, &candidates, &forces);
+            let bounces = self.invisible_bounces(core, instant, group, &candidates, &forces);
             if bounces.is_empty() {
                 break;
             }
             candidates.extend(bounces);
             candidates.sort_unstable();
-            self.end_bounces(group, &candidates)?;
-            forces = self.forces(group, &candidates)?;
+            self.end_bounces(core, instant, group, &candidates)?;
+            forces = self.forces(core, instant, group, &candidates)?;
         }
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
-                Ok(row) => self.hold_of(&self.touches[i], &forces, row),
+                Ok(row) => hold_of(instant, &instant.touches[i], &forces, row),
                 Err(_) => Hold::Open,
             };
-            self.set_hold(i, hold);
+            self.set_hold(core, instant, i, hold);
         }
-        self.settle(group, &candidates, &forces)
+        self.settle(core, instant, group, &candidates, &forces)
     }
 
-    fn forces(&mut self, group: &Group, candidates: &[usize]) -> Result<Forces, SimulationError> {
-        let members: Vec<Touch> = candidates.iter().map(|&i| self.touches[i]).collect();
-        let forces = Forces::solve(&self.world, self.t, &self.states, &group.bodies, &members, &mut self.solver)
-            .map_err(|source| self.response_error(source))?;
-        self.note_solve(&forces.solution.report)?;
+    fn forces(
+        &mut self,
+        core: &mut Core,
+        instant: &Instant,
+        group: &Group,
+        candidates: &[usize],
+    ) -> Result<Forces, SimulationError> {
+        let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
+        let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
+            .map_err(|source| Core::response_error(instant.t, source))?;
+        core.accounts.note_solve(instant.t, &forces.solution.report)?;
         Ok(forces)
     }
 
-    /// Whether a candidate holds: it carries force, or it neither opens nor has been open.
-    fn hold_of(&self, touch: &Touch, forces: &Forces, row: usize) -> Hold {
-        let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
-        let was_open = touch.known && touch.hold == Hold::Open;
-        // The force of a contact that departs has fallen to zero; one that still carries load was found by mistake.
-        let largest = forces.solution.forces.iter().fold(0.0f64, |most, &f| most.max(f));
-        let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
-        if self.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
-            return Hold::Open;
-        }
-        if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
-    }
-
     /// Reports an event at a contact point; one that stands for its mirror image too is reported at both.
-    fn report_contact(&mut self, event: &Event, id: ContactId) {
-        let Some(aside) = self.world.mirrored(&self.states, id) else {
-            self.events.push(*event);
+    fn report_contact(&self, core: &mut Core, event: &Event, id: ContactId) {
+        let Some(aside) = core.world.mirrored(&self.states, id) else {
+            core.accounts.add_event(*event);
             return;
         };
         let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
         for point in [event.point - aside, event.point + aside] {
-            self.events.push(Event { point, impulse, energy_change_j, ..*event });
+            core.accounts.add_event(Event { point, impulse, energy_change_j, ..*event });
         }
     }
 
-    fn set_hold(&mut self, i: usize, hold: Hold) {
-        let touch = self.touches[i];
+    fn set_hold(&self, core: &mut Core, instant: &mut Instant, i: usize, hold: Hold) {
+        let touch = instant.touches[i];
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
-            self.report_contact(&contact_event(self.t, EventKind::Detach, &touch), touch.id);
+            self.report_contact(core, &contact_event(instant.t, EventKind::Detach, &touch), touch.id);
         }
-        self.touches[i].hold = hold;
-        self.touches[i].known = true;
+        instant.touches[i].hold = hold;
+        instant.touches[i].known = true;
     }
 
     /// Contacts that part so slowly that they would come back without ever leaving touch: their endless sequence of
     /// bounces is summed up. A contact with restitution 1 never ends bouncing and is not among them.
-    fn invisible_bounces(&mut self, group: &Group, candidates: &[usize], forces: &Forces) -> Vec<usize> {
+    fn invisible_bounces(
+        &self,
+        core: &Core,
+        instant: &mut Instant,
+        group: &Group,
+        candidates: &[usize],
+        forces: &Forces,
+    ) -> Vec<usize> {
         let mut bounces = Vec::new();
         for &i in group.contacts.iter().filter(|i| candidates.binary_search(i).is_err()) {
-            let touch = self.touches[i];
-            let restitution = self.world.scene.pair_material(touch.id.a, touch.id.b).restitution();
+            let touch = instant.touches[i];
+            let restitution = core.world.scene.pair_material(touch.id.a, touch.id.b).restitution();
             let speed = touch.kinematics.separation_rate;
             let acceleration = forces.relative_acceleration(&self.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
             let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = self.world.touch_distance(&self.states, touch.id.a, touch.id.b);
+            let touch_distance = core.world.touch_distance(&self.states, touch.id.a, touch.id.b);
             if height <= INVISIBLE_HEIGHT * touch_distance {
                 // The bounces to come last 2w/a (1 + e + e^2 + ...) together (thesis 3.3).
-                let rest = self.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
+                let rest = instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 for body in [touch.id.a, touch.id.b] {
-                    let known = self.rest_times.entry(body).or_insert(rest);
+                    let known = instant.rest_times.entry(body).or_insert(rest);
                     *known = known.max(rest);
                 }
                 bounces.push(i);
@@ -252,53 +236,66 @@ impl Engine {
     }
 
     /// Ends the bounces that have been summed up: all candidates lose what is left of their relative velocity.
-    fn end_bounces(&mut self, group: &Group, candidates: &[usize]) -> Result<(), SimulationError> {
-        self.ground(group);
-        let ids: Vec<_> = candidates.iter().map(|&i| self.touches[i].id).collect();
-        let before = self.books.balance(&self.world, &self.states, &group.bodies);
-        projection::project_velocities(&self.world, &mut self.states, &group.bodies, &ids)
-            .map_err(|source| self.response_error(source))?;
-        let after = self.books.balance(&self.world, &self.states, &group.bodies);
-        self.books.rest(before, after);
-        self.refresh_kinematics();
+    fn end_bounces(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        group: &Group,
+        candidates: &[usize],
+    ) -> Result<(), SimulationError> {
+        self.end_flights(core, instant.t, group);
+        let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
+        let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
+            .map_err(|source| Core::response_error(instant.t, source))?;
+        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        core.accounts.books.rest(before, after);
+        self.refresh_kinematics(core, instant);
         Ok(())
     }
 
     /// Puts held contacts exactly together and gives their bodies their mode: at rest, or constrained.
-    fn settle(&mut self, group: &Group, candidates: &[usize], forces: &Forces) -> Result<(), SimulationError> {
-        let members: Vec<Touch> = candidates.iter().map(|&i| self.touches[i]).collect();
-        let balanced = forces.balanced_bodies(&self.world, &self.states, &members);
-        let held = group.contacts.iter().filter(|&&i| self.touches[i].hold == Hold::Held);
-        let components = groups(&self.world, held.map(|&i| (i, self.touches[i].id.a, self.touches[i].id.b)));
+    fn settle(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        group: &Group,
+        candidates: &[usize],
+        forces: &Forces,
+    ) -> Result<(), SimulationError> {
+        let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
+        let balanced = forces.balanced_bodies(&core.world, &self.states, &members);
+        let held = group.contacts.iter().filter(|&&i| instant.touches[i].hold == Hold::Held);
+        let components = groups(&core.world, held.map(|&i| (i, instant.touches[i].id.a, instant.touches[i].id.b)));
         for component in components {
-            self.ground(&component);
-            let ids: Vec<_> = component.contacts.iter().map(|&i| self.touches[i].id).collect();
-            let touching = self.with_overlaps(&ids, &component);
-            let before = self.books.balance(&self.world, &self.states, &component.bodies);
-            projection::project_positions(&self.world, &mut self.states, &component.bodies, &touching)
-                .and_then(|()| projection::project_velocities(&self.world, &mut self.states, &component.bodies, &ids))
-                .map_err(|source| self.response_error(source))?;
-            let after = self.books.balance(&self.world, &self.states, &component.bodies);
-            self.books.projection(before, after);
-            let rests = component
-                .bodies
-                .iter()
-                .all(|&body| balanced.contains(&body) && self.is_slow(body) && self.forces_last(body));
+            self.end_flights(core, instant.t, &component);
+            let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
+            let touching = self.with_overlaps(core, instant, &ids, &component);
+            let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
+            projection::project_positions(&core.world, &mut self.states, &component.bodies, &touching)
+                .and_then(|()| projection::project_velocities(&core.world, &mut self.states, &component.bodies, &ids))
+                .map_err(|source| Core::response_error(instant.t, source))?;
+            let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
+            core.accounts.books.projection(before, after);
+            let scale = instant.speed_scale;
+            let rests = component.bodies.iter().all(|&body| {
+                balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
+            });
             for &body in &component.bodies {
-                if rests { self.stop(body) } else { self.modes[body] = Mode::Constrained }
+                if rests { self.stop(core, instant, body) } else { self.tracks[body].mode = Mode::Constrained }
             }
         }
-        self.refresh_kinematics();
+        self.refresh_kinematics(core, instant);
         Ok(())
     }
 
     /// The held contacts of a component, and those of its contacts that overlap though they part: they are moved out
     /// of each other too.
-    fn with_overlaps(&self, held: &[ContactId], component: &Group) -> Vec<ContactId> {
-        let within = |body: usize| component.bodies.binary_search(&body).is_ok() || !self.world.bodies[body].moves();
-        let overlaps = self.touches.iter().filter(|touch| {
+    fn with_overlaps(&self, core: &Core, instant: &Instant, held: &[ContactId], component: &Group) -> Vec<ContactId> {
+        let within = |body: usize| component.bodies.binary_search(&body).is_ok() || !core.world.bodies[body].moves();
+        let overlaps = instant.touches.iter().filter(|touch| {
             touch.hold == Hold::Open
-                && touch.kinematics.geometry.separation < -self.world.rounding(&self.states, touch.id.a, touch.id.b)
+                && touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)
                 && within(touch.id.a)
                 && within(touch.id.b)
         });
@@ -306,107 +303,99 @@ impl Engine {
     }
 
     /// Ends the flights of a group's bodies.
-    fn ground(&mut self, group: &Group) {
+    fn end_flights(&mut self, core: &mut Core, t: f64, group: &Group) {
         for &body in &group.bodies {
-            self.land(body);
-            if matches!(self.modes[body], Mode::Flight(_) | Mode::Stepped) {
-                self.modes[body] = Mode::Constrained;
-                self.stepper.interrupt();
+            self.book_flight(core, body, t);
+            if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
+                self.tracks[body].mode = Mode::Constrained;
             }
         }
     }
 
     /// Sets a body in equilibrium exactly to rest; what kinetic energy it had left is booked.
-    fn stop(&mut self, body: usize) {
-        let before = self.books.balance(&self.world, &self.states, &[body]);
+    fn stop(&mut self, core: &mut Core, instant: &mut Instant, body: usize) {
+        let before = core.accounts.books.balance(&core.world, &self.states, &[body]);
         self.states[body].linear_velocity = DVec3::ZERO;
         self.states[body].angular_momentum = DVec3::ZERO;
-        self.books.rest(before, self.books.balance(&self.world, &self.states, &[body]));
-        let rested = matches!(self.modes[body], Mode::Rest);
-        self.modes[body] = Mode::Rest;
-        self.woken.remove(&body);
-        let t = self.rest_times.remove(&body).unwrap_or(self.t);
-        if !rested && self.t > 0.0 {
-            self.events.push(body_event(t, EventKind::Rest, body, self.states[body].pose.translation));
+        let after = core.accounts.books.balance(&core.world, &self.states, &[body]);
+        core.accounts.books.rest(before, after);
+        let rested = matches!(self.tracks[body].mode, Mode::Rest);
+        self.tracks[body].mode = Mode::Rest;
+        instant.woken.remove(&body);
+        let t = instant.rest_times.remove(&body).unwrap_or(instant.t);
+        if !rested && instant.t > 0.0 {
+            core.accounts.add_event(body_event(t, EventKind::Rest, body, self.states[body].pose.translation));
         }
     }
 
     /// Bodies whose last held contact has gone fly; those woken from rest are reported.
-    fn release_free_bodies(&mut self) {
-        let mut held = vec![false; self.world.bodies.len()];
-        for touch in self.touches.iter().filter(|touch| touch.hold == Hold::Held) {
-            held[touch.id.a] = true;
-            held[touch.id.b] = true;
-        }
-        for body in 0..self.world.bodies.len() {
-            if matches!(self.modes[body], Mode::Constrained | Mode::Rest) && !held[body] {
-                self.take_off(body);
+    fn release_free_bodies(&mut self, core: &mut Core, instant: &mut Instant) {
+        let held = instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
+        let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
+        for &body in &instant.bodies {
+            if matches!(self.tracks[body].mode, Mode::Constrained | Mode::Rest) && !held.contains(&body) {
+                self.begin_free_motion(core, body, instant.t);
             }
         }
-        for body in std::mem::take(&mut self.woken) {
-            self.events.push(body_event(self.t, EventKind::Wake, body, self.states[body].pose.translation));
+        for body in std::mem::take(&mut instant.woken) {
+            let place = self.states[body].pose.translation;
+            core.accounts.add_event(body_event(instant.t, EventKind::Wake, body, place));
         }
-        self.rest_times.clear();
-    }
-
-    /// Pairs that are held together.
-    fn held_pairs(&self) -> BTreeSet<(usize, usize)> {
-        let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);
-        held.map(|touch| (touch.id.a, touch.id.b)).collect()
     }
 
     /// Reports pairs that have begun or ceased to be held together.
-    fn report_pairs(&mut self, before: &BTreeSet<(usize, usize)>) {
-        if self.t == 0.0 {
+    fn report_pairs(&self, core: &mut Core, instant: &Instant, before: &BTreeSet<(usize, usize)>) {
+        if instant.t == 0.0 {
             return;
         }
-        let after = self.held_pairs();
+        let after = instant.held_pairs();
         for &(a, b) in before.difference(&after) {
-            let mut event = body_event(self.t, EventKind::ContactEnd, a, self.states[a].pose.translation);
+            let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.states[a].pose.translation);
             event.body_b = Some(b);
-            if let Some(touch) = self.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
-                event = contact_event(self.t, EventKind::ContactEnd, touch);
+            if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
+                event = contact_event(instant.t, EventKind::ContactEnd, touch);
             }
-            self.events.push(event);
+            core.accounts.add_event(event);
         }
         for pair in after.difference(before) {
-            if let Some(touch) = self.touches.iter().find(|touch| (touch.id.a, touch.id.b) == *pair) {
-                self.events.push(contact_event(self.t, EventKind::ContactBegin, touch));
+            if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == *pair) {
+                core.accounts.add_event(contact_event(instant.t, EventKind::ContactBegin, touch));
             }
         }
     }
 
     /// Relative speed below which a contact neither approaches nor parts, m/s.
-    fn sustained_speed(&self, touch: &Touch) -> f64 {
-        let speed = |body: usize| self.speed(body);
-        SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * self.speed_scale
+    fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+        let speed = |body: usize| self.speed(core, body);
+        SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
 
-    pub(super) fn is_sustained(&self, touch: &Touch) -> bool {
-        touch.kinematics.separation_rate.abs() <= self.sustained_speed(touch)
+    pub(super) fn is_sustained(&self, core: &Core, speed_scale: f64, touch: &Touch) -> bool {
+        touch.kinematics.separation_rate.abs() <= self.sustained_speed(core, speed_scale, touch)
     }
 
     /// Whether the forces on a body stay as they are while it rests: none changes with time, and the bodies that forces
     /// couple it to rest too or are about to.
-    fn forces_last(&self, body: usize) -> bool {
-        let couplings = self.world.couplings.iter().filter(|together| together.contains(&body));
-        let still = |&other: &usize| matches!(self.modes[other], Mode::Rest) || self.is_slow(other);
-        !self.world.is_driven(body) && couplings.flatten().all(still)
+    fn forces_last(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
+        let couplings = core.world.couplings.iter().filter(|together| together.contains(&body));
+        let still =
+            |&other: &usize| matches!(self.tracks[other].mode, Mode::Rest) || self.is_slow(core, speed_scale, other);
+        !core.world.is_driven(body) && couplings.flatten().all(still)
     }
 
     /// Wakes what rests and is coupled by a force to a body that moves, and what rests with it.
-    fn wake_coupled(&mut self) {
-        let rests = |modes: &[Mode], body: usize| matches!(modes[body], Mode::Rest);
+    fn wake_coupled(&mut self, core: &Core, instant: &mut Instant) {
+        let rests = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Rest);
         loop {
             let mut wake = BTreeSet::new();
-            for together in &self.world.couplings {
-                if together.iter().any(|&body| !rests(&self.modes, body)) {
-                    wake.extend(together.iter().copied().filter(|&body| rests(&self.modes, body)));
+            for together in &core.world.couplings {
+                if together.iter().any(|&body| !rests(self, body)) {
+                    wake.extend(together.iter().copied().filter(|&body| rests(self, body)));
                 }
             }
-            for touch in self.touches.iter().filter(|touch| touch.hold == Hold::Held) {
+            for touch in instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
                 for (body, other) in [(touch.id.a, touch.id.b), (touch.id.b, touch.id.a)] {
-                    if matches!(self.modes[other], Mode::Constrained) && rests(&self.modes, body) {
+                    if matches!(self.tracks[other].mode, Mode::Constrained) && rests(self, body) {
                         wake.insert(body);
                     }
                 }
@@ -415,21 +404,63 @@ impl Engine {
                 return;
             }
             for body in wake {
-                self.modes[body] = Mode::Constrained;
-                self.woken.insert(body);
+                self.tracks[body].mode = Mode::Constrained;
+                instant.woken.insert(body);
             }
         }
     }
 
-    fn is_slow(&self, body: usize) -> bool {
-        self.speed(body) <= STOPPED_RELATIVE * self.speed_scale
+    fn is_slow(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
+        self.speed(core, body) <= STOPPED_RELATIVE * speed_scale
     }
 
     /// Largest speed of any point of a body, m/s (bounded by its size).
-    pub(super) fn speed(&self, body: usize) -> f64 {
-        let velocity = self.world.velocity(body, &self.states[body]);
-        velocity.linear.length() + velocity.angular.length() * self.world.bodies[body].size
+    pub(super) fn speed(&self, core: &Core, body: usize) -> f64 {
+        let velocity = core.world.velocity(body, &self.states[body]);
+        velocity.linear.length() + velocity.angular.length() * core.world.bodies[body].size
     }
+
+    /// Evaluates every contact of the instant at the current states; those that no longer exist are dropped.
+    fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
+        instant.touches.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
+            Some(kinematics) => {
+                touch.kinematics = kinematics;
+                true
+            }
+            None => false,
+        });
+    }
+}
+
+/// Whether a candidate holds: it carries force, or it neither opens nor has been open.
+fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hold {
+    let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
+    let was_open = touch.known && touch.hold == Hold::Open;
+    // The force of a contact that departs has fallen to zero; one that still carries load was found by mistake.
+    let largest = forces.solution.forces.iter().fold(0.0f64, |most, &f| most.max(f));
+    let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
+    if instant.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
+        return Hold::Open;
+    }
+    if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
+}
+
+fn warn_about_impact(core: &mut Core, t: f64, outcome: &ImpactOutcome) {
+    let law = core.settings.impact.name();
+    let what = match outcome.status {
+        ImpactStatus::StoppedAtThreshold => {
+            format!("an impact by {law} does not end: stopped when every speed of approach was below the threshold")
+        }
+        ImpactStatus::LimitReached => {
+            format!("an impact by {law} reached its limit of applications: the rest was resolved inelastically")
+        }
+        ImpactStatus::RestitutionLowered => {
+            "an impact between contacts of different restitution would have gained energy: the smallest was used"
+                .to_owned()
+        }
+        ImpactStatus::NoApproach | ImpactStatus::Separated | ImpactStatus::NotSolved => return,
+    };
+    core.accounts.warn(t, what);
 }
 
 fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {

@@ -1,111 +1,155 @@
 //! The first instant: what touches, and that nothing overlaps.
 
-use super::engine::Engine;
-use super::impact_search::swept_box;
-use super::projection;
+use super::engine::{Engine, Mode};
+use super::instant::Instant;
 use crate::SimulationError;
-use crate::interaction::contact_set::{Hold, Touch};
-use crate::interaction::groups::groups;
+use crate::collision::boxes::Boxes;
+use crate::collision::contact_set::{Hold, Touch};
+use crate::core::Core;
+use crate::interaction::groups::{coupled_groups, groups};
+use crate::interaction::projection;
 use crate::scene::SceneError;
 use crate::world::INITIAL_OVERLAP_RELATIVE;
 use polhode_spatial::Still;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Engine {
     /// Finds what touches at the start and moves out of each other what overlaps within touch.
     ///
     /// # Errors
     /// When two bodies overlap by more than touch.
-    pub(super) fn find_initial_contacts(&mut self) -> Result<(), SimulationError> {
-        for body in 0..self.world.bodies.len() {
-            self.take_off(body);
-            self.speed_scale = self.speed_scale.max(self.speed(body));
-            let gravity_speed = (self.world.gravity().length() * self.world.bodies[body].size).sqrt();
-            self.speed_scale = self.speed_scale.max(gravity_speed);
+    pub(super) fn find_initial_contacts(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        for body in 0..self.tracks.len() {
+            self.begin_free_motion(core, body, core.t);
+            let gravity_speed = (core.world.gravity().length() * core.world.bodies[body].size).sqrt();
+            self.tracks[body].speed_scale = self.speed(core, body).max(gravity_speed);
         }
-        for (a, b) in self.initial_pairs()? {
-            let touch_distance = self.world.touch_distance(&self.states, a, b);
-            let contacts = self.world.contacts_of_pair(&self.states, a, b, touch_distance);
-            self.check_overlap(a, b, &contacts)?;
-            self.touches.extend(contacts);
+        let mut contacts = Vec::new();
+        for (a, b) in self.initial_pairs(core)? {
+            let touch_distance = core.world.touch_distance(&self.states, a, b);
+            let of_pair = core.world.contacts_of_pair(&self.states, a, b, touch_distance);
+            check_overlap(core, &self.states, (a, b), &of_pair)?;
+            contacts.extend(of_pair);
         }
-        self.touches.sort_by_key(|touch| touch.id);
-        self.separate_overlaps()?;
-        for i in 0..self.touches.len() {
+        contacts.sort_by_key(|touch| touch.id);
+        self.separate_overlaps(core, &mut contacts)?;
+        for touch in &mut contacts {
+            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
             // Every contact that lasts is a first guess for a contact that holds.
-            if self.is_sustained(&self.touches[i]) {
-                self.touches[i].hold = Hold::Held;
+            if self.is_sustained(core, scale, touch) {
+                touch.hold = Hold::Held;
             }
         }
+        for of_pair in contacts.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
+            self.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+        }
         Ok(())
+    }
+
+    /// Resolves the first instant, for each connected part of the bodies by itself, and lets all go on.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved.
+    pub(super) fn resolve_start(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        let movable: Vec<usize> = (0..self.tracks.len()).filter(|&body| core.world.bodies[body].moves()).collect();
+        let touches: Vec<Touch> = self.contacts.all().copied().collect();
+        let numbered = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        let mut firsts = Vec::new();
+        for group in coupled_groups(&core.world, numbered, &movable) {
+            let own: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
+            let mut instant = self.start_of(core, group.bodies, own);
+            self.resolve(core, &mut instant)?;
+            firsts.extend(self.form_islands(core, instant)?);
+        }
+        let still = |body: &usize| matches!(self.tracks[*body].mode, Mode::Fixed);
+        let fixed: Vec<usize> = (0..self.tracks.len()).filter(still).collect();
+        self.renew_boxes(core, &fixed, core.t)?;
+        self.look_ahead(core, &movable, &firsts, core.t)
+    }
+
+    /// The first instant of some bodies with these contacts.
+    fn start_of(&self, core: &Core, bodies: Vec<usize>, touches: Vec<Touch>) -> Instant {
+        let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
+        pairs.dedup();
+        let speed_scale = bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most));
+        Instant {
+            t: core.t,
+            bodies,
+            pairs,
+            touches,
+            departing: BTreeSet::new(),
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+            speed_scale,
+        }
     }
 
     /// Pairs whose boxes meet, within the overlap that counts as touch.
-    fn initial_pairs(&mut self) -> Result<Vec<(usize, usize)>, SimulationError> {
-        let mut colliders = Vec::new();
-        let mut boxes = Vec::new();
-        for (body, (world_body, state)) in self.world.bodies.iter().zip(&self.states).enumerate() {
-            if let Some(shape) = &world_body.shape {
-                let margin = self.world.touch_distance(&self.states, body, body);
-                colliders.push(body);
-                boxes.push(swept_box(shape, &Still(state.pose), (0.0, 0.0), margin));
-            }
+    fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
+        let mut boxes = Boxes::new(&core.settings, self.states.len());
+        for (body, state) in self.states.iter().enumerate() {
+            let margin = core.world.touch_distance(&self.states, body, body);
+            boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), margin);
         }
-        self.broad_phase.pairs(&boxes, &mut self.box_pairs).map_err(SimulationError::BroadPhase)?;
-        let mut pairs: Vec<_> = self
-            .box_pairs
-            .iter()
-            .map(|&(i, j)| (colliders[i as usize], colliders[j as usize]))
-            .map(|(a, b)| (a.min(b), a.max(b)))
-            .filter(|&(a, b)| self.world.scene.may_collide(a, b))
-            .collect();
-        pairs.sort_unstable();
+        let mut pairs = Vec::new();
+        boxes.all_pairs(&core.world, |a, b| pairs.push((a, b)))?;
         Ok(pairs)
     }
 
-    fn check_overlap(&self, a: usize, b: usize, contacts: &[Touch]) -> Result<(), SimulationError> {
-        let Some((shape_a, shape_b)) = self.world.shapes(a, b) else { return Ok(()) };
-        let separation = polhode_contact::separation(shape_a, &self.states[a].pose, shape_b, &self.states[b].pose);
-        let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
-        let allowed_m = INITIAL_OVERLAP_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(&self.states, a, b);
-        if separation < -allowed_m {
-            return Err(SceneError::InitialOverlap {
-                body_a: self.world.bodies[a].name.clone(),
-                body_b: self.world.bodies[b].name.clone(),
-                depth_m: -deepest.min(separation),
-                allowed_m,
-            }
-            .into());
-        }
-        Ok(())
-    }
-
     /// Moves bodies that overlap within touch until they just touch, and says so.
-    fn separate_overlaps(&mut self) -> Result<(), SimulationError> {
-        let overlapping = |touch: &Touch| {
-            touch.kinematics.geometry.separation < -self.world.rounding(&self.states, touch.id.a, touch.id.b)
+    fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
+        let overlapping = |touch: &&Touch| {
+            touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)
         };
-        let deepest = self
-            .touches
-            .iter()
-            .filter(|touch| overlapping(touch))
-            .fold(0.0f64, |depth, touch| depth.max(-touch.kinematics.geometry.separation));
+        let depths = contacts.iter().filter(overlapping).map(|touch| -touch.kinematics.geometry.separation);
+        let deepest = depths.fold(0.0f64, f64::max);
         if deepest == 0.0 {
             return Ok(());
         }
-        self.warn(&format!("bodies overlapped by up to {deepest:e} m at the start, within touch: moved apart"));
-        let all = self.touches.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b));
-        for group in groups(&self.world, all) {
-            let ids: Vec<_> = group.contacts.iter().map(|&i| self.touches[i].id).collect();
-            let before = self.books.balance(&self.world, &self.states, &group.bodies);
-            projection::project_positions(&self.world, &mut self.states, &group.bodies, &ids)
-                .map_err(|source| self.response_error(source))?;
-            let after = self.books.balance(&self.world, &self.states, &group.bodies);
-            self.books.projection(before, after);
+        let what = format!("bodies overlapped by up to {deepest:e} m at the start, within touch: moved apart");
+        core.accounts.warn(core.t, what);
+        let all: Vec<_> = contacts.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b)).collect();
+        for group in groups(&core.world, all.into_iter()) {
+            let ids: Vec<_> = group.contacts.iter().map(|&i| contacts[i].id).collect();
+            let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            projection::project_positions(&core.world, &mut self.states, &group.bodies, &ids)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            core.accounts.books.projection(before, after);
         }
-        for body in 0..self.world.bodies.len() {
-            self.take_off(body);
+        for body in 0..self.tracks.len() {
+            self.begin_free_motion(core, body, core.t);
         }
-        self.refresh_kinematics();
+        contacts.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
+            Some(kinematics) => {
+                touch.kinematics = kinematics;
+                true
+            }
+            None => false,
+        });
         Ok(())
     }
+}
+
+/// Checks that two bodies overlap by no more than touch.
+fn check_overlap(
+    core: &Core,
+    states: &[polhode_dynamics::BodyState],
+    (a, b): (usize, usize),
+    contacts: &[Touch],
+) -> Result<(), SimulationError> {
+    let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(()) };
+    let separation = polhode_contact::separation(shape_a, &states[a].pose, shape_b, &states[b].pose);
+    let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
+    let allowed_m = INITIAL_OVERLAP_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
+    if separation < -allowed_m {
+        return Err(SceneError::InitialOverlap {
+            body_a: core.world.bodies[a].name.clone(),
+            body_b: core.world.bodies[b].name.clone(),
+            depth_m: -deepest.min(separation),
+            allowed_m,
+        }
+        .into());
+    }
+    Ok(())
 }

@@ -11,9 +11,9 @@
 //! fields; what drag took, and the work of forces from outside.
 
 use crate::Momentum;
-use crate::books::{Received, given_by_fields, gravity_at};
+use crate::accounting::books::{Received, given_by_fields, gravity_at};
+use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
-use crate::interaction::contact_set::ContactId;
 use crate::interaction::impact::support;
 use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
@@ -48,7 +48,7 @@ pub(super) struct ContactSystem<'a> {
     /// The point of the ledger of momentum.
     about: DVec3,
     /// States of all bodies; those of `bodies` are overwritten at every stage.
-    states: Vec<BodyState>,
+    states: &'a mut [BodyState],
     /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
     /// that have turned parallel) bears no force; the location of contact changes ends the step where that begins.
     contacts: Vec<(ContactId, ContactKinematics)>,
@@ -57,17 +57,25 @@ pub(super) struct ContactSystem<'a> {
 impl<'a> ContactSystem<'a> {
     pub(super) fn new(
         world: &'a World,
-        states: &[BodyState],
+        states: &'a mut [BodyState],
         bodies: &'a [usize],
         held: &'a [ContactId],
         about: DVec3,
     ) -> Self {
-        Self { world, bodies, held, about, states: states.to_vec(), contacts: Vec::with_capacity(held.len()) }
+        Self { world, bodies, held, about, states, contacts: Vec::with_capacity(held.len()) }
     }
 
     /// The group's bodies.
     pub(super) fn bodies(&self) -> &'a [usize] {
         self.bodies
+    }
+
+    /// What fields do at `t` when the bodies of the group have these states.
+    pub(super) fn loads_at(&mut self, t: f64, own: impl Iterator<Item = BodyState>) -> Loads {
+        for (&body, state) in self.bodies.iter().zip(own) {
+            self.states[body] = state;
+        }
+        self.world.loads(t, self.states)
     }
 
     /// Flat state of the group.
@@ -82,8 +90,8 @@ impl<'a> ContactSystem<'a> {
             return Ok(Vec::new());
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
-        let assembly = Assembly::new(self.world, &self.states, self.bodies, rows)?;
-        let free = assembly.free_accelerations(self.world, &self.states, loads);
+        let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
+        let free = assembly.free_accelerations(self.world, self.states, loads);
         let b = assembly.acceleration_constants(&free, self.contacts.iter().map(|(_, k)| k))?;
         let delassus = assembly.problem.delassus();
         LeastNormHold::factor(&delassus)?.solve(&delassus, &b)
@@ -97,12 +105,12 @@ impl<'a> ContactSystem<'a> {
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
         for &body in self.bodies {
-            let gravity = gravity_at(self.world, &self.states, body, self.about, 1.0);
+            let gravity = gravity_at(self.world, self.states, body, self.about, 1.0);
             add(&mut rates[6..], gravity.linear);
             add(&mut rates[9..], gravity.angular);
         }
         if self.world.has_fields() {
-            let given = given_by_fields(self.world, t, &self.states, self.bodies, self.about);
+            let given = given_by_fields(self.world, t, self.states, self.bodies, self.about);
             add(&mut rates[12..], given.fields.linear);
             add(&mut rates[15..], given.fields.angular);
             rates[18] = given.damping_j;
@@ -143,10 +151,10 @@ impl System for ContactSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        let (world, states) = (self.world, &self.states);
+        let (world, states) = (self.world, &*self.states);
         self.contacts.clear();
         self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
-        let loads = self.world.loads(t, &self.states);
+        let loads = self.world.loads(t, self.states);
         let forces = self.held_forces(&loads)?;
         self.free_rates(&loads, state, rates);
         for ((id, k), &force) in self.contacts.iter().zip(&forces) {

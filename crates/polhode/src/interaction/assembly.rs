@@ -5,7 +5,7 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::interaction::contact_set::ContactId;
+use crate::collision::contact_set::ContactId;
 use crate::planar::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};

@@ -28,7 +28,7 @@ pub(crate) fn coupled_groups(
     joined(world, contacts, bodies, &world.couplings)
 }
 
-/// Groups by contacts, of `bodies` also by couplings.
+/// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies concerned alone.
 fn joined(
     world: &World,
     contacts: impl Iterator<Item = (usize, usize, usize)>,
@@ -36,54 +36,53 @@ fn joined(
     couplings: &[Vec<usize>],
 ) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
-    let mut parent: Vec<usize> = (0..world.bodies.len()).collect();
-    for together in couplings {
-        let mut members = together.iter().copied().filter(|body| bodies.contains(body));
-        let Some(first) = members.next() else { continue };
-        for body in members {
-            let (root_a, root_b) = (root(&mut parent, first), root(&mut parent, body));
-            parent[root_a.max(root_b)] = root_a.min(root_b);
-        }
-    }
-    for &(_, a, b) in &contacts {
-        if world.bodies[a].moves() && world.bodies[b].moves() {
+    let moves = |body: &usize| world.bodies[*body].moves();
+    let mut members: Vec<usize> = contacts.iter().flat_map(|&(_, a, b)| [a, b]).filter(moves).collect();
+    members.extend_from_slice(bodies);
+    members.sort_unstable();
+    members.dedup();
+    let place = |body: usize| members.binary_search(&body).ok();
+    let mut parent: Vec<usize> = (0..members.len()).collect();
+    let mut join = |a: usize, b: usize| {
+        if let (Some(a), Some(b)) = (place(a), place(b)) {
             let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
             // The smaller number is the root, which makes the order of groups that of their first bodies.
             parent[root_a.max(root_b)] = root_a.min(root_b);
         }
-    }
-    let mut slot: Vec<Option<usize>> = vec![None; world.bodies.len()];
-    let mut touched = vec![false; world.bodies.len()];
-    for &body in bodies {
-        touched[body] = true;
+    };
+    for together in couplings {
+        let mut coupled = together.iter().copied().filter(|body| bodies.contains(body));
+        let Some(first) = coupled.next() else { continue };
+        coupled.for_each(|body| join(first, body));
     }
     for &(_, a, b) in &contacts {
-        touched[a] |= world.bodies[a].moves();
-        touched[b] |= world.bodies[b].moves();
+        join(a, b);
     }
+    let mut slot: Vec<Option<usize>> = vec![None; members.len()];
     let mut groups: Vec<Group> = Vec::new();
-    for body in (0..world.bodies.len()).filter(|&body| touched[body]) {
-        let root = root(&mut parent, body);
-        let index = *slot[root].get_or_insert_with(|| {
+    for (index, &body) in members.iter().enumerate() {
+        let root = root(&mut parent, index);
+        let group = *slot[root].get_or_insert_with(|| {
             groups.push(Group::default());
             groups.len() - 1
         });
-        groups[index].bodies.push(body);
+        groups[group].bodies.push(body);
     }
     for (contact, a, b) in contacts {
         let member = if world.bodies[a].moves() { a } else { b };
-        if let Some(index) = slot[root(&mut parent, member)] {
-            groups[index].contacts.push(contact);
+        let group = place(member).and_then(|index| slot[root(&mut parent, index)]);
+        if let Some(group) = group {
+            groups[group].contacts.push(contact);
         }
     }
     groups
 }
 
-/// Representative of a body's group, with path halving.
-fn root(parent: &mut [usize], mut body: usize) -> usize {
-    while parent[body] != body {
-        parent[body] = parent[parent[body]];
-        body = parent[body];
+/// Representative of a member's group, with path halving.
+fn root(parent: &mut [usize], mut member: usize) -> usize {
+    while parent[member] != member {
+        parent[member] = parent[parent[member]];
+        member = parent[member];
     }
-    body
+    member
 }

@@ -1,8 +1,8 @@
 //! Impacts: contacts that approach are struck, together with everything that touches them.
 
+use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::contact_set::{ContactId, Touch};
 use crate::interaction::groups::Group;
 use crate::scene::ImpactLaw;
 use crate::world::World;

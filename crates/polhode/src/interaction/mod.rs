@@ -1,9 +1,9 @@
 //! Where bodies meet: what every tier does with touching bodies.
 //!
 //! Collision detection knows no mass and the response knows no shape; here contacts become rows over bodies, bodies
-//! become groups, and impulses become momenta.
+//! become groups, impulses become momenta, and what has drifted is put back together.
 
 pub(crate) mod assembly;
-pub(crate) mod contact_set;
 pub(crate) mod groups;
 pub(crate) mod impact;
+pub(crate) mod projection;

@@ -27,6 +27,17 @@ pub enum ImpactLaw {
     Reflection,
 }
 
+impl ImpactLaw {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Propagation => "propagation",
+            Self::Simultaneous => "simultaneous",
+            Self::Reflection => "reflection",
+        }
+    }
+}
+
 /// How the forces of resting contacts are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactMethod {

@@ -4,8 +4,8 @@
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that do it and neither is fed back into the motion
 //! as a force; what they change in energy is booked in the ledger.
 
+use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::contact_set::ContactId;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
@@ -26,7 +26,7 @@ const ROUNDING_FRACTION: f64 = 0.25;
 ///
 /// # Errors
 /// When the state is not finite.
-pub(super) fn project(
+pub(crate) fn project(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
@@ -40,7 +40,7 @@ pub(super) fn project(
 ///
 /// # Errors
 /// When the state is not finite.
-pub(super) fn project_positions(
+pub(crate) fn project_positions(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
@@ -74,7 +74,7 @@ pub(super) fn project_positions(
 ///
 /// # Errors
 /// When the state is not finite.
-pub(super) fn project_velocities(
+pub(crate) fn project_velocities(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],

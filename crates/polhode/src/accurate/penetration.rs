@@ -8,10 +8,11 @@
 //!
 //! Fails where bodies come to overlap and part again between two looks.
 
+use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
 use super::locate::BISECTIONS;
-use super::trial::GroupTrial;
-use crate::interaction::contact_set::ContactId;
+use crate::collision::contact_set::ContactId;
+use crate::core::Core;
 use polhode_contact::separation;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
@@ -44,18 +45,25 @@ impl Engine {
     /// A contact of the group's touching pairs that is not held, penetrates and closes.
     pub(super) fn penetrating(
         &self,
-        group: &GroupTrial,
+        core: &Core,
+        step: &ConstrainedStep,
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> Option<ContactId> {
-        group.held_pairs().into_iter().find_map(|pair| self.sunk_pair(group, pair, states, tolerated).contact)
+        step.held_pairs().into_iter().find_map(|pair| self.sunk_pair(core, step, pair, states, tolerated).contact)
     }
 
     /// How far the group's touching pairs overlap where no contact is held.
-    pub(super) fn sunk(&self, group: &GroupTrial, states: &[BodyState], tolerated: &BTreeSet<ContactId>) -> Sunk {
+    pub(super) fn sunk(
+        &self,
+        core: &Core,
+        step: &ConstrainedStep,
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> Sunk {
         let mut all = Sunk { contact: None, depths: 0.0 };
-        for pair in group.held_pairs() {
-            let sunk = self.sunk_pair(group, pair, states, tolerated);
+        for pair in step.held_pairs() {
+            let sunk = self.sunk_pair(core, step, pair, states, tolerated);
             all.contact = all.contact.or(sunk.contact);
             // A NaN compares as nothing, and is found where it comes from.
             all.depths = all.depths.max(sunk.depths);
@@ -64,10 +72,16 @@ impl Engine {
     }
 
     /// As [`Self::sunk`], up to the first pair with a contact that says so: then nothing is said of what is unseen.
-    pub(super) fn first_sunk(&self, group: &GroupTrial, states: &[BodyState], tolerated: &BTreeSet<ContactId>) -> Sunk {
+    pub(super) fn first_sunk(
+        &self,
+        core: &Core,
+        step: &ConstrainedStep,
+        states: &[BodyState],
+        tolerated: &BTreeSet<ContactId>,
+    ) -> Sunk {
         let mut all = Sunk { contact: None, depths: 0.0 };
-        for pair in group.held_pairs() {
-            let sunk = self.sunk_pair(group, pair, states, tolerated);
+        for pair in step.held_pairs() {
+            let sunk = self.sunk_pair(core, step, pair, states, tolerated);
             if sunk.contact.is_some() {
                 return sunk;
             }
@@ -79,50 +93,52 @@ impl Engine {
     /// Whether a contact of one pair that is not held penetrates and closes.
     pub(super) fn penetrates(
         &self,
-        group: &GroupTrial,
+        core: &Core,
+        step: &ConstrainedStep,
         pair: (usize, usize),
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> bool {
-        self.sunk_pair(group, pair, states, tolerated).contact.is_some()
+        self.sunk_pair(core, step, pair, states, tolerated).contact.is_some()
     }
 
     fn sunk_pair(
         &self,
-        group: &GroupTrial,
+        core: &Core,
+        step: &ConstrainedStep,
         (a, b): (usize, usize),
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> Sunk {
-        let depth = PENETRATION_RELATIVE * self.world.pair_size(a, b) + self.world.rounding(states, a, b);
+        let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
         // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
-        let (separation, contacts) = self.world.pair(states, a, b, self.world.touch_distance(states, a, b));
+        let (separation, contacts) = core.world.pair(states, a, b, core.world.touch_distance(states, a, b));
         // What parts already needs no contact: it leaves by itself, unless it has come in since the step began.
-        let came_in = || separation < -depth && !self.overlapped((a, b), depth);
+        let came_in = || separation < -depth && !self.overlapped(core, (a, b), depth);
         let closing = contacts.iter().filter(|touch| {
             touch.kinematics.geometry.separation < -depth
-                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(touch.id, depth) || came_in())
+                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(core, touch.id, depth) || came_in())
         });
-        let not_held = |id: &ContactId| group.held.binary_search(id).is_err() && !tolerated.contains(id);
+        let not_held = |id: &ContactId| step.held.binary_search(id).is_err() && !tolerated.contains(id);
         let contact = closing.map(|touch| touch.id).find(not_held);
         if contact.is_some() || separation >= -depth {
             return Sunk { contact, depths: 0.0 };
         }
-        let held = group.held.iter().filter(|id| (id.a, id.b) == (a, b));
-        let held = held.filter_map(|&id| Some(self.world.kinematics(states, id)?.geometry.separation));
+        let held = step.held.iter().filter(|id| (id.a, id.b) == (a, b));
+        let held = held.filter_map(|&id| Some(core.world.kinematics(states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         Sunk { contact, depths: (held.chain(found).fold(0.0, f64::min) - separation) / depth }
     }
 
     /// Whether a contact was clear of its features at the start of the step.
-    fn was_clear(&self, id: ContactId, depth: f64) -> bool {
-        self.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
+    fn was_clear(&self, core: &Core, id: ContactId, depth: f64) -> bool {
+        core.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// Whether two bodies overlapped at the start of the step. What has swung through another one since then is nearest to
     /// the way out on its far side, by features that were never clear.
-    fn overlapped(&self, (a, b): (usize, usize), depth: f64) -> bool {
-        self.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+    fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
+        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
             separation(shape_a, &self.states[a].pose, shape_b, &self.states[b].pose) < -depth
         })
     }
@@ -131,15 +147,16 @@ impl Engine {
     /// overlap deeply it may have left its features, and nothing else tells where they came in.
     pub(super) fn first_seen_sinking(
         &self,
-        group: &GroupTrial,
+        core: &Core,
+        step: &ConstrainedStep,
         (mut clear, mut sunken): (f64, f64),
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Option<f64> {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (clear + sunken);
-            group.states_at(middle, states);
-            let sunk = self.first_sunk(group, states, tolerated);
+            step.states_at(middle, states);
+            let sunk = self.first_sunk(core, step, states, tolerated);
             if sunk.contact.is_some() {
                 return Some(middle);
             }

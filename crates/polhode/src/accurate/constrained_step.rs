@@ -1,0 +1,335 @@
+//! A step of an island whose held contacts stay: integrated once, under error control, before any event is looked for.
+//!
+//! Each island takes the longest step that its own error estimate accepts. The attitude of a body that only forces through
+//! its centre of mass act on is that of free rotation, unless an integrator is asked for by name. A step that an event cuts
+//! short is repeated from its start with the shorter step, not interpolated, so that states at events are as accurate as
+//! states at step ends.
+
+use super::engine::Engine;
+use super::pace::is_instant;
+use super::system::{ContactSystem, received};
+use crate::SimulationError;
+use crate::accounting::books::Received;
+use crate::collision::contact_set::ContactId;
+use crate::core::Core;
+use crate::world::World;
+use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrator::dop853::STEP_SHARE;
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use polhode_dynamics::{BodyState, DenseStep, Dop853, Flight, IntegratedMotion, RigidBody};
+use polhode_response::ResponseError;
+use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
+const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
+
+/// What a stage that could not be evaluated shortens the step to.
+const FAILED_STAGE_FACTOR: f64 = 0.25;
+
+/// A refused step is repeated with one that is shorter by this factor at least.
+const REFUSED_STEP_FACTOR: f64 = 0.9;
+
+/// A step of an island.
+#[derive(Debug)]
+pub(super) struct ConstrainedStep {
+    /// Movable bodies, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Contacts held over the step, ascending.
+    pub(super) held: Vec<ContactId>,
+    pub(super) t: f64,
+    /// End of the step, s: `t + h`, or exactly the horizon.
+    pub(super) end: f64,
+    dense: DenseStep,
+    end_state: Vec<f64>,
+    /// Motion of each body, for the search of impacts.
+    motions: Vec<Option<IntegratedMotion>>,
+    /// Free rotations of those bodies that nothing turns.
+    spins: Vec<Option<Flight>>,
+}
+
+impl ConstrainedStep {
+    /// The pairs that contacts hold together, ascending.
+    pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
+        let mut pairs: Vec<_> = self.held.iter().map(|id| (id.a, id.b)).collect();
+        pairs.dedup();
+        pairs
+    }
+
+    /// States of the island's bodies at a time within the step, written over `states` (of all bodies).
+    pub(super) fn states_at(&self, t: f64, states: &mut [BodyState]) {
+        let mut flat = vec![0.0; self.end_state.len()];
+        self.dense.evaluate(t, &mut flat);
+        for (index, &body) in self.bodies.iter().enumerate() {
+            if let Some(state) = self.state(&flat, index, t) {
+                states[body] = state;
+            }
+        }
+    }
+
+    /// What the outside has given from the start of the step to `t`.
+    pub(super) fn received_until(&self, t: f64) -> Received {
+        let mut flat = vec![0.0; self.end_state.len()];
+        self.dense.evaluate(t, &mut flat);
+        received(&flat)
+    }
+
+    /// State of the body of this index, from the island's flat state at `t`.
+    fn state(&self, flat: &[f64], index: usize, t: f64) -> Option<BodyState> {
+        let mut state = BodyState::from_array(flat.as_chunks::<WIDTH>().0.get(index)?);
+        if let Some(Some(spin)) = self.spins.get(index) {
+            state.pose.rotation = polhode_spatial::Motion::pose(spin, t).rotation;
+            state.angular_momentum = spin.start().angular_momentum;
+        }
+        Some(state)
+    }
+
+    /// Motion of a body over the step.
+    pub(super) fn motion(&self, body: usize) -> Option<&IntegratedMotion> {
+        self.motions.get(self.bodies.binary_search(&body).ok()?)?.as_ref()
+    }
+
+    /// The island at the end of its step, from its flat state there.
+    fn at_end(&self, flat: &[f64], t: f64) -> StepEndStates {
+        let states = (0..self.bodies.len()).filter_map(|index| self.state(flat, index, t)).collect();
+        StepEndStates { states, received: received(flat) }
+    }
+}
+
+/// Body states of a flat state, quaternions normalised.
+fn unpack(flat: &[f64]) -> impl Iterator<Item = BodyState> + '_ {
+    flat.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array)
+}
+
+/// An island at the end of its step.
+pub(super) struct StepEndStates {
+    /// States of its bodies.
+    pub(super) states: Vec<BodyState>,
+    /// What gravity, fields and fixed bodies gave to it over the step.
+    pub(super) received: Received,
+}
+
+/// One attempt at a step.
+struct Attempt {
+    integrator: Dop853,
+    error: f64,
+}
+
+/// A step that was accepted, and what its error says of the next one.
+struct Accepted {
+    step: ConstrainedStep,
+    factor: f64,
+}
+
+impl Engine {
+    /// Integrates bodies with their held contacts from `t` over the longest step that the error control accepts.
+    ///
+    /// # Errors
+    /// When no step is short enough.
+    pub(super) fn constrained_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        t: f64,
+    ) -> Result<ConstrainedStep, SimulationError> {
+        let longest = core.settings.step_s;
+        let limit = step_limit(core, t);
+        let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
+        let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
+        loop {
+            // A step that ends where a force is not smooth may be as short as it must.
+            if h < limit {
+                check_step(h, longest, t)?;
+            }
+            match self.attempt_step(core, bodies, held, (t, h)) {
+                Ok(accepted) => {
+                    // A step that was cut short says nothing against a longer one.
+                    let kept = if accepted.factor >= 1.0 && h == limit { proposed } else { 0.0 };
+                    let next = (h * accepted.factor).max(kept).min(longest);
+                    for &body in bodies {
+                        self.tracks[body].proposed_step_s = next;
+                    }
+                    return Ok(accepted.step);
+                }
+                Err(factor) => h *= factor,
+            }
+        }
+    }
+
+    /// Attempts a step; the factor for this one again on failure.
+    fn attempt_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        (t, h): (f64, f64),
+    ) -> Result<Accepted, f64> {
+        let about = core.accounts.books.ledger.momentum.about;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
+        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|mut attempt| {
+            let dense = attempt.integrator.dense(&mut system)?;
+            Ok((attempt, dense))
+        });
+        self.restore_scratch(scratch, bodies);
+        let (attempt, dense) = attempted.map_err(|_| FAILED_STAGE_FACTOR)?;
+        let factor = Dop853::next_step_factor(attempt.error);
+        if attempt.error > 1.0 || attempt.error.is_nan() {
+            return Err(factor.min(REFUSED_STEP_FACTOR));
+        }
+        let worst = &mut core.accounts.certificate.max_step_error;
+        *worst = worst.max(attempt.error);
+        let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
+        let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
+        let motions = bodies.iter().enumerate().map(motion).collect();
+        let spins = bodies.iter().map(|&body| self.free_spin(core, body, held, t)).collect();
+        let step = ConstrainedStep {
+            bodies: bodies.to_vec(),
+            held: held.to_vec(),
+            t,
+            end: end_of(core, t, h),
+            end_state: attempt.integrator.end_state().to_vec(),
+            dense,
+            motions,
+            spins,
+        };
+        Ok(Accepted { step, factor })
+    }
+
+    /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it: the record of the step
+    /// before, not chained, as long as the body is where that leads.
+    fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
+        let is_held = held.iter().any(|id| id.a == body || id.b == body);
+        if is_held || core.settings.asked_integrator.is_some() || !core.world.is_pushed_only(body) {
+            return None;
+        }
+        let state = self.states[body];
+        let leads_here = |spin: &Flight| {
+            polhode_spatial::Motion::pose(spin, t).rotation == state.pose.rotation
+                && spin.start().angular_momentum == state.angular_momentum
+        };
+        if let Some(spin) = self.spins.get(&body).filter(|spin| leads_here(spin)) {
+            return Some(*spin);
+        }
+        let rigid = core.world.bodies[body].rigid.as_ref()?;
+        let spin = Flight::new(rigid, t, &state, DVec3::ZERO);
+        self.spins.insert(body, spin);
+        Some(spin)
+    }
+
+    fn attempt(
+        &self,
+        core: &Core,
+        system: &mut ContactSystem<'_>,
+        (t, h): (f64, f64),
+    ) -> Result<Attempt, ResponseError> {
+        let state = system.pack();
+        let mut integrator = Dop853::new(state.len());
+        integrator.attempt_unscaled(system, t, &state, h)?;
+        let error = self.error_of(core, &integrator, system, t + h);
+        Ok(Attempt { integrator, error })
+    }
+
+    /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
+    fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, t_end: f64) -> f64 {
+        let mut worst = 0.0f64;
+        let bodies = system.bodies();
+        let loads = system.loads_at(t_end, unpack(integrator.end_state()));
+        for (index, &body) in bodies.iter().enumerate() {
+            let offset = index * WIDTH;
+            let own = offset..offset + WIDTH;
+            let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
+            let (Some(rates), Some(end)) = (rates, end) else { continue };
+            for (quantity, allowed) in allowances(core, body, &self.states[body], rates, end, loads.of(body)) {
+                let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
+                // No error is none, also where nothing moves and nothing is allowed.
+                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+            }
+        }
+        worst
+    }
+
+    /// States of an island's bodies at `t_next`: the end of its step, or of a shorter one from the same start.
+    pub(super) fn constrained_end(
+        &mut self,
+        core: &Core,
+        step: &ConstrainedStep,
+        t_next: f64,
+    ) -> Result<StepEndStates, SimulationError> {
+        if t_next >= step.end {
+            return Ok(step.at_end(&step.end_state, t_next));
+        }
+        let about = core.accounts.books.ledger.momentum.about;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.held, about);
+        let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
+        self.restore_scratch(scratch, &step.bodies);
+        let attempt = attempt.map_err(|source| Core::response_error(step.t, source))?;
+        Ok(step.at_end(attempt.integrator.end_state(), t_next))
+    }
+}
+
+/// The error allowed in a step for each quantity of a body: the tolerance, of which a step may use [`STEP_SHARE`],
+/// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
+/// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
+/// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
+fn allowances(
+    core: &Core,
+    body: usize,
+    state: &BodyState,
+    rates: &[f64],
+    end: &[f64],
+    load: Wrench,
+) -> [(Range<usize>, f64); 4] {
+    let world: &World = &core.world;
+    let tolerance = STEP_SHARE * core.settings.tolerance;
+    let length = world.bodies[body].size;
+    let velocity = world.velocity(body, state);
+    let gravity_speed = (world.gravity().length() * length).sqrt();
+    let rigid = world.bodies[body].rigid.as_ref();
+    let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());
+    let inverse_mass = rigid.map_or(0.0, RigidBody::inverse_mass);
+    let size = |of: &[f64], first: usize| DVec3::new(of[first], of[first + 1], of[first + 2]).length();
+    let per_moment = |value: f64| if moment > 0.0 { value / moment } else { 0.0 };
+    let speed = [
+        gravity_speed,
+        velocity.linear.length(),
+        velocity.angular.length() * length,
+        (size(rates, LINEAR_VELOCITY) * length).sqrt(),
+        per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
+        // Where a force sets in within the step, what moves at its end is of the order of the error.
+        (load.force.length() * inverse_mass * length).sqrt(),
+        per_moment(load.torque.length()).sqrt() * length,
+        size(end, LINEAR_VELOCITY),
+        per_moment(size(end, ANGULAR_MOMENTUM)) * length,
+    ]
+    .into_iter()
+    .fold(0.0, f64::max);
+    [
+        (POSITION..QUATERNION, tolerance * length),
+        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
+        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
+        (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
+    ]
+}
+
+/// Longest step that may be tried from `t`, s.
+pub(super) fn step_limit(core: &Core, t: f64) -> f64 {
+    let remaining = core.horizon(t) - t;
+    let longest = core.settings.step_s;
+    // A sum of equal steps may leave over what is no step: it is added to the last.
+    if is_instant(remaining - longest, longest) { remaining } else { longest }
+}
+
+/// `t + h`, or exactly the horizon when the step reaches it: `t + (end - t)` may round to either side of the end.
+pub(super) fn end_of(core: &Core, t: f64, h: f64) -> f64 {
+    let end = core.horizon(t);
+    if h >= end - t { end } else { t + h }
+}
+
+fn check_step(h: f64, longest: f64, t: f64) -> Result<(), SimulationError> {
+    let smallest_s = SMALLEST_STEP_RELATIVE * longest;
+    if h > smallest_s { Ok(()) } else { Err(SimulationError::StepTooSmall { t, smallest_s }) }
+}

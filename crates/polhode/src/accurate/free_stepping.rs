@@ -1,0 +1,284 @@
+//! Bodies between contacts by the integrator that the scene asks for.
+//!
+//! The integrator moves the bodies of an island by steps of the length given, and keeps its own variables from step to
+//! step; after an event it starts anew from the states. The states within its step are the method's own. Where such bodies
+//! may collide, their motion over the step is made of polynomials through eight of those states each, as many as the
+//! turning of the bodies needs.
+
+use super::constrained_step::{end_of, step_limit};
+use crate::SimulationError;
+use crate::core::Core;
+use crate::settings::Settings;
+use crate::world::World;
+use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
+use polhode_dynamics::integrated_motion::IntegratedMotion;
+use polhode_dynamics::integrator::{self, AdaptiveExact, Tolerance};
+use polhode_dynamics::state::WIDTH;
+use polhode_dynamics::{BodyState, DenseStep, FreeMotion, RigidBody};
+use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
+use std::sync::Arc;
+
+/// Turn of a body within one polynomial, rad: the interpolation of its quaternion then errs by some 1e-14.
+const TURN_OF_POLYNOMIAL: f64 = 0.5;
+
+/// Splittings within a step that the plan has chosen them for, at the most: more cost more than DOP853 does.
+const MOST_SPLITTINGS: u32 = 64;
+
+/// Polynomials of a step at the most: beyond, an impact found late shows in the certificate.
+const MOST_POLYNOMIALS: f64 = 4096.0;
+
+/// A step of bodies by an integrator of free motion.
+#[derive(Debug)]
+pub(super) struct FreeStep {
+    /// Movable bodies, ascending, and their mass properties.
+    bodies: Vec<usize>,
+    rigid: Vec<RigidBody>,
+    /// The scene's fields on those.
+    fields: Vec<Box<dyn Field>>,
+    integrator: Box<dyn integrator::Integrator>,
+    /// Start of the step, s, and the integrator's own time there.
+    t: f64,
+    from: f64,
+    /// End of the step, s.
+    pub(super) end: f64,
+    /// States at its start.
+    start: Vec<BodyState>,
+    /// Motion of each body over the step, where it is needed.
+    motions: Vec<Option<Piecewise>>,
+    /// States at the present.
+    present: Vec<BodyState>,
+}
+
+impl FreeStep {
+    /// The first step, from `t` (s) and the states of all bodies.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn first(
+        core: &mut Core,
+        bodies: &[usize],
+        states: &[BodyState],
+        t: f64,
+    ) -> Result<Self, SimulationError> {
+        let world = &core.world;
+        let rigid: Vec<RigidBody> = bodies.iter().filter_map(|&body| world.bodies[body].rigid).collect();
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| world.slot(body)).collect();
+        let own = Restricted { fields: world.shared_fields(), all: world.shared_rigid(), slots };
+        let fields: Vec<Box<dyn Field>> = if world.has_fields() { vec![Box::new(own)] } else { Vec::new() };
+        let mut integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
+            Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(MOST_SPLITTINGS))
+        } else {
+            core.settings.build_integrator()
+        };
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        integrator.start(&FreeMotion::new(&rigid, world.gravity(), &fields), t, &start);
+        let bodies = bodies.to_vec();
+        let mut step = Self {
+            bodies,
+            rigid,
+            fields,
+            integrator,
+            t,
+            from: t,
+            end: t,
+            present: start.clone(),
+            start,
+            motions: Vec::new(),
+        };
+        step.advance(core)?;
+        Ok(step)
+    }
+
+    /// The next step.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn next(mut self, core: &mut Core) -> Result<Self, SimulationError> {
+        self.t = self.end;
+        self.start = self.integrator.states().to_vec();
+        self.advance(core)?;
+        Ok(self)
+    }
+
+    fn motion<'a>(rigid: &'a [RigidBody], fields: &'a [Box<dyn Field>], world: &World) -> FreeMotion<'a> {
+        FreeMotion::new(rigid, world.gravity(), fields)
+    }
+
+    fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        let failed = |source| SimulationError::Integration { t: self.t, source };
+        self.end = end_of(core, self.t, step_limit(core, self.t));
+        self.from = self.integrator.time();
+        let motion = Self::motion(&self.rigid, &self.fields, &core.world);
+        self.integrator.step(&motion, self.end - self.t).map_err(failed)?;
+        let error = &mut core.accounts.certificate.max_step_error;
+        *error = error.max(self.integrator.step_error().unwrap_or(0.0));
+        self.motions = self.polynomials(core)?;
+        Ok(())
+    }
+
+    /// Polynomials for the motions of the bodies, if some may collide.
+    fn polynomials(&mut self, core: &Core) -> Result<Vec<Option<Piecewise>>, SimulationError> {
+        let world = &core.world;
+        let collides = |body: usize| world.bodies[body].shape.is_some();
+        if !world.may_collide_at_all() || !self.bodies.iter().any(|&body| collides(body)) {
+            return Ok(Vec::new());
+        }
+        let speeds = self.bodies.iter().zip(&self.rigid).zip(&self.start).filter(|((body, _), _)| collides(**body));
+        let turning = speeds.map(|((_, rigid), state)| rigid.velocity(state).angular.length()).fold(0.0, f64::max);
+        let (t, end) = (self.t, self.end);
+        // Not a number counts as one.
+        let count = (((end - t) * turning / TURN_OF_POLYNOMIAL).ceil().clamp(1.0, MOST_POLYNOMIALS) as u32).max(1);
+        let mut sample = |t: f64| self.states_at(world, t);
+        let time = |k: u32| if k == count { end } else { t + (end - t) * (f64::from(k) / f64::from(count)) };
+        let parts = (0..count).map(|k| DenseStep::through(time(k), time(k + 1) - time(k), &mut sample));
+        let parts = parts.collect::<Result<Vec<_>, _>>()?;
+        let own = |(index, rigid): (usize, &RigidBody)| {
+            let parts: Option<Vec<_>> = parts.iter().map(|part| part.body_motion(index * WIDTH, rigid)).collect();
+            parts.filter(|parts| !parts.is_empty()).map(|parts| Piecewise { parts })
+        };
+        Ok(self.rigid.iter().enumerate().map(own).collect())
+    }
+
+    /// States of the bodies at a time within the step.
+    ///
+    /// # Errors
+    /// When the integrator cannot evaluate them.
+    pub(super) fn states_at(&mut self, world: &World, t: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let motion = Self::motion(&self.rigid, &self.fields, world);
+        let mut states = self.start.clone();
+        // The integrator's own sum of steps may differ from the island's time by a rounding, at both ends of a step.
+        self.integrator
+            .states_within(&motion, t.min(self.integrator.time()).max(self.from), &mut states)
+            .map_err(|source| SimulationError::Integration { t: self.t, source })?;
+        Ok(states)
+    }
+
+    /// States of the bodies at the ends of the parts that the step up to `t` is made of, the first at its start.
+    ///
+    /// # Errors
+    /// When the integrator cannot evaluate them.
+    pub(super) fn parts_until(&mut self, world: &World, t: f64) -> Result<Vec<(f64, Vec<BodyState>)>, SimulationError> {
+        let (start, end) = (self.from, self.integrator.time());
+        let share = if end > start { ((t - start) / (end - start)).clamp(0.0, 1.0) } else { 1.0 };
+        let count = (share * f64::from(self.integrator.inner_steps())).ceil().max(1.0) as u32;
+        let mut parts = Vec::with_capacity(count as usize + 1);
+        parts.push((start, self.start.clone()));
+        for k in 1..=count {
+            let at = if k == count { t } else { start + (t - start) * (f64::from(k) / f64::from(count)) };
+            // At the end of the step the integrator has its states.
+            let states = if at >= end { self.integrator.states().to_vec() } else { self.states_at(world, at)? };
+            parts.push((at, states));
+        }
+        Ok(parts)
+    }
+
+    /// Sets the present to a time within the step, s.
+    ///
+    /// # Errors
+    /// When the integrator cannot evaluate it.
+    pub(super) fn set_present(&mut self, world: &World, t: f64) -> Result<(), SimulationError> {
+        self.present = if t == self.t { self.start.clone() } else { self.states_at(world, t)? };
+        Ok(())
+    }
+
+    /// States at the present.
+    pub(super) fn present(&self) -> &[BodyState] {
+        &self.present
+    }
+
+    /// Motion of a body over the step.
+    pub(super) fn body_motion(&self, body: usize) -> Option<&Piecewise> {
+        self.motions.get(self.bodies.binary_search(&body).ok()?)?.as_ref()
+    }
+}
+
+/// The scene's fields on some of its movable bodies, which an integrator numbers from zero.
+#[derive(Debug)]
+struct Restricted {
+    fields: Arc<[Box<dyn Field>]>,
+    /// Mass properties of all movable bodies.
+    all: Arc<[RigidBody]>,
+    /// Places of the bodies among those that move.
+    slots: Vec<usize>,
+}
+
+impl Field for Restricted {
+    fn dependence(&self) -> Dependence {
+        self.fields.iter().map(|field| field.dependence()).max().unwrap_or(Dependence::Poses)
+    }
+
+    fn account(&self) -> Account {
+        Account::External
+    }
+
+    fn acts_on(&self, body: usize) -> bool {
+        self.slots.get(body).is_some_and(|&slot| self.fields.iter().any(|field| field.acts_on(slot)))
+    }
+
+    fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        field::corner_between(&self.fields, from, to)
+    }
+
+    fn add_wrenches(&self, t: f64, _bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
+        // Bodies of other islands stand anywhere: no field of this island depends on them.
+        let mut all_states = vec![BodyState::default(); self.all.len()];
+        let mut all_wrenches = vec![Wrench::default(); self.all.len()];
+        for (&slot, state) in self.slots.iter().zip(states) {
+            all_states[slot] = *state;
+        }
+        for field in self.fields.iter() {
+            field.add_wrenches(t, &self.all, &all_states, &mut all_wrenches);
+        }
+        for (&slot, wrench) in self.slots.iter().zip(wrenches) {
+            wrench.force += all_wrenches[slot].force;
+            wrench.torque += all_wrenches[slot].torque;
+        }
+    }
+
+    fn potential_energy(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> f64 {
+        0.0
+    }
+}
+
+fn tolerance(settings: &Settings) -> Tolerance {
+    Tolerance::new(settings.tolerance).unwrap_or_default()
+}
+
+/// One body's motion over polynomials that follow each other.
+#[derive(Debug)]
+pub(super) struct Piecewise {
+    /// At least one.
+    parts: Vec<IntegratedMotion>,
+}
+
+impl Piecewise {
+    /// Where in `parts` a time lies.
+    fn index(&self, t: f64) -> usize {
+        self.parts.partition_point(|part| part.t0() <= t).saturating_sub(1)
+    }
+}
+
+impl Motion for Piecewise {
+    fn pose(&self, t: f64) -> Pose {
+        self.parts[self.index(t)].pose(t)
+    }
+
+    fn velocity(&self, t: f64) -> Velocity {
+        self.parts[self.index(t)].velocity(t)
+    }
+
+    fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        let (first, last) = (self.index(t0), self.index(t1));
+        let mut bounds = MotionBounds::default();
+        for (index, part) in self.parts.iter().enumerate().take(last + 1).skip(first) {
+            let from = if index == first { t0 } else { part.t0() };
+            let to = if index == last { t1 } else { part.t0() + part.h() };
+            let own = part.bounds(from, to);
+            bounds.speed = bounds.speed.max(own.speed);
+            bounds.acceleration = bounds.acceleration.max(own.acceleration);
+            bounds.angular_speed = bounds.angular_speed.max(own.angular_speed);
+            bounds.angular_acceleration = bounds.angular_acceleration.max(own.angular_acceleration);
+        }
+        bounds
+    }
+}

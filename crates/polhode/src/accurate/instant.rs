@@ -1,0 +1,411 @@
+//! The instant of an event: whom it concerns, their states at that time, and how they go on.
+//!
+//! An event concerns the bodies it was found for and, from there, every body that moves or rests with one concerned (held
+//! contacts, forces that couple) or touches it at that time. Their islands end, at the states of that time; what happens is
+//! resolved (`resolve.rs`); and islands are formed anew of what holds then. All other bodies go on as if nothing had been.
+
+use super::agenda::Due;
+use super::engine::{Engine, Mode};
+use super::free_stepping::FreeStep;
+use super::island::{Island, Step};
+use super::near_pairs::Search;
+use super::pace::{NoAdvance, Pace, StepEnd};
+use crate::SimulationError;
+use crate::accounting::books::Received;
+use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::core::Core;
+use crate::free_stage::{self, Ends};
+use crate::interaction::groups::coupled_groups;
+use crate::interaction::projection;
+use crate::world::World;
+use polhode_contact::aabb_of;
+use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What an event concerns.
+#[derive(Debug)]
+pub(super) struct Instant {
+    /// s.
+    pub(super) t: f64,
+    /// Movable bodies, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Pairs of these, and of these and immovable bodies, that may touch, ascending.
+    pub(super) pairs: Vec<(usize, usize)>,
+    /// Contacts, sorted by identity.
+    pub(super) touches: Vec<Touch>,
+    /// Contacts whose forces have been found to reach zero at this instant.
+    pub(super) departing: BTreeSet<ContactId>,
+    /// Bodies that this instant wakes from rest.
+    pub(super) woken: BTreeSet<usize>,
+    /// When bounces that are summed up at this instant end, by body, s.
+    pub(super) rest_times: BTreeMap<usize, f64>,
+    /// Largest speed of any of the bodies so far, or what gravity gives over a body's size, m/s.
+    pub(super) speed_scale: f64,
+}
+
+impl Instant {
+    /// Pairs that are held together.
+    pub(super) fn held_pairs(&self) -> BTreeSet<(usize, usize)> {
+        let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);
+        held.map(|touch| (touch.id.a, touch.id.b)).collect()
+    }
+
+    /// All contacts with their numbers, as groups are formed from.
+    pub(super) fn numbered(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
+        self.touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b))
+    }
+}
+
+impl Engine {
+    /// Resolves the event at `t` that was found for these bodies.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved, or time no longer advances.
+    pub(super) fn resolve_event(
+        &mut self,
+        core: &mut Core,
+        t: f64,
+        found_for: &[usize],
+    ) -> Result<(), SimulationError> {
+        let concerned = self.concerned(core, t, found_for)?;
+        let mut instant = self.end_islands(core, t, concerned)?;
+        self.note_events(core, &instant)?;
+        self.resolve(core, &mut instant)?;
+        self.go_on(core, instant)
+    }
+
+    /// Movable bodies that an event at `t` concerns, ascending.
+    fn concerned(&mut self, core: &Core, t: f64, found_for: &[usize]) -> Result<Vec<usize>, SimulationError> {
+        let mut concerned = BTreeSet::new();
+        let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.world.bodies[b].moves()).collect();
+        while let Some(body) = open.pop() {
+            if !concerned.insert(body) {
+                continue;
+            }
+            if let Some(island) = self.island_of(body) {
+                open.extend(island.bodies.iter().copied());
+            }
+            for together in core.world.couplings.iter().filter(|together| together.contains(&body)) {
+                open.extend(together.iter().copied());
+            }
+            let mut partners: Vec<usize> = self.near.partners(body).to_vec();
+            partners.extend(self.contacts.partners(body));
+            partners.sort_unstable();
+            partners.dedup();
+            for other in partners {
+                if !core.world.bodies[other].moves() || concerned.contains(&other) {
+                    continue;
+                }
+                let pair = (body.min(other), body.max(other));
+                if self.contacts.are_held(pair) || self.touch_at(core, pair, t)? {
+                    open.push(other);
+                }
+            }
+        }
+        Ok(concerned.into_iter().collect())
+    }
+
+    /// Whether two bodies touch at `t`.
+    fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
+        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(false) };
+        let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
+        let mut states = std::mem::take(&mut self.scratch);
+        (states[a], states[b]) = (state_a, state_b);
+        let reach = core.world.touch_distance(&states, a, b);
+        let boxes = aabb_of(shape_a, &state_a.pose).and_then(|aabb| aabb.inflated(reach));
+        // What cannot be bounded may be anywhere.
+        let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
+        let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
+        self.restore_scratch(states, &[a, b]);
+        Ok(touch)
+    }
+
+    /// Ends the islands of these bodies at `t`: their states are those of that time, and what went on is booked.
+    fn end_islands(&mut self, core: &mut Core, t: f64, bodies: Vec<usize>) -> Result<Instant, SimulationError> {
+        let mut departing = BTreeSet::new();
+        let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
+        for first in firsts {
+            let Some(island) = self.remove_island(first) else { continue };
+            // Contacts depart at the time that was found for them, not at an earlier event.
+            if island.changes && island.due <= t {
+                departing.extend(island.departing.iter().copied());
+            }
+            self.end_step(core, island, t)?;
+        }
+        for &body in &bodies {
+            self.tracks[body].island = None;
+            if let Mode::Flight(flight) = &self.tracks[body].mode {
+                self.states[body] = flight.state(t);
+            }
+            self.book_rest(core, body, t);
+        }
+        let mut pairs = BTreeSet::new();
+        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
+        for &body in &bodies {
+            let partners = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
+            pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
+        }
+        let known = pairs.iter().flat_map(|&pair| self.contacts.of_pair(pair)).copied();
+        let touches = known.filter_map(|touch| {
+            let kinematics = core.world.kinematics(&self.states, touch.id)?;
+            Some(Touch { kinematics, ..touch })
+        });
+        Ok(Instant {
+            t,
+            touches: touches.collect(),
+            pairs: pairs.into_iter().collect(),
+            departing,
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+            speed_scale: bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most)),
+            bodies,
+        })
+    }
+
+    /// Brings the bodies of an island to `t`, within its step or at its end; the smooth stage that ends there is booked.
+    fn end_step(&mut self, core: &mut Core, mut island: Island, t: f64) -> Result<Step, SimulationError> {
+        let (states, received) = match &mut island.step {
+            Step::Constrained(step) => {
+                let end = self.constrained_end(core, step, t)?;
+                (end.states, end.received)
+            }
+            Step::Free(step) => {
+                let about = core.accounts.books.ledger.momentum.about;
+                free_end(&core.world, step, &island.bodies, &self.states, about, t)?
+            }
+        };
+        let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        for (&body, mut state) in island.bodies.iter().zip(states) {
+            core.world.keep_in_plane(body, &mut state);
+            self.states[body] = state;
+        }
+        let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        core.accounts.books.smooth_stage(before, integrated, received);
+        projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
+            .map_err(|source| Core::response_error(t, source))?;
+        let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        core.accounts.books.projection(integrated, projected);
+        self.check(core, &island.bodies, &island.held, t)?;
+        Ok(island.step)
+    }
+
+    /// Checks that the bodies of an island are finite, and measures penetration and speed.
+    fn check(&mut self, core: &mut Core, bodies: &[usize], held: &[ContactId], t: f64) -> Result<(), SimulationError> {
+        for &body in bodies {
+            if !self.states[body].is_finite() {
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+            }
+            self.tracks[body].speed_scale = self.tracks[body].speed_scale.max(self.speed(core, body));
+        }
+        // The separation of a contact point measures penetration only while the point lies on its features, as that of
+        // held contacts does; others are measured when they are detected.
+        let separations =
+            held.iter().filter_map(|&id| Some(core.world.kinematics(&self.states, id)?.geometry.separation));
+        let deepest = separations.fold(0.0f64, |depth, separation| depth.max(-separation));
+        core.accounts.note_penetration(deepest);
+        Ok(())
+    }
+
+    /// Counts an event for all bodies it concerns.
+    fn note_events(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
+        let longest = core.settings.step_s;
+        let moving = instant.bodies.iter().copied().filter(|&body| !matches!(self.tracks[body].mode, Mode::Rest));
+        let moving: Vec<usize> = moving.collect();
+        let mut pace = self.pace_of(core, &moving);
+        let advance = pace.note_end(instant.t, StepEnd::AtEvent, longest);
+        if pace.begins_to_back_off() {
+            let what = "events undo each other at one instant: what is still wrong is tolerated for a moment";
+            core.accounts.warn(instant.t, what);
+        }
+        for &body in &instant.bodies {
+            self.tracks[body].pace = pace;
+        }
+        advance.map_err(|stuck| no_progress(core, instant, stuck))?;
+        let limit = core.settings.max_events_per_step;
+        if pace.events() > limit { Err(SimulationError::TooManyEvents { limit, t: instant.t }) } else { Ok(()) }
+    }
+
+    /// Lets the bodies of a resolved instant go on.
+    fn go_on(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
+        let (t, bodies) = (instant.t, instant.bodies.clone());
+        let firsts = self.form_islands(core, instant)?;
+        self.look_ahead(core, &bodies, &firsts, t)
+    }
+
+    /// Keeps the contacts of a resolved instant and forms the islands of its bodies; their first bodies.
+    pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
+        let Instant { t, bodies, pairs, touches, speed_scale, .. } = instant;
+        for pair in pairs {
+            self.contacts.set(pair, Vec::new());
+        }
+        for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
+            self.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+        }
+        for &body in &bodies {
+            self.scratch[body] = self.states[body];
+            self.tracks[body].speed_scale = speed_scale.max(self.speed(core, body));
+            if !self.states[body].is_finite() {
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+            }
+        }
+        let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {
+            bodies.iter().copied().filter(|&body| mode(&self.tracks[body].mode)).collect()
+        };
+        let (constrained, stepped) = (is(|m| matches!(m, Mode::Constrained)), is(|m| matches!(m, Mode::Stepped)));
+        let moved = |body: usize| constrained.binary_search(&body).is_ok();
+        let held = touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
+        let held = held.filter(|(_, touch)| moved(touch.id.a) || moved(touch.id.b));
+        let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        let mut firsts = Vec::new();
+        for group in coupled_groups(&core.world, held, &constrained) {
+            let ids = group.contacts.iter().map(|&i| touches[i].id).collect();
+            firsts.extend(self.begin_island(core, group.bodies, ids, t)?);
+        }
+        for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
+            firsts.extend(self.begin_island(core, group.bodies, Vec::new(), t)?);
+        }
+        Ok(firsts)
+    }
+
+    /// Makes an island and its first step; its first body.
+    fn begin_island(
+        &mut self,
+        core: &mut Core,
+        bodies: Vec<usize>,
+        held: Vec<ContactId>,
+        t: f64,
+    ) -> Result<Option<usize>, SimulationError> {
+        let pace = self.pace_of(core, &bodies);
+        for &body in &bodies {
+            self.tracks[body].pace = pace;
+        }
+        let steps_freely = bodies.iter().all(|&body| matches!(self.tracks[body].mode, Mode::Stepped));
+        let step = if steps_freely {
+            let first = FreeStep::first(core, &bodies, &self.states, t);
+            self.free_or_constrained(core, &bodies, t, first)?
+        } else {
+            Step::Constrained(self.constrained_step(core, &bodies, &held, t)?)
+        };
+        Ok(self.insert_island(Island {
+            due: f64::INFINITY,
+            bodies,
+            held,
+            t,
+            step,
+            changes: false,
+            departing: BTreeSet::new(),
+        }))
+    }
+
+    /// The step of an island that no event has met ends at `t`, and the next one begins.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let Some(island) = self.remove_island(first) else { return Ok(()) };
+        let (bodies, held) = (island.bodies.clone(), island.held.clone());
+        let step = self.end_step(core, island, t)?;
+        let mut pace = self.pace_of(core, &bodies);
+        let advance = pace.note_end(t, StepEnd::AsPlanned, core.settings.step_s);
+        for &body in &bodies {
+            self.tracks[body].pace = pace;
+            self.scratch[body] = self.states[body];
+        }
+        if let Err(stuck) = advance {
+            return Err(no_progress_of(core, t, &held, stuck, &self.states));
+        }
+        let step = match step {
+            Step::Constrained(_) => Step::Constrained(self.constrained_step(core, &bodies, &held, t)?),
+            Step::Free(step) => {
+                let next = step.next(core);
+                self.free_or_constrained(core, &bodies, t, next)?
+            }
+        };
+        let of_island = bodies.clone();
+        let island = Island { due: f64::INFINITY, bodies, held, t, step, changes: false, departing: BTreeSet::new() };
+        let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
+        self.look_ahead(core, &of_island, &firsts, t)
+    }
+
+    /// Finds what will happen to these bodies, of which these islands consist, after `t`.
+    pub(super) fn look_ahead(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        firsts: &[usize],
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if bodies.iter().any(|&body| matches!(self.tracks[body].mode, Mode::Flight(_))) {
+            self.begin_flight_boxes(core, t);
+        }
+        self.renew_boxes(core, bodies, t)?;
+        for &first in firsts {
+            let Some(mut island) = self.take_island(first) else { continue };
+            island.due = island.end();
+            if let Step::Constrained(step) = &island.step {
+                let pace = self.pace_of(core, &island.bodies);
+                if let Some(change) = self.locate_contact_change(core, step, step.end, &pace)? {
+                    (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                }
+            }
+            self.agenda.add(island.due, Due::Island(first));
+            self.insert_island(island);
+        }
+        self.search_pairs(core, bodies, t, Search::All)
+    }
+
+    /// The pace of the slowest of some bodies; of immovable ones there is none.
+    pub(super) fn pace_of(&self, core: &Core, bodies: &[usize]) -> Pace {
+        let paces = bodies.iter().filter(|&&body| core.world.bodies[body].moves()).map(|&body| self.tracks[body].pace);
+        paces.reduce(Pace::slower).unwrap_or_default()
+    }
+}
+
+/// States at `t` of bodies that an integrator of free motion moves, and what the outside gave to them since their step
+/// began; `states` are those of all bodies.
+///
+/// # Errors
+/// When the integrator cannot evaluate them.
+pub(super) fn free_end(
+    world: &World,
+    step: &mut FreeStep,
+    bodies: &[usize],
+    states: &[BodyState],
+    about: DVec3,
+    t: f64,
+) -> Result<(Vec<BodyState>, Received), SimulationError> {
+    let parts = step.parts_until(world, t)?;
+    let mut received = Received::default();
+    let mut ends = [states.to_vec(), states.to_vec()];
+    for pair in parts.windows(2) {
+        let [(t0, start), (t1, end)] = pair else { continue };
+        for (k, &body) in bodies.iter().enumerate() {
+            (ends[0][body], ends[1][body]) = (start[k], end[k]);
+        }
+        let stage = Ends { t: [*t0, *t1], states: [&ends[0], &ends[1]] };
+        received += free_stage::received(world, stage, bodies, about);
+    }
+    Ok((parts.into_iter().next_back().map(|(_, states)| states).unwrap_or_default(), received))
+}
+
+/// The error of steps that no longer advance time at an event.
+fn no_progress(core: &Core, instant: &Instant, stuck: NoAdvance) -> SimulationError {
+    let held = |touch: &&Touch| touch.hold == Hold::Held;
+    let touch = instant.touches.iter().find(held).or(instant.touches.first());
+    let point = touch.map_or(DVec3::ZERO, |touch| touch.kinematics.geometry.point);
+    named_no_progress(core, instant.t, stuck, touch.map(|touch| touch.id), point)
+}
+
+/// The error of steps that no longer advance time without an event.
+fn no_progress_of(core: &Core, t: f64, held: &[ContactId], stuck: NoAdvance, states: &[BodyState]) -> SimulationError {
+    let kinematics = held.first().and_then(|&id| core.world.kinematics(states, id));
+    let point = kinematics.map_or(DVec3::ZERO, |kinematics| kinematics.geometry.point);
+    named_no_progress(core, t, stuck, held.first().copied(), point)
+}
+
+fn named_no_progress(core: &Core, t: f64, stuck: NoAdvance, id: Option<ContactId>, point: DVec3) -> SimulationError {
+    let name = |body: usize| core.world.bodies[body].name.clone();
+    let [body_a, body_b] = id.map_or_else(Default::default, |id| [name(id.a), name(id.b)]);
+    SimulationError::NoProgress { t, steps: stuck.steps, advanced_s: stuck.advanced_s, body_a, body_b, point }
+}

@@ -1,0 +1,53 @@
+//! Islands: bodies that move together until the next event.
+//!
+//! An island is a connected part of the bodies that held contacts join, or forces that make the motion of one depend on
+//! another, or one integrator's variables. It advances by its own steps, with its own contacts and events; a body in flight
+//! or at rest is in none. Bodies of different islands that may meet share nothing but the search for their impact.
+
+use super::free_stepping::FreeStep;
+use super::constrained_step::ConstrainedStep;
+use crate::collision::contact_set::ContactId;
+use std::collections::BTreeSet;
+
+/// Bodies that move together.
+#[derive(Debug)]
+pub(super) struct Island {
+    /// Movable bodies, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Contacts held, ascending.
+    pub(super) held: Vec<ContactId>,
+    /// Start of the present step, s: the states of the bodies are those of that time.
+    pub(super) t: f64,
+    /// The present step.
+    pub(super) step: Step,
+    /// When the step ends, or the contacts that are held cease to be the right ones, s.
+    pub(super) due: f64,
+    /// Whether the contacts change then.
+    pub(super) changes: bool,
+    /// Contacts whose forces have been found to reach zero then.
+    pub(super) departing: BTreeSet<ContactId>,
+}
+
+/// A step of an island.
+#[derive(Debug)]
+pub(super) enum Step {
+    /// By DOP853, with contact forces at every stage.
+    Constrained(ConstrainedStep),
+    /// By the integrator of free motion.
+    Free(Box<FreeStep>),
+}
+
+impl Island {
+    /// The first body, by which the island is known.
+    pub(super) fn first(&self) -> Option<usize> {
+        self.bodies.first().copied()
+    }
+
+    /// End of the step, s.
+    pub(super) fn end(&self) -> f64 {
+        match &self.step {
+            Step::Constrained(step) => step.end,
+            Step::Free(step) => step.end,
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Boxes around moving bodies, and the pairs of bodies whose boxes meet.
+//!
+//! A box contains a body, with the distance that counts as touch, at every time of an interval. Where many boxes are new
+//! the broad phase finds all pairs; where the boxes of a few bodies are renewed, these alone are held against all others.
+
+use crate::SimulationError;
+use crate::settings::Settings;
+use crate::world::World;
+use polhode_contact::{Aabb, BroadPhase, Shape, swept_aabb};
+use polhode_spatial::Motion;
+
+/// The boxes of all bodies that have a shape.
+#[derive(Debug)]
+pub(crate) struct Boxes {
+    /// One for each body; none for a body without a shape.
+    boxes: Vec<Option<Aabb>>,
+    broad_phase: Box<dyn BroadPhase>,
+    /// Buffers: boxes without gaps, their bodies, and the pairs found.
+    packed: Vec<Aabb>,
+    bodies: Vec<usize>,
+    pairs: Vec<(u32, u32)>,
+}
+
+impl Boxes {
+    /// No boxes yet, for this many bodies.
+    pub(crate) fn new(settings: &Settings, bodies: usize) -> Self {
+        Self {
+            boxes: vec![None; bodies],
+            broad_phase: settings.broad_phase.build(),
+            packed: Vec::new(),
+            bodies: Vec::new(),
+            pairs: Vec::new(),
+        }
+    }
+
+    /// Sets the box of a body that moves so over an interval (s), with a margin (m).
+    pub(crate) fn set(&mut self, world: &World, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
+        self.boxes[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
+    }
+
+    /// Takes the box of a body away.
+    pub(crate) fn clear(&mut self, body: usize) {
+        self.boxes[body] = None;
+    }
+
+    /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes meet.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(crate) fn all_pairs(
+        &mut self,
+        world: &World,
+        mut found: impl FnMut(usize, usize),
+    ) -> Result<(), SimulationError> {
+        self.packed.clear();
+        self.bodies.clear();
+        for (body, aabb) in self.boxes.iter().enumerate() {
+            if let Some(aabb) = aabb {
+                self.packed.push(*aabb);
+                self.bodies.push(body);
+            }
+        }
+        self.broad_phase.pairs(&self.packed, &mut self.pairs).map_err(SimulationError::BroadPhase)?;
+        for &(i, j) in &self.pairs {
+            let (a, b) = (self.bodies[i as usize], self.bodies[j as usize]);
+            if world.scene.may_collide(a, b) {
+                found(a, b);
+            }
+        }
+        Ok(())
+    }
+
+    /// Calls `found` with every body that may collide with `body` and whose box meets its own, ascending.
+    pub(crate) fn near(&self, world: &World, body: usize, mut found: impl FnMut(usize)) {
+        let Some(own) = &self.boxes[body] else { return };
+        for (other, aabb) in self.boxes.iter().enumerate() {
+            if aabb.as_ref().is_some_and(|aabb| aabb.overlaps(own)) && world.scene.may_collide(body, other) {
+                found(other);
+            }
+        }
+    }
+}
+
+/// Box of a moving shape with a margin. What cannot be bounded may be anywhere: the search itself then says why.
+fn swept_box(shape: &Shape, motion: &dyn Motion, interval: (f64, f64), margin: f64) -> Aabb {
+    swept_aabb(shape, motion, interval.0, interval.1).and_then(|aabb| aabb.inflated(margin)).unwrap_or(Aabb::UNBOUNDED)
+}

@@ -1,0 +1,62 @@
+//! What a tier does: it advances the bodies of a scene to a time or to their first event.
+//!
+//! One file or folder for each tier; none knows another. A tier may have computed the motion beyond the present: what it
+//! says of the bodies is asked for at a time.
+
+use crate::accounting::Accounts;
+use crate::core::Core;
+use crate::observer::Observer;
+use crate::simulation::{ContactView, IslandView};
+use crate::{Acceleration, SimulationError};
+use polhode_dynamics::BodyState;
+
+/// Why a tier has stopped to advance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reached {
+    /// The limit of time.
+    Limit,
+    /// An event; all that happens at its instant has been resolved.
+    Event,
+}
+
+/// A set of methods with one promise.
+pub(crate) trait Tier: std::fmt::Debug {
+    /// Advances the present (`core.t`) to `limit_s`, or to the first event before, and tells the observer the samples and
+    /// events on the way.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError>;
+
+    /// The longest time (s) after which the caller wants to be asked again, while nothing happens.
+    fn stride(&self, core: &Core) -> f64;
+
+    /// States of all bodies at the present.
+    fn states(&self, core: &Core) -> Vec<BodyState>;
+
+    /// Books into `accounts`, which are a copy, what has been going on since it was last booked, up to the present.
+    ///
+    /// # Errors
+    /// When states cannot be evaluated.
+    fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError>;
+
+    /// Accelerations of all bodies at the present, under the contact forces of the present.
+    ///
+    /// # Errors
+    /// When the forces cannot be found.
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError>;
+
+    /// Contacts that touch at the present; a force that cannot be found is NaN.
+    fn contacts(&self, core: &Core) -> Vec<ContactView>;
+
+    /// Bodies that move together, and those that rest together.
+    fn islands(&self, core: &Core) -> Vec<IslandView>;
+
+    /// Number of pairs that touch.
+    fn touching_pairs(&self) -> usize;
+}
