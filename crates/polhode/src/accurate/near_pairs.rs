@@ -136,10 +136,12 @@ impl Engine {
         let flies = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Flight(_));
         let collides = |body: usize| core.world.bodies[body].shape.is_some();
         let flying: Vec<usize> = (0..self.tracks.len()).filter(|&body| collides(body) && flies(self, body)).collect();
-        self.near.flight_end = Self::next_flight_end(core, t);
-        if flying.is_empty() || !core.world.may_collide_at_all() {
+        if flying.is_empty() {
+            // The next flight that begins sets an end anew.
+            self.near.flight_end = f64::NEG_INFINITY;
             return Ok(());
         }
+        self.near.flight_end = Self::next_flight_end(core, t);
         self.agenda.add(self.near.flight_end, Due::FlightBoxes);
         self.renew_boxes(core, &flying, t)?;
         self.search_pairs(core, &flying, t, Search::Ended)
