@@ -28,6 +28,11 @@ impl Core {
         self.world.free_motion().corner_between(t, end).unwrap_or(end)
     }
 
+    /// Whether the run ends at `t` (s); a program may go on.
+    pub(crate) fn is_end_of_run(&self, t: f64) -> bool {
+        t == self.world.scene.duration_s()
+    }
+
     /// A contact problem that was refused.
     pub(crate) fn response_error(t: f64, source: ResponseError) -> SimulationError {
         SimulationError::ContactProblem { t, source }

@@ -113,6 +113,8 @@ pub struct Simulation {
     plan: Plan,
     core: Core,
     tier: Box<dyn Tier>,
+    /// Whether the end of the scene's duration has been passed.
+    ended: bool,
 }
 
 impl Simulation {
@@ -139,7 +141,7 @@ impl Simulation {
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
         let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
-        Ok(Self { scene: scene.clone(), plan, core, tier })
+        Ok(Self { scene: scene.clone(), plan, core, tier, ended: false })
     }
 
     /// The plan.
@@ -160,9 +162,8 @@ impl Simulation {
     pub fn step(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
         let (t, duration) = (self.core.t, self.scene.duration_s());
         let stride = self.tier.stride(&self.core);
-        let remaining = duration - t;
-        let left_over = remaining - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
-        let limit = if remaining > 0.0 && left_over { duration } else { t + stride };
+        let left_over = duration - t - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
+        let limit = if !self.ended && left_over { duration } else { t + stride };
         // After the end of the run nothing says how long a rest lasts.
         let limit = if limit.is_finite() { limit } else { t + self.core.settings.step_s };
         self.advance(limit, observer)
@@ -178,10 +179,9 @@ impl Simulation {
         }
         loop {
             // A run that is cut nowhere passes through the end of its duration.
-            let duration = self.scene.duration_s();
-            let limit = if self.core.t < duration { t_s.min(duration) } else { t_s };
-            self.advance(limit, observer)?;
-            if self.core.t >= t_s {
+            let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
+            let step = self.advance(limit, observer)?;
+            if step.t_s >= t_s && !step.is_event() {
                 return Ok(());
             }
         }
@@ -189,10 +189,10 @@ impl Simulation {
 
     /// Advances to a limit of time (s) or to the first event before it.
     fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
-        let before = self.core.t;
         let reached = self.tier.advance(&mut self.core, limit, observer)?;
-        let (t, duration) = (self.core.t, self.scene.duration_s());
-        if before < duration && t >= duration && reached == Reached::Limit {
+        let t = self.core.t;
+        if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
+            self.ended = true;
             let states = self.tier.states(&self.core);
             self.core.accounts.observe(&self.core.world, &states, t)?;
             self.core.accounts.emit_sample(&self.core.world, &states, t, observer);
@@ -207,12 +207,9 @@ impl Simulation {
     /// See [`SimulationError`].
     pub fn run(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
         let mut outcome = Outcome::Completed;
-        let mut ended = self.core.t >= self.scene.duration_s();
-        while !ended {
+        while !self.ended {
             let step = self.step(observer)?;
-            // An event at the very end is not the end: others may fall on the same instant.
-            ended = step.t_s >= self.scene.duration_s() && !step.is_event();
-            if observer.progress(step.t_s) == Flow::Stop && !ended {
+            if observer.progress(step.t_s) == Flow::Stop && !self.ended {
                 outcome = Outcome::Stopped;
                 break;
             }

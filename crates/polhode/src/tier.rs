@@ -15,6 +15,8 @@ use polhode_dynamics::BodyState;
 pub(crate) enum Reached {
     /// The limit of time.
     Limit,
+    /// The end of a step before that limit.
+    StepEnd,
     /// An event; all that happens at its instant has been resolved.
     Event,
 }

@@ -76,6 +76,8 @@ pub(crate) struct Engine {
     pub(super) spins: BTreeMap<usize, Flight>,
     /// Whether the first instant has been resolved.
     begun: bool,
+    /// Whether a program goes on after the end of the run.
+    pub(super) goes_on: bool,
     /// When energies and momenta were last taken note of, s.
     observed_s: f64,
 }
@@ -106,6 +108,7 @@ impl Engine {
             agenda: Agenda::default(),
             spins: BTreeMap::new(),
             begun: false,
+            goes_on: false,
             observed_s: core.t,
         };
         engine.find_initial_contacts(core)?;
@@ -120,19 +123,29 @@ impl Engine {
         self.resolve_start(core)
     }
 
-    /// Does what is due at `t`; whether it was an event.
-    fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<bool, SimulationError> {
+    /// Does what is due at `t`.
+    fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
         match due {
-            Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| false),
-            Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| true),
+            Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
+            Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| Reached::Event),
             Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
-                self.resolve_event(core, t, &[first]).map(|()| true)
+                self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
             Due::Island(first) => {
                 core.accounts.count_step();
-                self.next_step(core, first, t).map(|()| false)
+                self.next_step(core, first, t).map(|()| Reached::StepEnd)
             }
         }
+    }
+
+    /// Evaluates the states of the present that cannot be evaluated without changing an integrator.
+    fn set_present(&mut self, core: &Core) -> Result<(), SimulationError> {
+        for island in self.islands.values_mut() {
+            if let Step::Free(step) = &mut island.step {
+                step.set_present(&core.world, core.t)?;
+            }
+        }
+        Ok(())
     }
 
     /// Takes note of energies and momenta at the present, if a longest step has passed since it was done last.
@@ -177,6 +190,12 @@ impl Engine {
         }
         self.islands.insert(first, island);
         Some(first)
+    }
+
+    /// The islands that wait at the end of the run.
+    pub(super) fn waiting_islands(&self) -> Vec<usize> {
+        let waits = |island: &Island| matches!(island.step, Step::Waiting(_));
+        self.islands.iter().filter(|(_, island)| waits(island)).map(|(&first, _)| first).collect()
     }
 
     /// Takes an island out to work on it.
@@ -330,6 +349,7 @@ fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyStat
                 states[body] = state;
             }
         }
+        Step::Waiting(_) => {}
     }
     Ok(())
 }
@@ -345,28 +365,32 @@ impl Tier for Engine {
             self.begin(core, observer)?;
         }
         self.refresh_resting_forces(core)?;
-        let steps = core.accounts.steps();
+        if core.is_end_of_run(core.t) && limit_s > core.t {
+            self.go_on_after_the_run(core)?;
+        }
         while let Some((t, due)) = self.agenda.first().filter(|&(t, _)| t <= limit_s) {
             self.emit_samples(core, t, observer)?;
             core.t = t;
             self.agenda.remove(t, due);
-            if self.process(core, t, due)? {
-                self.observe(core)?;
+            let reached = self.process(core, t, due)?;
+            if reached == Reached::Event {
                 core.accounts.count_step();
+            }
+            self.observe(core)?;
+            let more = self.agenda.first().is_some_and(|(next, _)| next <= t);
+            // Islands whose steps end together are one step for those who watch.
+            if reached == Reached::Event || (reached == Reached::StepEnd && !more && t < limit_s) {
+                self.set_present(core)?;
                 core.accounts.emit_events(core.t, observer);
-                return Ok(Reached::Event);
+                return Ok(reached);
             }
         }
         self.emit_samples(core, limit_s, observer)?;
-        core.t = limit_s;
-        for island in self.islands.values_mut() {
-            if let Step::Free(step) = &mut island.step {
-                step.set_present(&core.world, limit_s)?;
-            }
-        }
-        if core.accounts.steps() == steps {
+        if self.islands.is_empty() {
             core.accounts.count_step();
         }
+        core.t = limit_s;
+        self.set_present(core)?;
         core.accounts.emit_events(core.t, observer);
         Ok(Reached::Limit)
     }
@@ -395,6 +419,7 @@ impl Tier for Engine {
                         states[body] = *state;
                     }
                 }
+                Step::Waiting(_) => {}
             }
         }
         states
@@ -426,6 +451,7 @@ impl Tier for Engine {
                     }
                     received
                 }
+                Step::Waiting(_) => Received::default(),
             };
             let after = books.balance(world, &states, &island.bodies);
             books.smooth_stage(before, after, received);

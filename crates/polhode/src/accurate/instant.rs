@@ -174,6 +174,7 @@ impl Engine {
                 let about = core.accounts.books.ledger.momentum.about;
                 free_end(&core.world, step, &island.bodies, &self.states, about, t)?
             }
+            Step::Waiting(_) => return Ok(island.step),
         };
         let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         for (&body, mut state) in island.bodies.iter().zip(states) {
@@ -280,13 +281,7 @@ impl Engine {
         for &body in &bodies {
             self.tracks[body].pace = pace;
         }
-        let steps_freely = bodies.iter().all(|&body| matches!(self.tracks[body].mode, Mode::Stepped));
-        let step = if steps_freely {
-            let first = FreeStep::first(core, &bodies, &self.states, t);
-            self.free_or_constrained(core, &bodies, t, first)?
-        } else {
-            Step::Constrained(self.constrained_step(core, &bodies, &held, t)?)
-        };
+        let step = self.first_step(core, &bodies, &held, t)?;
         Ok(self.insert_island(Island {
             due: f64::INFINITY,
             bodies,
@@ -296,6 +291,40 @@ impl Engine {
             changes: false,
             departing: BTreeSet::new(),
         }))
+    }
+
+    /// The first step of an island.
+    fn first_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        t: f64,
+    ) -> Result<Step, SimulationError> {
+        if core.is_end_of_run(t) && !self.goes_on {
+            return Ok(Step::Waiting(t));
+        }
+        if bodies.iter().all(|&body| matches!(self.tracks[body].mode, Mode::Stepped)) {
+            let first = FreeStep::first(core, bodies, &self.states, t);
+            return self.free_or_constrained(core, bodies, t, first);
+        }
+        self.constrained_step(core, bodies, held, t).map(Step::Constrained)
+    }
+
+    /// Lets the islands that wait at the end of the run go on.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn go_on_after_the_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        self.goes_on = true;
+        for first in self.waiting_islands() {
+            let Some(island) = self.take_island(first) else { continue };
+            let (bodies, t) = (island.bodies.clone(), island.t);
+            let step = self.first_step(core, &bodies, &island.held, t)?;
+            self.insert_island(Island { step, ..island });
+            self.look_ahead(core, &bodies, &[first], t)?;
+        }
+        Ok(())
     }
 
     /// The step of an island that no event has met ends at `t`, and the next one begins.
@@ -316,11 +345,11 @@ impl Engine {
             return Err(no_progress_of(core, t, &held, stuck, &self.states));
         }
         let step = match step {
-            Step::Constrained(_) => Step::Constrained(self.constrained_step(core, &bodies, &held, t)?),
-            Step::Free(step) => {
+            Step::Free(step) if !core.is_end_of_run(t) => {
                 let next = step.next(core);
                 self.free_or_constrained(core, &bodies, t, next)?
             }
+            _ => self.first_step(core, &bodies, &held, t)?,
         };
         let of_island = bodies.clone();
         let island = Island { due: f64::INFINITY, bodies, held, t, step, changes: false, departing: BTreeSet::new() };
@@ -342,7 +371,7 @@ impl Engine {
         self.renew_boxes(core, bodies, t)?;
         for &first in firsts {
             let Some(mut island) = self.take_island(first) else { continue };
-            island.due = island.end();
+            island.due = if let Step::Waiting(_) = island.step { f64::INFINITY } else { island.end() };
             if let Step::Constrained(step) = &island.step {
                 let pace = self.pace_of(core, &island.bodies);
                 if let Some(change) = self.locate_contact_change(core, step, step.end, &pace)? {

@@ -4,8 +4,8 @@
 //! another, or one integrator's variables. It advances by its own steps, with its own contacts and events; a body in flight
 //! or at rest is in none. Bodies of different islands that may meet share nothing but the search for their impact.
 
-use super::free_stepping::FreeStep;
 use super::constrained_step::ConstrainedStep;
+use super::free_stepping::FreeStep;
 use crate::collision::contact_set::ContactId;
 use std::collections::BTreeSet;
 
@@ -35,6 +35,8 @@ pub(super) enum Step {
     Constrained(ConstrainedStep),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
+    /// None yet: at the end of the run nobody may ever ask for one, and what acts is not asked beyond it.
+    Waiting(f64),
 }
 
 impl Island {
@@ -48,6 +50,7 @@ impl Island {
         match &self.step {
             Step::Constrained(step) => step.end,
             Step::Free(step) => step.end,
+            Step::Waiting(t) => *t,
         }
     }
 }

@@ -98,7 +98,7 @@ impl Engine {
                 Some(Step::Free(step)) => {
                     step.body_motion(body).map_or_else(still, |motion| BodyMotion::Within(motion))
                 }
-                None => still(),
+                Some(Step::Waiting(_)) | None => still(),
             },
         }
     }
