@@ -2,7 +2,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode_contact::{
-    ConvexPolyhedron, ImpactSearch, Shape, Workspace, evaluate, find_impact, kinematics, manifold_with, separation_with,
+    ConvexPolyhedron, ImpactSearch, Shape, Workspace, evaluate, find_impact, kinematics, kinematics_with_tangential,
+    manifold_with, separation_with,
 };
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, UnitVector, Velocity};
 use std::hint::black_box;
@@ -65,6 +66,12 @@ fn narrow_phase(criterion: &mut Criterion) {
         criterion.bench_function(&format!("kinematics/{feature:?}"), |bencher| {
             bencher.iter(|| {
                 kinematics(feature, &cube, black_box(&above), &velocity, &cube, &Pose::IDENTITY, &Velocity::ZERO)
+            });
+        });
+        criterion.bench_function(&format!("kinematics with tangential/{feature:?}"), |bencher| {
+            let still = (&cube, &Pose::IDENTITY, &Velocity::ZERO);
+            bencher.iter(|| {
+                kinematics_with_tangential(feature, &cube, black_box(&above), &velocity, still.0, still.1, still.2)
             });
         });
     }

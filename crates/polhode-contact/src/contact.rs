@@ -43,6 +43,33 @@ pub struct ContactKinematics {
     pub acceleration_bias: f64,
 }
 
+/// The tangential terms of a contact, as friction needs them: which way it slips, and how that changes.
+///
+/// Let `p` be the contact point ([`ContactGeometry::point`], which wanders over both bodies), `r_A` and `r_B` the arms
+/// from the centres of mass to it, `V = v_A + w_A x r_A - v_B - w_B x r_B` the velocity of A's material there against
+/// B's, and `P = 1 - n n^T` the projection on the tangent plane. Then
+///
+/// `u_T = P V`,  `u_T' = P (v_A' + w_A' x r_A - v_B' - w_B' x r_B) + acceleration_bias`.
+///
+/// `u_T'` is the derivative of the slip at the contact as it wanders and its normal turns, not that of two points fixed
+/// to the bodies. It is what a contact that sticks or rolls keeps at zero. All vectors are in world axes. Swapping A and B
+/// turns the slip, the bias and the rate of the normal round, and of the basis the second vector.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TangentialKinematics {
+    /// [`tangent_basis`](crate::tangent_basis) of the normal: `t_1 x t_2 = n`. It is a choice of axes, made from the normal
+    /// alone; no other field depends on it.
+    pub basis: [DVec3; 2],
+    /// `u_T`, m/s: how A slips over B.
+    pub slip_velocity: DVec3,
+    /// All terms of `u_T'` that are not linear in the accelerations, m/s^2. It has a part along n, `-(n'.u_T) n`, with
+    /// which the slip stays in the tangent plane as that turns; of a contact that does not slip this part is zero.
+    pub acceleration_bias: DVec3,
+    /// `p'`, m/s. Where a whole circle is as near as its nearest place, that place is held still on its body.
+    pub point_velocity: DVec3,
+    /// `n'`, 1/s.
+    pub normal_rate: DVec3,
+}
+
 /// What decided the separation of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SeparatingAxis {

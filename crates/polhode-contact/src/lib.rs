@@ -12,8 +12,8 @@
 //! |---|---|
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
-//! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same of a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`NarrowPhase`]: all pairs from step to step |
+//! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same of a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`tangential()`] and [`kinematics_with_tangential()`]: its slip, and the terms of the slip's derivative, on a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`NarrowPhase`]: all pairs from step to step |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
@@ -45,18 +45,19 @@ pub mod shape;
 pub use bounding::aabb::{Aabb, AabbError, aabb_of, swept_aabb};
 pub use bounding::{BoundingSphere, OrientedBox};
 pub use broad_phase::{BroadPhase, BroadPhaseError, BroadPhaseMethod, Bvh, UnknownBroadPhase};
-pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis};
+pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis, TangentialKinematics};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{
     ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_further_impact, time_of_impact,
 };
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
-pub use narrow_phase::evaluate::{evaluate, kinematics};
+pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential, tangential};
 pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with, near_manifold};
 pub use narrow_phase::persistent::{ContactChange, NarrowPhase, NarrowPhaseError, PairContacts};
 pub use narrow_phase::separating_axis::Workspace;
 pub use narrow_phase::separation::{separation, separation_with};
+pub use narrow_phase::tangential::tangent_basis;
 pub use query::{
     ClosestPoints, FeatureKind, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point,
     contains, distance, overlap, ray_cast,

@@ -15,7 +15,9 @@ mod memory;
 
 pub use answers::check_answers;
 
-use polhode_contact::{Contact, ImpactSearch, Shape, evaluate, find_impact, kinematics, manifold, separation};
+use polhode_contact::{
+    Contact, ImpactSearch, Shape, evaluate, find_impact, kinematics, kinematics_with_tangential, manifold, separation,
+};
 use polhode_spatial::{DQuat, DVec3, Motion, MotionBounds, Pose, Rotation, UnitVector, Velocity};
 
 /// Bytes read as numbers, zeros after the end.
@@ -141,6 +143,9 @@ pub fn check(bytes: &[u8]) {
         assert_eq!(again, Some(contact.geometry), "evaluated anew: {contact:?}");
         let moving = kinematics(contact.feature, &a, &pose_a, &velocities[0], &b, &pose_b, &velocities[1]);
         assert_eq!(moving.map(|k| k.geometry), Some(contact.geometry), "in motion: {contact:?}");
+        let (of_a, of_b) = (&velocities[0], &velocities[1]);
+        let both = kinematics_with_tangential(contact.feature, &a, &pose_a, of_a, &b, &pose_b, of_b);
+        assert_eq!(both.map(|both| both.0.geometry), Some(contact.geometry), "slipping: {contact:?}");
     }
     let length = |shape: &Shape| if matches!(shape, Shape::HalfSpace(_)) { 0.0 } else { shape.radius() };
     let largest = length(&a) + length(&b) + pose_a.translation.length() + pose_b.translation.length();

@@ -8,10 +8,13 @@
 //! `n' = (1 - n n') N'/|N|`,  `N' = (w_A x e_A) x e_B + e_A x (w_B x e_B)`
 //!
 //! (thesis 3.4, edge-edge form of equation (18) with erratum E18, divided by `|N|` and kept exact at any separation).
+//! The place on A's edge wanders along it with `s' = (e_B x n).(chi n' - v_A + v_B)/|N|` (the condition `x_A - x_B = chi n`,
+//! differentiated), and the contact point `x_A - chi n/2` with it.
 //! The side to which `N` points is decided by the outward normals of the edges' faces, never by the sign of a
 //! separation that may be rounding.
 
 use crate::clearance::PARALLEL_SINE;
+use crate::narrow_phase::tangential::ContactMotion;
 use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge, Shape, TriangleMesh};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
@@ -191,17 +194,53 @@ impl CrossedEdges {
         a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
     }
 
-    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+    /// Velocity of A's material at its nearest place against B's at its own.
+    #[inline]
+    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b))
+    }
+
+    /// `n'`.
+    #[inline]
+    fn turning(&self, a: &Velocity, b: &Velocity) -> DVec3 {
         let n = self.normal;
-        let velocity = (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b));
-        let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
         let rate = self.normal_rate(a, b);
-        let turning = (rate - n * n.dot(rate)) / self.sine;
+        (rate - n * n.dot(rate)) / self.sine
+    }
+
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        self.kinematics_at(self.relative_velocity(a, b), self.turning(a, b), a, b)
+    }
+
+    /// `velocity` is [`Self::relative_velocity`].
+    #[inline]
+    fn kinematics_at(&self, velocity: DVec3, turning: DVec3, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let n = self.normal;
+        let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
         ContactKinematics {
             geometry: self.geometry(),
             separation_rate: n.dot(velocity),
             acceleration_bias: n.dot(centripetal) + 2.0 * velocity.dot(turning)
                 - self.separation * turning.length_squared(),
         }
+    }
+
+    /// The same with how the contact moves.
+    pub(crate) fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
+        let n = self.normal;
+        let (velocity, turning) = (self.relative_velocity(a, b), self.turning(a, b));
+        let kinematics = self.kinematics_at(velocity, turning, a, b);
+        let along = (turning * self.separation - velocity).dot(self.along_b.cross(n)) / self.sine;
+        let half_gap = n * (0.5 * self.separation);
+        let from_a = a.angular.cross(self.arm_a) + self.along_a * along
+            - turning * (0.5 * self.separation)
+            - n * (0.5 * kinematics.separation_rate);
+        let motion = ContactMotion {
+            normal: n,
+            normal_rate: turning,
+            arms: [self.arm_a - half_gap, self.arm_b + half_gap],
+            point_rates: [from_a, from_a + (a.linear - b.linear)],
+        };
+        (kinematics, motion)
     }
 }

@@ -1,4 +1,5 @@
-//! A contact of given features at any poses: its geometry and the first two time derivatives of its separation.
+//! A contact of given features at any poses: its geometry, the first two time derivatives of its separation, and how the
+//! contact itself moves.
 //!
 //! All kinds but edge against edge and pairs of curved elements are a point of a body V (a vertex, a point of a cloud, a sphere's centre) against a feature of the
 //! other body E. Let `y` be the point's place in E's frame, `phi(y)` its distance from the feature and `rho` the sum
@@ -9,6 +10,8 @@
 //! where `u = v_V - v_E` and `a_V - a_E` are velocity and acceleration of the point relative to the place of E under
 //! it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to separations that are not zero.
 //! `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and `(1 - g g')/phi` for a vertex or a sphere.
+//! The gradient turns with `g' = w_E x g + H u`, and with it the contact point `x_V - (rho_V + chi/2) g`: the tangential
+//! terms follow from these two rates (`tangential.rs`).
 //! Edge against edge has a formula of its own (`crossed_edges.rs`), and so have capsules, cylinders, cones and tori
 //! (`round/stationary.rs`).
 
@@ -19,9 +22,10 @@ use crate::narrow_phase::part_feature::{Local, localized};
 use crate::narrow_phase::round::element::Element;
 use crate::narrow_phase::round::region;
 use crate::narrow_phase::round::stationary::Stationary;
+use crate::narrow_phase::tangential::ContactMotion;
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::shape::round::is_round;
-use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Side, SurfaceFeature};
+use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Side, SurfaceFeature, TangentialKinematics};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
@@ -36,15 +40,14 @@ pub fn evaluate(
     shape_b: &Shape,
     pose_b: &Pose,
 ) -> Option<ContactGeometry> {
-    let Local { feature, shapes: [shape_a, shape_b], .. } = localized(feature, shape_a, shape_b)?;
-    if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
-        let (a, b) = (shape_a.edge_line(edge_a)?, shape_b.edge_line(edge_b)?);
-        return CrossedEdges::between(&a, pose_a, &b, pose_b).map(|crossed| crossed.geometry());
-    }
-    if has_elements(shape_a) || has_elements(shape_b) {
-        return of_elements(feature, shape_a, pose_a, shape_b, pose_b).map(|e| e.geometry(pose_a.translation));
-    }
-    PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b).map(|contact| contact.geometry())
+    by_kind(
+        feature,
+        (shape_a, pose_a),
+        (shape_b, pose_b),
+        |crossed| Some(crossed.geometry()),
+        |stationary| Some(stationary.geometry(pose_a.translation)),
+        |point| Some(point.geometry()),
+    )
 }
 
 /// The contact with the rate of its separation and the part of the second derivative that the accelerations do not
@@ -60,21 +63,102 @@ pub fn kinematics(
     pose_b: &Pose,
     velocity_b: &Velocity,
 ) -> Option<ContactKinematics> {
+    by_kind(
+        feature,
+        (shape_a, pose_a),
+        (shape_b, pose_b),
+        |crossed| Some(crossed.kinematics(velocity_a, velocity_b)),
+        |stationary| stationary.kinematics(pose_a.translation, velocity_a, velocity_b),
+        |point| {
+            Some(match point.center_of {
+                Side::A => point.kinematics(velocity_a, velocity_b),
+                Side::B => point.kinematics(velocity_b, velocity_a),
+            })
+        },
+    )
+}
+
+/// The contact with its tangential terms too: what [`kinematics`] gives, to the bit, and what friction needs beside it
+/// ([`TangentialKinematics`]), from one evaluation.
+///
+/// Nothing in the same cases as [`evaluate`].
+pub fn kinematics_with_tangential(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    velocity_a: &Velocity,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    velocity_b: &Velocity,
+) -> Option<(ContactKinematics, TangentialKinematics)> {
+    let (kinematics, moving) = by_kind(
+        feature,
+        (shape_a, pose_a),
+        (shape_b, pose_b),
+        |crossed| Some(crossed.with_motion(velocity_a, velocity_b)),
+        |stationary| stationary.with_motion(pose_a.translation, velocity_a, velocity_b),
+        |point| {
+            Some(match point.center_of {
+                Side::A => point.with_motion(velocity_a, velocity_b),
+                Side::B => point.with_motion(velocity_b, velocity_a),
+            })
+        },
+    )?;
+    Some((kinematics, moving.tangential(velocity_a, velocity_b)))
+}
+
+/// The tangential terms of a contact alone: those of [`kinematics_with_tangential`].
+///
+/// Nothing in the same cases as [`evaluate`].
+///
+/// A ball that slides without spin slips with its own velocity; one that rolls does not slip:
+/// ```
+/// use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, tangential};
+/// use polhode_spatial::{DVec3, Pose, UnitVector, Velocity};
+/// let (ball, floor) = (Shape::sphere(0.5)?, Shape::half_space(UnitVector::Z));
+/// let feature = ContactFeature::Smooth { center_of: Side::A, center: 0, against: SurfaceFeature::Face(0) };
+/// let pose = Pose::from_translation(DVec3::Z * 0.5);
+/// let slip = |spin: DVec3| {
+///     let velocity = Velocity::new(DVec3::X, spin);
+///     tangential(feature, &ball, &pose, &velocity, &floor, &Pose::IDENTITY, &Velocity::ZERO)
+///         .map(|terms| terms.slip_velocity)
+/// };
+/// assert_eq!(slip(DVec3::ZERO), Some(DVec3::X));
+/// assert_eq!(slip(DVec3::Y * 2.0), Some(DVec3::ZERO));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn tangential(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    velocity_a: &Velocity,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    velocity_b: &Velocity,
+) -> Option<TangentialKinematics> {
+    let both = kinematics_with_tangential(feature, shape_a, pose_a, velocity_a, shape_b, pose_b, velocity_b)?;
+    Some(both.1)
+}
+
+/// What a contact answers, by the kind of its features; of compounds those of the parts.
+#[inline]
+fn by_kind<T>(
+    feature: ContactFeature,
+    (shape_a, pose_a): (&Shape, &Pose),
+    (shape_b, pose_b): (&Shape, &Pose),
+    of_edges: impl FnOnce(CrossedEdges) -> Option<T>,
+    of_round: impl FnOnce(Stationary) -> Option<T>,
+    of_point: impl FnOnce(PointOnSurface) -> Option<T>,
+) -> Option<T> {
     let Local { feature, shapes: [shape_a, shape_b], .. } = localized(feature, shape_a, shape_b)?;
     if let ContactFeature::EdgeEdge { edge_a, edge_b } = feature {
         let (a, b) = (shape_a.edge_line(edge_a)?, shape_b.edge_line(edge_b)?);
-        let crossed = CrossedEdges::between(&a, pose_a, &b, pose_b)?;
-        return Some(crossed.kinematics(velocity_a, velocity_b));
+        return of_edges(CrossedEdges::between(&a, pose_a, &b, pose_b)?);
     }
     if has_elements(shape_a) || has_elements(shape_b) {
-        let stationary = of_elements(feature, shape_a, pose_a, shape_b, pose_b)?;
-        return stationary.kinematics(pose_a.translation, velocity_a, velocity_b);
+        return of_round(of_elements(feature, shape_a, pose_a, shape_b, pose_b)?);
     }
-    let contact = PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b)?;
-    Some(match contact.center_of {
-        Side::A => contact.kinematics(velocity_a, velocity_b),
-        Side::B => contact.kinematics(velocity_b, velocity_a),
-    })
+    of_point(PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b)?)
 }
 
 /// Whether the contacts of a shape are found element by element (`round`).
@@ -186,10 +270,21 @@ impl PointOnSurface {
         }
     }
 
-    /// `v` moves the body V of the point, `e` the body E of the surface.
+    /// The velocity `u` of the point relative to the place of E under it. `v` moves the body V of the point, `e` the body
+    /// E of the surface.
+    #[inline]
+    fn relative_velocity(&self, v: &Velocity, e: &Velocity) -> DVec3 {
+        (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset))
+    }
+
     fn kinematics(&self, v: &Velocity, e: &Velocity) -> ContactKinematics {
+        self.kinematics_at(self.relative_velocity(v, e), v, e)
+    }
+
+    /// `u` is [`Self::relative_velocity`].
+    #[inline]
+    fn kinematics_at(&self, u: DVec3, v: &Velocity, e: &Velocity) -> ContactKinematics {
         let Distance { gradient: g, curvature, along, .. } = self.distance;
-        let u = (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset));
         let centripetal = v.angular.cross(v.angular.cross(self.arm)) - e.angular.cross(e.angular.cross(self.offset));
         let (rate, slip) = (g.dot(u), along.dot(u));
         let bending = curvature * (u.length_squared() - rate * rate - slip * slip);
@@ -198,6 +293,28 @@ impl PointOnSurface {
             separation_rate: rate,
             acceleration_bias: g.dot(centripetal) + 2.0 * u.dot(e.angular.cross(g)) + bending,
         }
+    }
+
+    /// The same with how the contact moves: `g' = w_E x g + H u`.
+    fn with_motion(&self, v: &Velocity, e: &Velocity) -> (ContactKinematics, ContactMotion) {
+        let Distance { gradient: g, curvature, along, .. } = self.distance;
+        let u = self.relative_velocity(v, e);
+        let kinematics = self.kinematics_at(u, v, e);
+        let rate = kinematics.separation_rate;
+        let turning = e.angular.cross(g) + (u - g * rate - along * along.dot(u)) * curvature;
+        let depth = self.radius_of_point + 0.5 * kinematics.geometry.separation;
+        let from_v = v.angular.cross(self.arm) - turning * depth - g * (0.5 * rate);
+        let from_e = from_v + (v.linear - e.linear);
+        let (arm_v, arm_e) = (self.arm - g * depth, self.offset - g * depth);
+        let motion = match self.center_of {
+            Side::A => {
+                ContactMotion { normal: g, normal_rate: turning, arms: [arm_v, arm_e], point_rates: [from_v, from_e] }
+            }
+            Side::B => {
+                ContactMotion { normal: -g, normal_rate: -turning, arms: [arm_e, arm_v], point_rates: [from_e, from_v] }
+            }
+        };
+        (kinematics, motion)
     }
 }
 

@@ -25,6 +25,7 @@ pub(crate) mod round;
 pub mod separating_axis;
 pub mod separation;
 pub(crate) mod simplex;
+pub mod tangential;
 mod tied_faces;
 mod triangle_axes;
 

@@ -7,7 +7,7 @@ use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 
 /// `R(t) = exp(first t) exp(second t) R_0`: angular velocity `first + exp(first t) second`, and its rate at zero
 /// `first x second`.
-struct Path {
+pub(crate) struct Path {
     start: Pose,
     linear: DVec3,
     acceleration: DVec3,
@@ -16,7 +16,7 @@ struct Path {
 }
 
 impl Path {
-    fn random(random: &mut Random) -> Self {
+    pub(crate) fn random(random: &mut Random) -> Self {
         Self {
             start: Pose::new(random.rotation(), random.vector()),
             linear: random.vector(),
@@ -26,18 +26,23 @@ impl Path {
         }
     }
 
-    fn pose(&self, t: f64) -> Pose {
+    pub(crate) fn pose(&self, t: f64) -> Pose {
         let turn = Rotation::from_rotation_vector(self.first * t) * Rotation::from_rotation_vector(self.second * t);
         let place = self.start.translation + self.linear * t + self.acceleration * (0.5 * t * t);
         Pose::new(turn * self.start.rotation, place)
     }
 
-    fn velocity(&self) -> Velocity {
+    pub(crate) fn velocity(&self) -> Velocity {
         Velocity::new(self.linear, self.first + self.second)
     }
 
+    pub(crate) fn velocity_at(&self, t: f64) -> Velocity {
+        let second = Rotation::from_rotation_vector(self.first * t).rotate(self.second);
+        Velocity::new(self.linear + self.acceleration * t, self.first + second)
+    }
+
     /// Acceleration of the body's point at an arm from the centre of mass, without the centripetal part.
-    fn given_acceleration(&self, arm: DVec3) -> DVec3 {
+    pub(crate) fn given_acceleration(&self, arm: DVec3) -> DVec3 {
         self.acceleration + self.first.cross(self.second).cross(arm)
     }
 }
@@ -108,6 +113,11 @@ pub(crate) fn check_at(
 #[test]
 fn of_every_kind() {
     let mut random = Random(1234);
+    each_kind(|name, feature, a, b| check(name, feature, a, b, &mut random));
+}
+
+/// Calls `visit` with every kind of contact of polyhedra, clouds, spheres and half-spaces, each way round.
+pub(crate) fn each_kind(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Shape)) {
     let (cube, hexagon) = (cuboid(0.5, 0.4, 0.3), prism(6, 0.3, 0.4));
     let moved = |s: Shape, by: DVec3| s.translated(by).expect("moved");
     let cube = moved(cube, DVec3::new(0.1, -0.05, 0.2));
@@ -131,12 +141,12 @@ fn of_every_kind() {
         ];
         for (name, feature, owner, other) in cases {
             let (a, b) = if side == Side::A { (owner, other) } else { (other, owner) };
-            check(name, feature, a, b, &mut random);
+            visit(name, feature, a, b);
         }
     }
-    check("sphere-sphere", ContactFeature::SphereSphere, &ball, &other_ball, &mut random);
+    visit("sphere-sphere", ContactFeature::SphereSphere, &ball, &other_ball);
     for (edge_a, edge_b) in [(0, 0), (3, 7), (11, 14), (6, 2)] {
-        check("edge-edge", ContactFeature::EdgeEdge { edge_a, edge_b }, &cube, &hexagon, &mut random);
+        visit("edge-edge", ContactFeature::EdgeEdge { edge_a, edge_b }, &cube, &hexagon);
     }
 }
 

@@ -1,7 +1,9 @@
 //! NaN, infinity, huge and tiny numbers: answers without meaning are marked as such, and nothing panics or hangs.
 
 use crate::support::{Flight, Random, at, cuboid, prism};
-use polhode_contact::{ImpactSearch, Shape, Workspace, find_impact, kinematics, manifold, manifold_with, separation};
+use polhode_contact::{
+    ImpactSearch, Shape, Workspace, find_impact, kinematics, manifold, manifold_with, separation, tangential,
+};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use proptest::prelude::*;
 
@@ -221,6 +223,9 @@ fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
                         let moves = moves.unwrap_or_else(|| panic!("{case}: {contact:?} {a:?} {b:?}"));
                         assert_eq!(moves.geometry, contact.geometry, "{case}: {contact:?}");
                         assert!(moves.acceleration_bias.abs() < 1e18 / size, "{case}: {moves:?}");
+                        let slips = tangential(contact.feature, a, pose_a, &moving[0], b, pose_b, &moving[1]);
+                        let slips = slips.unwrap_or_else(|| panic!("{case}: {contact:?} {a:?} {b:?}"));
+                        assert!(slips.acceleration_bias.length() < 1e18 / size, "{case}: {slips:?}");
                     }
                 }
             }
@@ -248,6 +253,9 @@ fn a_rim_far_below_a_plane_has_kinematics() {
             // The arm is read from places of the size of the depth.
             let rounding = 1e-12 * (1.0 + depth);
             assert!((moving.separation_rate - rate).abs() <= rounding && moving.acceleration_bias.is_finite());
+            let slips = tangential(contact.feature, &rim, &pose, &falling, &ground, &Pose::IDENTITY, &Velocity::ZERO);
+            let slips = slips.unwrap_or_else(|| panic!("no slip at {depth}: {contact:?}"));
+            assert!(slips.slip_velocity.is_finite() && slips.acceleration_bias.is_finite(), "{slips:?}");
         }
     }
 }

@@ -36,3 +36,6 @@ mod scenes;
 mod smooth_shapes;
 mod stacking;
 mod support;
+mod tangential;
+mod tangential_derivatives;
+mod tangential_reference;

@@ -7,7 +7,7 @@ use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature};
 use polhode_spatial::{DVec3, UnitVector};
 
 /// Poses tried for each pair: a rim that crosses an edge twice does so at few of them.
-const POSES: u32 = 200;
+pub(crate) const POSES: u32 = 200;
 
 fn moved(shape: Result<Shape, polhode_contact::ShapeError>, by: DVec3) -> Shape {
     shape.and_then(|shape| shape.translated(by)).expect("a shape")
@@ -16,8 +16,13 @@ fn moved(shape: Result<Shape, polhode_contact::ShapeError>, by: DVec3) -> Shape 
 /// Every pair of elements, each way round.
 #[test]
 fn of_every_pair_of_elements() {
-    use SurfaceFeature::{Cap, Edge, Face, Rim, RimEntry, RimExit, Side as Lateral, Sphere, Vertex};
     let mut random = Random(4321);
+    each_pair_of_elements(|name, feature, a, b| check_at(POSES, name, feature, a, b, &mut random));
+}
+
+/// Calls `visit` with every pair of elements, each way round.
+pub(crate) fn each_pair_of_elements(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Shape)) {
+    use SurfaceFeature::{Cap, Edge, Face, Rim, RimEntry, RimExit, Side as Lateral, Sphere, Vertex};
     let capsule = moved(Shape::capsule(0.1, 0.6), DVec3::new(0.1, -0.05, 0.2));
     let cylinder = moved(Shape::cylinder(0.3, 0.5), DVec3::new(-0.1, 0.05, 0.1));
     let cone = moved(Shape::cone(0.3, 0.5), DVec3::new(0.05, 0.15, -0.1));
@@ -77,8 +82,8 @@ fn of_every_pair_of_elements() {
     ];
     for (first, feature, second, other) in cases {
         let name = format!("{feature:?} of {first:?}, {other:?} of {second:?}");
-        check_at(POSES, &name, ContactFeature::Elements { a: feature, b: other }, first, second, &mut random);
-        check_at(POSES, &name, ContactFeature::Elements { a: other, b: feature }, second, first, &mut random);
+        visit(&name, ContactFeature::Elements { a: feature, b: other }, first, second);
+        visit(&name, ContactFeature::Elements { a: other, b: feature }, second, first);
     }
 }
 

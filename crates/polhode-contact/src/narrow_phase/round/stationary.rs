@@ -22,11 +22,16 @@
 //! `chi'' = n.(a_A - a_B) + 2 n'.(v_A - v_B) - (n.F) n'.n' - s (n'.t + n.(w x t))^2 / n.k`,
 //!
 //! the last term for a circle on the plane alone (`s`, `w`, `t` and `k` are the circle's).
+//!
+//! The contact point stands off `x_A` by `rho_A + chi/2` along `-n` (or off `x_B` by `rho_B + chi/2` along `n`), and moves
+//! with `x_A' = v_A(x_A) + t_A z_A'`, `n'`, `chi'` and, as chi is stationary with respect to `z_A`, `rho_A' = n.t_A z_A'`
+//! (which is zero but on a cone).
 
 use super::branch;
 use super::element::{Element, Locus};
 use super::pairs::{Place, places};
 use crate::clearance::COINCIDENCE;
+use crate::narrow_phase::tangential::ContactMotion;
 use crate::{ContactGeometry, ContactKinematics, Side};
 use glam::DVec3;
 use polhode_spatial::Velocity;
@@ -123,38 +128,117 @@ impl Stationary {
 
     /// Never nothing, for [`Self::new`] has asked for what the rates need.
     pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
-        let n = self.place.normal;
-        let (arm_a, arm_b) = (self.place.on_a, self.place.on_b - self.origin_b);
-        let velocity = (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b));
-        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        let velocity = self.relative_velocity(a, b);
         let bending = match self.plane_of {
             Some(plane) => self.bending_over_plane(plane, velocity, a, b),
-            None => self.bending(velocity, a, b)?,
+            None => self.bending(&self.rates(velocity, a, b)?, velocity, a, b),
         };
-        Some(ContactKinematics {
+        Some(self.kinematics_with(bending, velocity, origin_a, a, b))
+    }
+
+    /// The same with how the contact moves.
+    pub(crate) fn with_motion(
+        &self,
+        origin_a: DVec3,
+        a: &Velocity,
+        b: &Velocity,
+    ) -> Option<(ContactKinematics, ContactMotion)> {
+        let velocity = self.relative_velocity(a, b);
+        let (rates, bending) = if let Some(plane) = self.plane_of {
+            (self.rates_over_plane(plane, a, b), self.bending_over_plane(plane, velocity, a, b))
+        } else {
+            let rates = self.rates(velocity, a, b)?;
+            let bending = self.bending(&rates, velocity, a, b);
+            (rates, bending)
+        };
+        let kinematics = self.kinematics_with(bending, velocity, origin_a, a, b);
+        Some((kinematics, self.motion(&rates, kinematics.separation_rate, a, b)))
+    }
+
+    /// From the centres of mass to the places on the two loci.
+    #[inline]
+    fn place_arms(&self) -> [DVec3; 2] {
+        [self.place.on_a, self.place.on_b - self.origin_b]
+    }
+
+    /// `v_A(x_A) - v_B(x_B)`.
+    #[inline]
+    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        let [arm_a, arm_b] = self.place_arms();
+        (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b))
+    }
+
+    /// `velocity` is [`Self::relative_velocity`].
+    #[inline]
+    fn kinematics_with(
+        &self,
+        bending: f64,
+        velocity: DVec3,
+        origin_a: DVec3,
+        a: &Velocity,
+        b: &Velocity,
+    ) -> ContactKinematics {
+        let n = self.place.normal;
+        let [arm_a, arm_b] = self.place_arms();
+        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        ContactKinematics {
             geometry: self.geometry(origin_a),
             separation_rate: n.dot(velocity),
             acceleration_bias: n.dot(centripetal) + bending,
-        })
+        }
+    }
+
+    /// How the contact point moves: with a place on a locus, which wanders, and from there along the normal, which turns.
+    /// The place is A's; on a plane there is nothing that wanders of its own accord, and the place is the other one.
+    fn motion(&self, rates: &Rates, separation_rate: f64, a: &Velocity, b: &Velocity) -> ContactMotion {
+        let n = self.place.normal;
+        let from = if self.plane_of == Some(Side::A) { Side::B } else { Side::A };
+        let [place_a, place_b] = self.place_arms();
+        let (velocity, arm, on_locus, outwards) = match from {
+            Side::A => (a, place_a, self.place.on_a, -1.0),
+            Side::B => (b, place_b, self.place.on_b, 1.0),
+        };
+        let mut wandering = DVec3::ZERO;
+        let mut growth = 0.5 * separation_rate;
+        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
+            if parameter.of == from {
+                wandering += parameter.along * rate;
+                growth -= outwards * n.dot(parameter.along) * rate;
+            }
+        }
+        // The contact point stands off the place by `outwards` times the radius and half the separation along n.
+        let stand_off = n.dot(self.middle - on_locus);
+        let rate = velocity.angular.cross(arm) + wandering + rates.normal * stand_off + n * (outwards * growth);
+        let approach = a.linear - b.linear;
+        ContactMotion {
+            normal: n,
+            normal_rate: rates.normal,
+            arms: [self.middle, self.middle - self.origin_b],
+            point_rates: match from {
+                Side::A => [rate, rate + approach],
+                Side::B => [rate - approach, rate],
+            },
+        }
     }
 
     /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2.
-    fn bending(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<f64> {
+    #[inline]
+    fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;
-        let rates = self.rates(velocity, a, b)?;
         let mut bending = rates.normal.dot(velocity);
         for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
             let (sign, spin) = sign_and_spin(parameter, a, b);
             bending += sign * rate * n.dot(spin.cross(parameter.along));
         }
-        Some(bending)
+        bending
     }
 
     /// The same where one element is a plane, whose normal turns with its body: in closed form, for at touch the system of
     /// the rates would give the normal's with the rounding of the velocity over that of the separation.
+    #[inline]
     fn bending_over_plane(&self, plane_of: Side, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;
-        let turning = if plane_of == Side::A { a.angular } else { b.angular }.cross(n);
+        let turning = self.turning_of_plane(plane_of, a, b);
         let apart = n.dot(self.place.on_a - self.place.on_b);
         let bend = |parameter: &Parameter| {
             let (sign, spin) = sign_and_spin(parameter, a, b);
@@ -165,6 +249,28 @@ impl Stationary {
         };
         let wandering: f64 = self.parameters[..self.count].iter().map(bend).sum();
         2.0 * turning.dot(velocity) - apart * turning.length_squared() + wandering
+    }
+
+    /// `n'` of a plane's normal.
+    #[inline]
+    fn turning_of_plane(&self, plane_of: Side, a: &Velocity, b: &Velocity) -> DVec3 {
+        if plane_of == Side::A { a.angular } else { b.angular }.cross(self.place.normal)
+    }
+
+    /// `n'` and `z'` where one element is a plane.
+    fn rates_over_plane(&self, plane_of: Side, a: &Velocity, b: &Velocity) -> Rates {
+        let n = self.place.normal;
+        let normal = self.turning_of_plane(plane_of, a, b);
+        let mut parameters = [0.0; 2];
+        for (rate, parameter) in parameters.iter_mut().zip(&self.parameters[..self.count]) {
+            let (_, spin) = sign_and_spin(parameter, a, b);
+            let curvature = n.dot(parameter.bend);
+            // Where all places of the circle are as good, its place is held still.
+            if curvature != 0.0 {
+                *rate = -(normal.dot(parameter.along) + n.dot(spin.cross(parameter.along))) / curvature;
+            }
+        }
+        Rates { normal, parameters }
     }
 
     /// Whether the normal has a rate for every motion.
