@@ -20,9 +20,14 @@
 //! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
 //!
+//! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
+//! polhode-spatial under [`spatial`], that of polhode-mesh under [`mesh`]. Bodies move by whatever is a [`Motion`]; those in
+//! closed form are [`Still`], [`ConstantVelocity`], [`ConstantScrew`] and [`SteadyFlight`]. Programs of ten lines stand in
+//! the folder `examples` of the crate: `contacts_of_two_boxes`,
+//! `impact_of_two_boxes` and `impact_of_a_box_on_a_turntable`.
+//!
 //! ```
-//! use polhode_contact::{Shape, manifold};
-//! use polhode_spatial::{DVec3, Pose, UnitVector};
+//! use polhode_contact::{DVec3, Pose, Shape, UnitVector, manifold};
 //! let brick = Shape::cuboid(DVec3::new(1.0, 0.5, 0.25))?;
 //! let floor = Shape::half_space(UnitVector::Z);
 //! let resting = manifold(&brick, &Pose::from_translation(DVec3::Z * 0.125), &floor, &Pose::IDENTITY, 1e-9);
@@ -69,4 +74,11 @@ pub use shape::mirror::mirror_defect;
 pub use shape::polyhedron::{ConvexPolyhedron, Edge, Face};
 pub use shape::{
     Capsule, Compound, Cone, Cylinder, HalfSpace, PointCloud, Shape, ShapeError, Sphere, Torus, TriangleMesh,
+};
+
+pub use polhode_mesh as mesh;
+pub use polhode_spatial as spatial;
+pub use spatial::{
+    ConstantScrew, ConstantVelocity, DMat3, DVec3, Motion, MotionBounds, MotionError, Pose, Rotation, RotationError,
+    SteadyFlight, Still, UnitVector, UnitVectorError, Velocity,
 };

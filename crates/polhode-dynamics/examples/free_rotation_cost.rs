@@ -12,9 +12,8 @@
 //!
 //! Prints a sum of what it computed, so that nothing is optimised away.
 
-use polhode_dynamics::FreeRotation;
 use polhode_dynamics::exact_rotation::drift;
-use polhode_spatial::{DVec3, Rotation};
+use polhode_dynamics::{DVec3, FreeRotation, Rotation};
 use std::hint::black_box;
 
 #[path = "../benches/support/rk4_of_one_body.rs"]

@@ -24,9 +24,12 @@
 //! | [`carlson`] | Carlson's symmetric elliptic integrals RF, RJ |
 //! | [`jacobi`] | Jacobi's elliptic functions sn, cn, dn |
 //!
+//! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
+//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
+//! `flight_of_a_tumbling_box`, `wobble_of_a_plate` and `mass_on_a_spring`.
+//!
 //! ```
-//! use polhode_dynamics::{Flight, RigidBody};
-//! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
+//! use polhode_dynamics::{DVec3, Flight, Inertia, Mass, MassProperties, Pose, RigidBody, Velocity};
 //! let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0))?;
 //! let body = RigidBody::new(&MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia));
 //! let start = body.at_velocity(Pose::IDENTITY, Velocity::new(DVec3::ZERO, DVec3::new(0.01, 2.0, 0.01)));
@@ -68,3 +71,9 @@ pub use rigid_body::RigidBody;
 pub use rk4::Rk4;
 pub use state::BodyState;
 pub use system::System;
+
+pub use polhode_spatial as spatial;
+pub use spatial::{
+    DMat3, DQuat, DVec3, Inertia, InertiaError, Mass, MassProperties, MassPropertiesError, Motion, MotionBounds, Pose,
+    PrincipalAxes, Rotation, RotationError, Velocity,
+};

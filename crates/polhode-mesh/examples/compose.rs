@@ -1,8 +1,7 @@
 //! A hammer: a steel head and a wooden handle of different densities as one body, and what a coarse mesh of the handle
 //! would cost beside its closed form.
 
-use polhode_mesh::{Cuboid, Cylinder, Refinement, solid_mass_properties};
-use polhode_spatial::{DVec3, Density, Pose};
+use polhode_mesh::{Cuboid, Cylinder, DVec3, Density, Pose, Refinement, solid_mass_properties};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -15,6 +14,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("mass            {:.4} kg", exact.mass());
     println!("centre of mass  {} m", exact.center_of_mass());
     println!("moments         {} kg m^2", exact.principal_axes().moments());
+    let masses = (7850.0 * 0.12 * 0.03 * 0.03, 700.0 * std::f64::consts::PI * 0.012 * 0.012 * 0.30);
+    assert!((exact.mass() - masses.0 - masses.1).abs() < 1e-15);
+    let center = -0.165 * masses.1 / exact.mass();
+    assert!((exact.center_of_mass() - DVec3::Z * center).length() < 1e-15);
     for level in 0..5 {
         let mesh = handle.mesh(Refinement::new(level)?)?;
         let meshed = head.combined(&solid_mass_properties(&mesh, wood)?.in_frame(&below))?;

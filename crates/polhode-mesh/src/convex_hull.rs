@@ -57,8 +57,7 @@ impl ConvexHull {
     /// Of some points, m.
     ///
     /// ```
-    /// use polhode_mesh::ConvexHull;
-    /// use polhode_spatial::DVec3;
+    /// use polhode_mesh::{ConvexHull, DVec3};
     /// let grid = (0..27).map(|i| DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)));
     /// let hull = ConvexHull::of(&grid.collect::<Vec<_>>())?;
     /// assert_eq!((hull.faces().len(), hull.sources().len()), (6, 8));

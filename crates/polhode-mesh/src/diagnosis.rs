@@ -98,8 +98,7 @@ pub struct Diagnosis {
 /// components, where every component costs one pass over those that its bounding box lies in.
 ///
 /// ```
-/// use polhode_mesh::{DefectKind, TriangleMesh, diagnose};
-/// use polhode_spatial::DVec3;
+/// use polhode_mesh::{DVec3, DefectKind, TriangleMesh, diagnose};
 /// let sheet = TriangleMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]])?;
 /// let diagnosis = diagnose(&sheet);
 /// assert!(!diagnosis.is_solid());

@@ -16,8 +16,7 @@ pub fn recentered(mesh: &TriangleMesh, body: &MassProperties) -> Result<Triangle
 /// right-handed, with the signs of [`PrincipalAxes`](polhode_spatial::PrincipalAxes).
 ///
 /// ```
-/// use polhode_mesh::{SolidMesh, box_mesh, in_principal_axes, solid_mass_properties};
-/// use polhode_spatial::{DVec3, Density};
+/// use polhode_mesh::{DVec3, Density, SolidMesh, box_mesh, in_principal_axes, solid_mass_properties};
 /// let (mesh, density) = (box_mesh(DVec3::new(1.0, 2.0, 3.0))?, Density::new(1.0)?);
 /// let turned = in_principal_axes(mesh.mesh(), &solid_mass_properties(&mesh, density)?)?;
 /// let body = solid_mass_properties(&SolidMesh::new(turned)?, density)?;

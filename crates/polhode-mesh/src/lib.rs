@@ -28,9 +28,12 @@
 //! | [`point_location`] | [`PointLocator`]: inside, on the surface or outside, exactly |
 //! | [`mod@winding_number`] | [`winding_number()`]: the generalised one, also of open surfaces |
 //!
+//! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
+//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate: `mesh_in_a_file`
+//! (read, diagnose, weigh) and `compose` (a body of parts).
+//!
 //! ```
-//! use polhode_mesh::{SolidMesh, obj, solid_mass_properties};
-//! use polhode_spatial::Density;
+//! use polhode_mesh::{Density, SolidMesh, obj, solid_mass_properties};
 //!
 //! let file = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 //! let solid = SolidMesh::new(obj::read(file)?)?;
@@ -101,3 +104,9 @@ pub use triangle_mesh::{Bounds, MeshError, TriangleMesh};
 pub use volume_integrals::VolumeIntegrals;
 pub use weld::{Welded, weld};
 pub use winding_number::winding_number;
+
+pub use polhode_spatial as spatial;
+pub use spatial::{
+    DMat3, DVec3, Density, Inertia, InertiaError, Mass, MassProperties, MassPropertiesError, Pose, PrincipalAxes,
+    Rotation,
+};

@@ -44,8 +44,7 @@ impl Amount {
 /// in the frame of the mesh, the inertia about the centre of mass in the axes of the mesh.
 ///
 /// ```
-/// use polhode_mesh::{box_mesh, solid_mass_properties};
-/// use polhode_spatial::{DVec3, Mass};
+/// use polhode_mesh::{DVec3, Mass, box_mesh, solid_mass_properties};
 /// let brick = solid_mass_properties(&box_mesh(DVec3::new(1.0, 2.0, 3.0))?, Mass::new(6.0)?)?;
 /// assert!((brick.inertia().matrix().x_axis.x - 6.5).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

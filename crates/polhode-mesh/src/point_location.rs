@@ -29,8 +29,7 @@ pub enum PointLocation {
 /// Answers where points lie in one solid.
 ///
 /// ```
-/// use polhode_mesh::{PointLocation, PointLocator, box_mesh};
-/// use polhode_spatial::DVec3;
+/// use polhode_mesh::{DVec3, PointLocation, PointLocator, box_mesh};
 /// let locator = PointLocator::new(&box_mesh(DVec3::ONE)?);
 /// assert_eq!(locator.locate(DVec3::ZERO), PointLocation::Inside);
 /// assert_eq!(locator.locate(DVec3::X * 0.5), PointLocation::OnSurface);

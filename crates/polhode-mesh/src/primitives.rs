@@ -25,8 +25,7 @@
 //! beside the mesh, not a property of it (in a scene: the keys `mass` and `inertia` of the body).
 //!
 //! ```
-//! use polhode_mesh::{Refinement, Torus, solid_mass_properties};
-//! use polhode_spatial::Density;
+//! use polhode_mesh::{Density, Refinement, Torus, solid_mass_properties};
 //! let (torus, density) = (Torus::new(1.0, 0.25)?, Density::new(1.0)?);
 //! let exact = torus.solid(density)?;
 //! let error = |level: u32| -> Result<f64, Box<dyn std::error::Error>> {

@@ -132,8 +132,7 @@ impl fmt::Display for RepairStep {
 /// Mends what can be mended safely.
 ///
 /// ```
-/// use polhode_mesh::{Repair, RepairOptions, SolidMesh, box_mesh, repair};
-/// use polhode_spatial::DVec3;
+/// use polhode_mesh::{DVec3, Repair, RepairOptions, SolidMesh, box_mesh, repair};
 /// let cube = box_mesh(DVec3::ONE)?.into_mesh();
 /// let (mended, report) = repair(&cube.flipped(), &RepairOptions::default())?;
 /// assert_eq!((report.steps[0].repair, report.steps[0].count), (Repair::Flip, 12));

@@ -18,8 +18,7 @@ pub(crate) const COORDINATE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Vertices (m) and triangles of a surface, in the axes of the file or body they come from.
 ///
 /// ```
-/// use polhode_mesh::TriangleMesh;
-/// use polhode_spatial::DVec3;
+/// use polhode_mesh::{DVec3, TriangleMesh};
 /// let triangle = TriangleMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]])?;
 /// let [a, b, c] = triangle.corners(triangle.triangles()[0]);
 /// assert_eq!((b - a).cross(c - a), DVec3::Z);

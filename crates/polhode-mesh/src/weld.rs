@@ -30,8 +30,7 @@ pub struct Welded {
 /// A triangle may become degenerate by this; [`repair`](crate::repair::repair) drops it.
 ///
 /// ```
-/// use polhode_mesh::{TriangleMesh, weld};
-/// use polhode_spatial::DVec3;
+/// use polhode_mesh::{DVec3, TriangleMesh, weld};
 /// let near = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1e-7, 0.0), DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
 /// let mesh = TriangleMesh::new(near.to_vec(), vec![[0, 1, 2], [3, 4, 5]])?;
 /// assert_eq!(weld(&mesh, 0.0)?.merged, 1);

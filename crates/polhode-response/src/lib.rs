@@ -18,6 +18,10 @@
 //! | [`settings`] | [`SolverSettings`] |
 //! | [`error`] | [`ResponseError`] |
 //!
+//! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
+//! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
+//! `newtons_cradle` (an impact law) and `box_on_the_ground` (contact forces).
+//!
 //! ```
 //! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};
 //! // A beam of 1 kg and inertia 1/3 kg m^2 on three pillars at x = -1, 0, 1 (thesis, Figure 20), in a plane.
@@ -60,3 +64,5 @@ pub use minimum_norm::{MinimumNormForces, minimum_norm};
 pub use problem::ContactProblem;
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::{FallbackPolicy, SolverSettings};
+
+pub use polhode_spatial as spatial;

@@ -11,11 +11,16 @@
 //! | [`pose`] | [`Pose`]: rotation and translation of one frame in another |
 //! | [`velocity`] | [`Velocity`] of a body, velocity of its points |
 //! | [`unit_vector`] | [`UnitVector`]: a direction |
-//! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds; [`Still`] |
+//! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds; [`Still`], [`ConstantVelocity`], [`ConstantScrew`], [`SteadyFlight`] |
 //! | [`inertia`] | [`Inertia`]: a valid rotational inertia and its algebra |
 //! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |
 //! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
 //! | [`compensated_sum`] | [`CompensatedSum`] after Neumaier |
+//!
+//! This crate is all that a program needs to name: the vectors, matrices and quaternions of glam that its signatures
+//! speak of are here too, and the crates above it pass all of it on as their module `spatial`, with the names that their
+//! own signatures need. Programs of ten lines stand in the folder `examples` of the crate: `dumbbell` (mass properties of
+//! a body of parts) and `motions_in_closed_form`.
 //!
 //! ```
 //! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties};
@@ -39,7 +44,7 @@ pub use compensated_sum::CompensatedSum;
 pub use glam::{DMat3, DQuat, DVec3};
 pub use inertia::{Inertia, InertiaError};
 pub use mass_properties::{Density, Mass, MassProperties, MassPropertiesError};
-pub use motion::{Motion, MotionBounds, Still};
+pub use motion::{ConstantScrew, ConstantVelocity, Motion, MotionBounds, MotionError, SteadyFlight, Still};
 pub use pose::Pose;
 pub use principal_axes::PrincipalAxes;
 pub use rotation::{Rotation, RotationError};

@@ -24,6 +24,7 @@ mod mass_properties;
 mod mesh_program;
 mod motion;
 mod numerical_loss;
+mod one_dependency;
 mod peers;
 mod pi_machine;
 mod polhode_times;
@@ -197,6 +198,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "ledger", rows: ledger::shipped_scenes },
     Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
+    Case { name: "one dependency", rows: one_dependency::examples },
     Case { name: "numerical loss", rows: numerical_loss::conservative_scenes },
     Case { name: "reductions", rows: reductions::found_where_they_are },
     Case { name: "CD-02", rows: invariances::cd_02 },

@@ -4,6 +4,7 @@
 
 mod docs;
 mod layers;
+mod one_dependency;
 mod rules;
 mod rust_source;
 mod third_party;

@@ -1,7 +1,7 @@
 //! Rules about one source file at a time.
 
 use super::rust_source::RustSource;
-use super::{CORE, Violation};
+use super::{CORE, Violation, one_dependency};
 
 /// Longest file, lines.
 const LONGEST_FILE: usize = 700;
@@ -35,6 +35,7 @@ pub(super) const ALL: &[Rule] = &[
     Rule { name: "the core computes the same bits everywhere", find: same_bits },
     Rule { name: "no unwrap or expect outside tests", find: unwraps },
     Rule { name: "no epsilon without a name", find: bare_epsilons },
+    Rule { name: "examples of a crate name that crate alone", find: one_dependency::check },
 ];
 
 fn module_docs(source: &RustSource) -> Vec<Violation> {

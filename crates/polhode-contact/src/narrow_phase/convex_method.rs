@@ -50,8 +50,7 @@ pub struct Separation {
 /// ([`distance()`]) by either. Nothing when a pose is not finite or no distance exists.
 ///
 /// ```
-/// use polhode_contact::{ConvexMethod, Shape, Workspace, separation_by};
-/// use polhode_spatial::{DVec3, Pose};
+/// use polhode_contact::{ConvexMethod, DVec3, Pose, Shape, Workspace, separation_by};
 /// let brick = Shape::cuboid(DVec3::ONE)?;
 /// let above = Pose::from_translation(DVec3::Z * 1.5);
 /// for method in ConvexMethod::ALL {

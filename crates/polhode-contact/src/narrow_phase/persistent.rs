@@ -43,8 +43,7 @@ struct Record<T> {
 /// Narrow phase with memory. `T` is what the caller keeps with each contact; a new contact has `T::default()`.
 ///
 /// ```
-/// use polhode_contact::{NarrowPhase, Shape};
-/// use polhode_spatial::{DVec3, Pose, UnitVector};
+/// use polhode_contact::{DVec3, NarrowPhase, Pose, Shape, UnitVector};
 /// let shapes = [Shape::half_space(UnitVector::Z), Shape::cuboid(DVec3::ONE)?];
 /// let mut poses = [Pose::IDENTITY, Pose::from_translation(DVec3::Z * 0.5)];
 /// let mut narrow_phase = NarrowPhase::<f64>::default();

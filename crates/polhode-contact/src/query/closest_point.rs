@@ -28,8 +28,7 @@ pub struct SurfacePoint {
 /// places that with the lowest part is taken.
 ///
 /// ```
-/// use polhode_contact::{Shape, closest_point};
-/// use polhode_spatial::{DVec3, Pose};
+/// use polhode_contact::{DVec3, Pose, Shape, closest_point};
 /// let brick = Shape::cuboid(DVec3::ONE)?;
 /// let near = closest_point(&brick, &Pose::IDENTITY, DVec3::new(0.0, 0.0, 2.0))?;
 /// assert_eq!((near.distance, near.point), (1.5, DVec3::Z * 0.5));
@@ -71,8 +70,7 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
 /// shape contains a point that is not finite.
 ///
 /// ```
-/// use polhode_contact::{Shape, contains};
-/// use polhode_spatial::{DVec3, Pose};
+/// use polhode_contact::{DVec3, Pose, Shape, contains};
 /// let ring = Shape::torus(2.0, 0.5)?;
 /// assert!(contains(&ring, &Pose::IDENTITY, DVec3::X * 2.5) && !contains(&ring, &Pose::IDENTITY, DVec3::ZERO));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

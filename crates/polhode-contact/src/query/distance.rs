@@ -44,8 +44,7 @@ pub struct ClosestPoints {
 /// vertices, and lower indices; on an axis of symmetry a fixed direction.
 ///
 /// ```
-/// use polhode_contact::{Shape, distance};
-/// use polhode_spatial::{DVec3, Pose};
+/// use polhode_contact::{DVec3, Pose, Shape, distance};
 /// let (brick, ball) = (Shape::cuboid(DVec3::ONE)?, Shape::sphere(0.5)?);
 /// let apart = distance(&ball, &Pose::from_translation(DVec3::X * 3.0), &brick, &Pose::IDENTITY)?;
 /// assert_eq!((apart.distance, apart.normal), (2.0, DVec3::X));

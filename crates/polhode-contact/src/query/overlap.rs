@@ -15,8 +15,7 @@ const ITERATION: f64 = 4e-12;
 /// not.
 ///
 /// ```
-/// use polhode_contact::{Shape, overlap};
-/// use polhode_spatial::{DVec3, Pose};
+/// use polhode_contact::{DVec3, Pose, Shape, overlap};
 /// let brick = Shape::cuboid(DVec3::ONE)?;
 /// assert!(overlap(&brick, &Pose::IDENTITY, &brick, &Pose::from_translation(DVec3::X)));
 /// assert!(!overlap(&brick, &Pose::IDENTITY, &brick, &Pose::from_translation(DVec3::X * 1.0001)));

@@ -76,8 +76,7 @@ pub struct RayHit {
 /// `max_distance` that is NaN or negative, and a miss.
 ///
 /// ```
-/// use polhode_contact::{Ray, Shape, ray_cast};
-/// use polhode_spatial::{DVec3, Pose, UnitVector};
+/// use polhode_contact::{DVec3, Pose, Ray, Shape, UnitVector, ray_cast};
 /// let ball = Shape::sphere(0.5)?;
 /// let ray = Ray::new(DVec3::Z * 3.0, UnitVector::new(-DVec3::Z)?)?;
 /// let hit = ray_cast(&ball, &Pose::IDENTITY, &ray, f64::INFINITY).ok_or("a miss")?;

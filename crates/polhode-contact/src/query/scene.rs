@@ -17,8 +17,7 @@ use polhode_spatial::Pose;
 /// Bodies at rest for questions.
 ///
 /// ```
-/// use polhode_contact::{QueryScene, Ray, Shape};
-/// use polhode_spatial::{DVec3, Pose, UnitVector};
+/// use polhode_contact::{DVec3, Pose, QueryScene, Ray, Shape, UnitVector};
 /// let (brick, ball) = (Shape::cuboid(DVec3::ONE)?, Shape::sphere(0.5)?);
 /// let scene = QueryScene::new([(&brick, Pose::IDENTITY), (&ball, Pose::from_translation(DVec3::Z * 3.0))])?;
 /// let ray = Ray::new(DVec3::Z * 9.0, UnitVector::new(-DVec3::Z)?)?;

@@ -73,9 +73,8 @@ pub struct ApproximateDecomposition {
 /// Parts a solid into convex solids that nearly fill it; one that is convex is its only part.
 ///
 /// ```
-/// use polhode_contact::{ApproximateSettings, approximate_decomposition};
-/// use polhode_mesh::box_mesh;
-/// use polhode_spatial::DVec3;
+/// use polhode_contact::{ApproximateSettings, DVec3, approximate_decomposition};
+/// use polhode_contact::mesh::box_mesh;
 /// let brick = box_mesh(DVec3::new(1.0, 2.0, 3.0))?;
 /// let found = approximate_decomposition(&brick, ApproximateSettings::default())?;
 /// assert!(found.parts.len() == 1 && found.volume_error.abs() < 1e-12);

@@ -47,7 +47,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 ///
 /// ```
 /// use polhode_dynamics::exact_rotation::drift;
-/// use polhode_spatial::{DVec3, Rotation};
+/// use polhode_dynamics::{DVec3, Rotation};
 /// let (moments, momentum) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, 3.0));
 /// let there = drift(moments, Rotation::IDENTITY, momentum, 1000.0);
 /// assert!(drift(moments, there, momentum, -1000.0).angle_to(Rotation::IDENTITY) < 1e-11);

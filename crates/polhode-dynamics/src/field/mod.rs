@@ -17,8 +17,7 @@
 //!
 //! ```
 //! use polhode_dynamics::field::{Account, Dependence, Field, Wrench};
-//! use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
-//! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties, Pose};
+//! use polhode_dynamics::{BodyState, DVec3, FreeMotion, Inertia, Mass, MassProperties, Pose, RigidBody};
 //! /// A trap that holds centres of mass near the plane z = 0: `V = k z^2/2` each.
 //! #[derive(Debug)]
 //! struct Trap {

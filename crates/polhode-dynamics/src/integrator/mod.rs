@@ -16,8 +16,7 @@
 //!
 //! ```
 //! use polhode_dynamics::integrator::{Method, MethodSettings, event};
-//! use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
-//! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties, Pose};
+//! use polhode_dynamics::{BodyState, DVec3, FreeMotion, Inertia, Mass, MassProperties, Pose, RigidBody};
 //! let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0))?;
 //! let bodies = [RigidBody::new(&MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))];
 //! let motion = FreeMotion::new(&bodies, DVec3::NEG_Z * 9.81, &[]);

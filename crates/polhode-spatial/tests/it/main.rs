@@ -9,6 +9,7 @@
 mod compensated_sum;
 mod inertia;
 mod mass_properties;
+mod motions;
 mod pose;
 mod principal_axes;
 mod random;

@@ -3,6 +3,27 @@
 //! Collision detection takes motions and so needs no dynamics: a free flight, a step of an integrator and a body
 //! that stands still all look the same to it. The frame that moves is the body's central frame C: axes of the body,
 //! origin at the centre of mass.
+//!
+//! Motions in closed form, each from its state at a time `t0`; a rotation of a body without torque whose spin is not
+//! steady is `Flight` of polhode-dynamics.
+//!
+//! | motion | centre of mass | rotation |
+//! |---|---|---|
+//! | [`Still`] | stays | stays |
+//! | [`ConstantVelocity`] | along a line, at constant speed | steady |
+//! | [`ConstantScrew`] | along a helix: about an axis that is fixed in the world, and along it | steady |
+//! | [`SteadyFlight`] | along a parabola: constant acceleration | steady |
+
+mod constant_screw;
+mod constant_velocity;
+mod error;
+mod steady_flight;
+mod steady_spin;
+
+pub use constant_screw::ConstantScrew;
+pub use constant_velocity::ConstantVelocity;
+pub use error::MotionError;
+pub use steady_flight::SteadyFlight;
 
 use crate::{Pose, Velocity};
 
