@@ -1,5 +1,6 @@
 //! What can go wrong while simulating.
 
+use crate::actions::ActionError;
 use crate::scene::SceneError;
 use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
@@ -14,6 +15,9 @@ pub enum SimulationError {
     /// The scene is refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// An action of the program is refused.
+    #[error(transparent)]
+    Action(#[from] ActionError),
     /// The state is no longer finite.
     #[error("the state of body {body} is not finite at t = {t} s: the run diverged")]
     Diverged {

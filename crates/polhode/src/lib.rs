@@ -6,6 +6,7 @@
 
 mod accounting;
 mod accurate;
+mod actions;
 mod body_id;
 pub mod body_queries;
 mod collision;
@@ -28,6 +29,7 @@ mod thesis;
 mod tier;
 mod world;
 
+pub use actions::ActionError;
 pub use body_id::BodyId;
 pub use body_queries::BodyQueries;
 pub use error::SimulationError;
@@ -36,7 +38,7 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
-pub use report::{Certificate, Energy, Outcome, RunReport};
+pub use report::{Certificate, Energy, Outcome, PlanChange, RunReport};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, ContactView, IslandView, Simulation, StepEnd, StepOutcome};
 

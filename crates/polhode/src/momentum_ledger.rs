@@ -1,6 +1,6 @@
 //! The ledger of momentum: where every newton-second went.
 //!
-//! `P + D_rest + D_projection + D_numerical - J_gravity - J_support - J_fields = P0`
+//! `P + D_rest + D_projection + D_numerical - J_gravity - J_support - J_fields - J_program = P0`
 //!
 //! and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world, the
 //! centre of mass of the movable bodies at the start. J is what the outside gave: gravity, force fields, and the fixed
@@ -68,6 +68,8 @@ pub struct MomentumLedger {
     pub support: MomentumSum,
     /// Given by force fields.
     pub fields: MomentumSum,
+    /// Given by a program: impulses, velocities and poses that it set, bodies that it added or removed.
+    pub program: MomentumSum,
     /// Lost when small bounces were summed up or small velocities set to rest.
     pub rest: MomentumSum,
     /// Lost by moving bodies out of each other and off inconsistent velocities.
@@ -91,7 +93,8 @@ impl MomentumLedger {
         for term in [self.current, self.rest.value(), self.projection.value(), self.numerical.value()] {
             sum.add(term);
         }
-        for term in [self.gravity.value(), self.support.value(), self.fields.value(), self.initial] {
+        let given = [self.gravity.value(), self.support.value(), self.fields.value(), self.program.value()];
+        for term in given.into_iter().chain([self.initial]) {
             sum.add(Momentum::default() - term);
         }
         sum.value()

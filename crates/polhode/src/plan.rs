@@ -146,6 +146,24 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// What is decided otherwise than in a plan before, in words.
+    pub(crate) fn changes_from(&self, before: &Self) -> Vec<String> {
+        let mut changes = Vec::new();
+        if self.integrator != before.integrator {
+            let (old, new) = (before.integrator.name(), self.integrator.name());
+            changes.push(format!("integrator {new} instead of {old}: {}", self.integrator_reason));
+        }
+        for (now, then) in self.effects.iter().zip(&before.effects) {
+            if now.decision != then.decision {
+                let on = if now.decision == Decision::On { "on" } else { "off" };
+                changes.push(format!("{} {on}: {}", now.effect.name(), now.fact));
+            }
+        }
+        changes
+    }
+}
+
 /// What was found out about a scene before its plan.
 #[derive(Debug, Clone)]
 pub(crate) struct Findings {

@@ -41,6 +41,17 @@ pub enum Outcome {
     Stopped,
 }
 
+/// The plan was derived again after an action of the program, and some of it changed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanChange {
+    /// When, s.
+    pub t_s: f64,
+    /// The action, by the name of its method.
+    pub action: &'static str,
+    /// What changed, in words.
+    pub changes: Vec<String>,
+}
+
 /// The report of a run.
 #[derive(Debug, Clone)]
 pub struct RunReport {
@@ -66,6 +77,8 @@ pub struct RunReport {
     pub certificate: Certificate,
     /// Things a user should know, in order of time.
     pub warnings: Vec<String>,
+    /// When actions of the program changed the plan.
+    pub plan_changes: Vec<PlanChange>,
     /// Names and final states of the bodies, in the order of the scene.
     pub bodies: Vec<(String, BodySample)>,
 }

@@ -45,6 +45,15 @@ impl Settings {
         self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
     }
 
+    /// The settings as they were before the plan chose an integrator.
+    pub(crate) fn as_resolved(self) -> Self {
+        let chosen = match self.tier {
+            Tier::Thesis => self.integrator,
+            Tier::Accurate => self.asked_integrator.unwrap_or(Integrator::Exact),
+        };
+        Self { integrator: chosen, ..self }
+    }
+
     /// The integrator of free motion.
     pub(crate) fn build_integrator(&self) -> Box<dyn integrator::Integrator> {
         self.integrator.build(&MethodSettings {

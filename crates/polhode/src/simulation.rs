@@ -8,12 +8,12 @@ use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
-use crate::report::{Energy, Outcome, RunReport};
+use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::scene::Tier as TierName;
 use crate::settings::Settings;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
-use crate::world::World;
+use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError};
 use polhode_contact::{ContactFeature, QueryError};
 use polhode_response::ComplementaritySolver;
@@ -110,9 +110,10 @@ pub struct IslandView {
 #[derive(Debug)]
 pub struct Simulation {
     scene: Scene,
-    plan: Plan,
-    core: Core,
-    tier: Box<dyn Tier>,
+    pub(crate) plan: Plan,
+    pub(crate) core: Core,
+    pub(crate) tier: Box<dyn Tier>,
+    pub(crate) plan_changes: Vec<PlanChange>,
     /// Whether the end of the scene's duration has been passed.
     ended: bool,
 }
@@ -141,7 +142,7 @@ impl Simulation {
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
         let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
-        Ok(Self { scene: scene.clone(), plan, core, tier, ended: false })
+        Ok(Self { scene: scene.clone(), plan, core, tier, plan_changes: Vec::new(), ended: false })
     }
 
     /// The plan.
@@ -219,7 +220,8 @@ impl Simulation {
 
     /// The handle of a body by its name.
     pub fn body_id(&self, name: &str) -> Option<BodyId> {
-        self.core.world.bodies.iter().position(|body| body.name == name).map(BodyId::new)
+        let named = |body: &WorldBody| !body.removed && body.name == name;
+        self.core.world.bodies.iter().position(named).map(BodyId::new)
     }
 
     /// A body at the present.
@@ -287,6 +289,7 @@ impl Simulation {
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
+            plan_changes: self.plan_changes.clone(),
             bodies: Vec::new(),
         };
         accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);

@@ -59,6 +59,27 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// Bodies that move together, and those that rest together.
     fn islands(&self, core: &Core) -> Vec<IslandView>;
 
+    /// Brings some bodies, and all that their motion concerns, to the present, so that a program may change them.
+    ///
+    /// # Errors
+    /// When their states cannot be evaluated.
+    fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError>;
+
+    /// The states of the present, to be changed for bodies that have been interrupted.
+    fn states_mut(&mut self) -> &mut [BodyState];
+
+    /// Goes on from the changed states of the bodies that have been interrupted.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved.
+    fn resume(&mut self, core: &mut Core) -> Result<(), SimulationError>;
+
+    /// A body has been added to the world, with this state.
+    fn add_body(&mut self, core: &Core, state: BodyState);
+
+    /// A body is about to be removed from the world; it has been interrupted.
+    fn remove_body(&mut self, body: usize);
+
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
 }

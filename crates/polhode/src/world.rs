@@ -10,10 +10,11 @@ use crate::planar::PlaneOfMotion;
 use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError};
 use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::energy::potential_energy;
-use polhode_dynamics::field::{Account, Field, Wrench};
+use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, FieldError, Frame, Wrench};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
@@ -40,6 +41,8 @@ pub(crate) struct WorldBody {
     start: DVec3,
     /// Largest extent of the body, m; zero for a half-space.
     pub(crate) size: f64,
+    /// Whether a program has removed the body: its number stays, and nothing else of it.
+    pub(crate) removed: bool,
 }
 
 /// All bodies, and the scene they came from.
@@ -58,6 +61,8 @@ pub(crate) struct World {
     pub(crate) couplings: Vec<Vec<usize>>,
     /// Whether any two bodies may collide.
     collides: bool,
+    /// Force and torque (N, N m, world) that a program has set on bodies, by number.
+    applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
     initial_field_potential: f64,
     /// The plane of a motion that stays in one.
@@ -86,6 +91,7 @@ impl World {
             driven: Vec::new(),
             couplings: Vec::new(),
             collides: scene.any_may_collide(),
+            applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
         };
@@ -96,7 +102,9 @@ impl World {
 
     /// Makes the scene's forces into fields over the movable bodies.
     fn make_fields(&mut self) -> Result<(), SceneError> {
-        let mut fields = Vec::new();
+        let mut fields: Vec<Box<dyn Field>> = Vec::new();
+        self.driven.clear();
+        self.couplings.clear();
         for (number, force) in self.scene.forces().iter().enumerate() {
             let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
             if force.changes_with_time() {
@@ -106,6 +114,11 @@ impl World {
             }
             fields.extend(made);
         }
+        for (&body, wrench) in &self.applied {
+            let force = self.scene.forces().len();
+            let made = applied_fields(self.slot(body), wrench);
+            fields.extend(made.map_err(|source| SceneError::Force { force, source })?);
+        }
         for field in &fields {
             let together: Vec<usize> = (0..self.movable.len()).filter(|&slot| field.acts_on(slot)).collect();
             if together.len() > 1 && field.couples() {
@@ -114,6 +127,56 @@ impl World {
         }
         self.fields = Arc::from(fields);
         Ok(())
+    }
+
+    /// Sets the force (N) and torque (N m) that a program holds on a body, world.
+    ///
+    /// # Errors
+    /// When they are not finite; nothing has changed then.
+    pub(crate) fn set_applied(&mut self, body: usize, wrench: Wrench) -> Result<(), SceneError> {
+        let before = self.applied.clone();
+        if wrench == Wrench::default() {
+            self.applied.remove(&body);
+        } else {
+            self.applied.insert(body, wrench);
+        }
+        let made = self.make_fields();
+        if made.is_err() {
+            self.applied = before;
+            self.make_fields()?;
+        }
+        made
+    }
+
+    /// Adds a body, which has passed the checks of a scene; its number and state.
+    ///
+    /// # Errors
+    /// When its shape cannot be moved into its central frame; nothing has changed then.
+    pub(crate) fn add_body(&mut self, body: Body) -> Result<(usize, BodyState), SceneError> {
+        let number = self.bodies.len();
+        let added = WorldBody::new(&body, || true)?;
+        let state = added.initial_state(&body);
+        if let Some(rigid) = added.rigid {
+            self.movable.push(number);
+            self.rigid = self.rigid.iter().copied().chain([rigid]).collect();
+        }
+        self.bodies.push(added);
+        self.scene.bodies.push(body);
+        self.collides = self.scene.any_may_collide();
+        self.make_fields()?;
+        Ok((number, state))
+    }
+
+    /// Removes a body; its number stays that of a removed body.
+    ///
+    /// # Errors
+    /// When the fields that are left cannot be made.
+    pub(crate) fn remove_body(&mut self, body: usize) -> Result<(), SceneError> {
+        self.bodies[body].removed = true;
+        self.bodies[body].shape = None;
+        self.scene.bodies[body].geometry = None;
+        self.applied.remove(&body);
+        self.make_fields()
     }
 
     /// The motion of all movable bodies without contact.
@@ -189,6 +252,12 @@ impl World {
         self.collides && !self.couplings.is_empty()
     }
 
+    /// Potential energy that a body has at its start, J, of gravity zero at the world's origin.
+    pub(crate) fn start_potential(&self, body: usize) -> f64 {
+        let body = &self.bodies[body];
+        body.rigid.as_ref().map_or(0.0, |rigid| potential_energy(rigid.mass(), self.gravity(), body.start))
+    }
+
     /// Whether forces on a body change with time, also while everything rests.
     pub(crate) fn is_driven(&self, body: usize) -> bool {
         self.driven.contains(&body)
@@ -221,7 +290,8 @@ impl World {
 
     /// Whether a body's momentum is its own: a fixed or pivoted one passes it on to the world.
     pub(crate) fn carries_momentum(&self, body: usize) -> bool {
-        self.bodies[body].rigid.as_ref().is_some_and(|rigid| !rigid.is_pivoted())
+        let body = &self.bodies[body];
+        !body.removed && body.rigid.as_ref().is_some_and(|rigid| !rigid.is_pivoted())
     }
 
     /// Place of a body among those that move.
@@ -297,6 +367,11 @@ impl World {
         Acceleration { linear: linear + angular.cross(arm) + w.cross(w.cross(arm)), angular }
     }
 
+    /// The pose of a body's moving frame from that of its own origin.
+    pub(crate) fn moving_pose(&self, body: usize, pose: Pose) -> Pose {
+        pose * Pose::from_translation(self.bodies[body].origin)
+    }
+
     /// Names of all bodies and their states as they are reported.
     pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<(String, BodySample)> {
         let named = self.bodies.iter().zip(states).enumerate();
@@ -307,7 +382,7 @@ impl World {
     /// potential itself would drown in its rounding.
     pub(crate) fn energies(&self, index: usize, state: &BodyState) -> (f64, f64) {
         let body = &self.bodies[index];
-        body.rigid.as_ref().map_or((0.0, 0.0), |rigid| {
+        body.rigid.as_ref().filter(|_| !body.removed).map_or((0.0, 0.0), |rigid| {
             let risen = rigid.center_of_mass_position(state) - body.start;
             (rigid.kinetic_energy(state), potential_energy(rigid.mass(), self.gravity(), risen))
         })
@@ -336,6 +411,21 @@ impl World {
             bodies.filter_map(|body| Some(potential_energy(body.rigid.as_ref()?.mass(), self.gravity(), body.start)));
         potentials.collect::<CompensatedSum>().value() + self.initial_field_potential
     }
+}
+
+/// The fields of a force and a torque (world) on the movable body of this place; none for one that never moves.
+fn applied_fields(slot: Option<usize>, wrench: &Wrench) -> Result<Vec<Box<dyn Field>>, FieldError> {
+    let Some(slot) = slot else { return Ok(Vec::new()) };
+    let force = AppliedForce::new(slot, wrench.force, Frame::World)?;
+    let torque = AppliedTorque::new(slot, wrench.torque, Frame::World)?;
+    let mut fields: Vec<Box<dyn Field>> = Vec::new();
+    if wrench.force != DVec3::ZERO {
+        fields.push(Box::new(force));
+    }
+    if wrench.torque != DVec3::ZERO {
+        fields.push(Box::new(torque));
+    }
+    Ok(fields)
 }
 
 /// What fields do to all bodies at one instant; torques about the origins of the moving frames.
@@ -388,6 +478,7 @@ impl WorldBody {
             size: size_of(body, shape.as_ref()),
             shape,
             origin,
+            removed: false,
         })
     }
 
@@ -401,7 +492,7 @@ impl WorldBody {
 
     /// Whether the body can move.
     pub(crate) fn moves(&self) -> bool {
-        self.rigid.is_some()
+        self.rigid.is_some() && !self.removed
     }
 }
 

@@ -100,6 +100,35 @@ impl Books {
         self.ledger.momentum.rest.add(before.momentum - after.momentum);
     }
 
+    /// Books what a program did to bodies: work from outside, and impulse given.
+    pub(crate) fn program(&mut self, before: Balance, after: Balance) {
+        self.ledger.external.add(after.energy_j - before.energy_j);
+        self.ledger.momentum.program.add(after.momentum - before.momentum);
+    }
+
+    /// Books a body that a program has added: it brings its energy and momentum, and the place it is at counts as its
+    /// start.
+    pub(crate) fn added(&mut self, world: &World, states: &[BodyState], body: usize) {
+        let own = self.balance_of(world, states, body);
+        self.ledger.external.add(own.energy_j);
+        self.ledger.momentum.program.add(own.momentum);
+        self.initial_potential_j += world.start_potential(body);
+    }
+
+    /// Books a body that a program takes out: it takes its energy and momentum with it.
+    pub(crate) fn removed(&mut self, world: &World, states: &[BodyState], body: usize) {
+        let own = self.balance_of(world, states, body);
+        self.ledger.external.add(-own.energy_j);
+        self.ledger.momentum.program.add(Momentum::default() - own.momentum);
+    }
+
+    /// What one body has, without the fields' energy.
+    fn balance_of(&self, world: &World, states: &[BodyState], body: usize) -> Balance {
+        let (kinetic, potential) = world.energies(body, &states[body]);
+        let momentum = momentum_of(world, states, [body].into_iter(), self.ledger.momentum.about);
+        Balance { energy_j: kinetic + potential, momentum }
+    }
+
     /// Books an impact: the change of energy (J) by its impulses, and the impulses that fixed bodies gave.
     pub(crate) fn impact(&mut self, energy_change_j: f64, support: Momentum) {
         self.ledger.impact.add(-energy_change_j);

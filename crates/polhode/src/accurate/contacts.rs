@@ -17,6 +17,11 @@ impl Contacts {
         Self { by_pair: BTreeMap::new(), partners: vec![BTreeSet::new(); bodies] }
     }
 
+    /// One body more.
+    pub(super) fn make_room(&mut self) {
+        self.partners.push(BTreeSet::new());
+    }
+
     /// Replaces the contacts of a pair.
     pub(super) fn set(&mut self, pair: (usize, usize), contacts: Vec<Touch>) {
         let (a, b) = pair;

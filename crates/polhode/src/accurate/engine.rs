@@ -4,7 +4,7 @@ use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
 use super::free_stepping::FreeStep;
 use super::hold::Forces;
-use super::instant::free_end;
+use super::instant::{Instant, free_end};
 use super::island::{Island, Step};
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
@@ -60,6 +60,21 @@ pub(super) struct Track {
     gave_up_splitting: bool,
 }
 
+impl Track {
+    /// Of a body at the present that has not moved yet.
+    pub(super) fn new(core: &Core) -> Self {
+        Self {
+            mode: Mode::Fixed,
+            island: None,
+            pace: Pace::starting_at(core.t),
+            proposed_step_s: core.settings.step_s,
+            speed_scale: 0.0,
+            rest_booked_s: core.t,
+            gave_up_splitting: false,
+        }
+    }
+}
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
@@ -75,7 +90,9 @@ pub(crate) struct Engine {
     /// Free rotations of bodies in integrated islands that nothing turns.
     pub(super) spins: BTreeMap<usize, Flight>,
     /// Whether the first instant has been resolved.
-    begun: bool,
+    pub(super) begun: bool,
+    /// What a program is about to change.
+    pub(super) interrupted: Option<Instant>,
     /// Whether a program goes on after the end of the run.
     pub(super) goes_on: bool,
     /// When energies and momenta were last taken note of, s.
@@ -89,25 +106,17 @@ impl Engine {
     /// When bodies overlap at the start.
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
         let count = core.world.bodies.len();
-        let track = Track {
-            mode: Mode::Fixed,
-            island: None,
-            pace: Pace::starting_at(core.t),
-            proposed_step_s: core.settings.step_s,
-            speed_scale: 0.0,
-            rest_booked_s: core.t,
-            gave_up_splitting: false,
-        };
         let mut engine = Self {
             scratch: states.clone(),
             states,
-            tracks: vec![track; count],
+            tracks: vec![Track::new(core); count],
             islands: BTreeMap::new(),
             contacts: Contacts::new(count),
             near: NearPairs::new(core, count),
             agenda: Agenda::default(),
             spins: BTreeMap::new(),
             begun: false,
+            interrupted: None,
             goes_on: false,
             observed_s: core.t,
         };
@@ -117,9 +126,8 @@ impl Engine {
     }
 
     /// Resolves the first instant.
-    fn begin(&mut self, core: &mut Core, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+    pub(super) fn begin(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         self.begun = true;
-        core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
         self.resolve_start(core)
     }
 
@@ -362,7 +370,8 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            self.begin(core, observer)?;
+            core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
+            self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
         if core.is_end_of_run(core.t) && limit_s > core.t {
@@ -513,6 +522,26 @@ impl Tier for Engine {
     fn islands(&self, _core: &Core) -> Vec<IslandView> {
         let ids = |bodies: &[usize]| bodies.iter().map(|&body| BodyId::new(body)).collect();
         self.islands.values().map(|island| IslandView { bodies: ids(&island.bodies) }).collect()
+    }
+
+    fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
+        self.interrupt_bodies(core, bodies)
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.states
+    }
+
+    fn resume(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        self.resume_bodies(core)
+    }
+
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.make_room(core, state);
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.forget_body(body);
     }
 
     fn touching_pairs(&self) -> usize {

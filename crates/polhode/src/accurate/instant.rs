@@ -76,7 +76,12 @@ impl Engine {
     }
 
     /// Movable bodies that an event at `t` concerns, ascending.
-    fn concerned(&mut self, core: &Core, t: f64, found_for: &[usize]) -> Result<Vec<usize>, SimulationError> {
+    pub(super) fn concerned(
+        &mut self,
+        core: &Core,
+        t: f64,
+        found_for: &[usize],
+    ) -> Result<Vec<usize>, SimulationError> {
         let mut concerned = BTreeSet::new();
         let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.world.bodies[b].moves()).collect();
         while let Some(body) = open.pop() {
@@ -122,7 +127,12 @@ impl Engine {
     }
 
     /// Ends the islands of these bodies at `t`: their states are those of that time, and what went on is booked.
-    fn end_islands(&mut self, core: &mut Core, t: f64, bodies: Vec<usize>) -> Result<Instant, SimulationError> {
+    pub(super) fn end_islands(
+        &mut self,
+        core: &mut Core,
+        t: f64,
+        bodies: Vec<usize>,
+    ) -> Result<Instant, SimulationError> {
         let mut departing = BTreeSet::new();
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
         for first in firsts {
@@ -228,7 +238,7 @@ impl Engine {
     }
 
     /// Lets the bodies of a resolved instant go on.
-    fn go_on(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
+    pub(super) fn go_on(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
         let (t, bodies) = (instant.t, instant.bodies.clone());
         let firsts = self.form_islands(core, instant)?;
         self.look_ahead(core, &bodies, &firsts, t)

@@ -20,6 +20,7 @@
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
 //! | `pace` | whether time advances |
 //! | `start` | the first instant |
+//! | `program` | what a program does to bodies between two steps |
 
 mod agenda;
 mod constrained_step;
@@ -33,6 +34,7 @@ mod locate;
 mod near_pairs;
 mod pace;
 mod penetration;
+mod program;
 mod resolve;
 mod start;
 mod system;

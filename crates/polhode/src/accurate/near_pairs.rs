@@ -53,6 +53,12 @@ impl NearPairs {
         Self { boxes, watches: BTreeMap::new(), partners: vec![Vec::new(); bodies], flight_end: f64::NEG_INFINITY }
     }
 
+    /// One body more.
+    pub(super) fn make_room(&mut self) {
+        self.boxes.make_room();
+        self.partners.push(Vec::new());
+    }
+
     /// The bodies that may meet `body`, ascending.
     pub(super) fn partners(&self, body: usize) -> &[usize] {
         &self.partners[body]

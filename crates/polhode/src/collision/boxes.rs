@@ -33,6 +33,11 @@ impl Boxes {
         }
     }
 
+    /// One body more.
+    pub(crate) fn make_room(&mut self) {
+        self.boxes.push(None);
+    }
+
     /// Sets the box of a body that moves so over an interval (s), with a margin (m).
     pub(crate) fn set(&mut self, world: &World, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
         self.boxes[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));

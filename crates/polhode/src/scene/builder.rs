@@ -136,7 +136,7 @@ pub(super) fn check_counts(scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
-fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
+pub(super) fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     if body.name.is_empty() {
         return Err(SceneError::EmptyName(number));
     }

@@ -95,6 +95,17 @@ impl Scene {
         builder::check_counts(self)
     }
 
+    /// Checks a body that a program adds.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`].
+    pub(crate) fn check_added_body(number: usize, body: &Body, name_is_taken: bool) -> Result<(), SceneError> {
+        if name_is_taken {
+            return Err(SceneError::DuplicateName(body.name.clone()));
+        }
+        builder::check_body(number, body)
+    }
+
     /// The bodies, in the order of the scene.
     pub fn bodies(&self) -> &[Body] {
         &self.bodies

@@ -289,6 +289,28 @@ impl Tier for ThesisEngine {
         Vec::new()
     }
 
+    fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
+        // All bodies stand at the present between two steps.
+        Ok(())
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.states
+    }
+
+    fn resume(&mut self, _core: &mut Core) -> Result<(), SimulationError> {
+        Ok(())
+    }
+
+    fn add_body(&mut self, _core: &Core, state: BodyState) {
+        self.states.push(state);
+        self.boxes.make_room();
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.boxes.clear(body);
+    }
+
     fn touching_pairs(&self) -> usize {
         self.touching_pairs
     }

@@ -1,0 +1,103 @@
+//! What a program does to bodies between two steps.
+//!
+//! The islands of the bodies concerned end at the present; the program changes states, forces or bodies; then what touches
+//! is found anew, what approaches is struck, and islands are formed as after any event.
+
+use super::engine::{Engine, Mode, Track};
+use super::instant::Instant;
+use super::pace::Pace;
+use crate::SimulationError;
+use crate::core::Core;
+use polhode_dynamics::BodyState;
+use std::collections::BTreeSet;
+
+impl Engine {
+    /// Ends the motions of these bodies and of all that they concern at the present.
+    ///
+    /// # Errors
+    /// When their states cannot be evaluated.
+    pub(super) fn interrupt_bodies(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
+        if !self.begun {
+            self.begin(core)?;
+        }
+        let mut found_for: BTreeSet<usize> = bodies.iter().copied().collect();
+        // An immovable body concerns those it touches.
+        for &body in bodies.iter().filter(|&&body| !core.world.bodies[body].moves()) {
+            found_for.extend(self.contacts.partners(body));
+        }
+        let t = core.t;
+        let concerned = self.concerned(core, t, &found_for.into_iter().collect::<Vec<_>>())?;
+        let mut instant = self.end_islands(core, t, concerned)?;
+        for &body in &instant.bodies {
+            self.book_flight(core, body, t);
+            let mode = &mut self.tracks[body].mode;
+            if matches!(mode, Mode::Rest) {
+                instant.woken.insert(body);
+            }
+            *mode = Mode::Constrained;
+        }
+        self.interrupted = Some(instant);
+        Ok(())
+    }
+
+    /// Resolves the present of the bodies that have been interrupted and lets them go on.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved.
+    pub(super) fn resume_bodies(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        let Some(mut instant) = self.interrupted.take() else { return Ok(()) };
+        instant.bodies.retain(|&body| core.world.bodies[body].moves());
+        self.find_touching(core, &mut instant);
+        for &body in &instant.bodies {
+            self.tracks[body].pace = Pace::starting_at(instant.t);
+            self.tracks[body].proposed_step_s = core.settings.step_s;
+            instant.speed_scale = instant.speed_scale.max(self.speed(core, body));
+        }
+        self.resolve(core, &mut instant)?;
+        self.go_on(core, instant)
+    }
+
+    /// The pairs of an instant whose bodies' states a program has changed: any of them may touch any other body where they
+    /// stand now, and what it touches is concerned too.
+    fn find_touching(&mut self, core: &Core, instant: &mut Instant) {
+        let mut pairs: BTreeSet<(usize, usize)> = instant.pairs.iter().copied().collect();
+        for k in 0..instant.bodies.len() {
+            let body = instant.bodies[k];
+            for other in 0..core.world.bodies.len() {
+                let immovable = !core.world.bodies[other].moves();
+                if (immovable || instant.bodies.binary_search(&other).is_ok())
+                    && core.world.scene.may_collide(body, other)
+                {
+                    pairs.insert((body.min(other), body.max(other)));
+                }
+            }
+        }
+        let gone = |body: usize| core.world.bodies[body].removed;
+        pairs.retain(|&(a, b)| !gone(a) && !gone(b));
+        instant.touches.retain(|touch| !gone(touch.id.a) && !gone(touch.id.b));
+        instant.pairs = pairs.into_iter().collect();
+    }
+
+    /// Makes room for a body that has been added to the world.
+    pub(super) fn make_room(&mut self, core: &Core, state: BodyState) {
+        let body = self.states.len();
+        self.states.push(state);
+        self.scratch.push(state);
+        let size = core.world.bodies[body].size;
+        self.tracks.push(Track::new(core));
+        self.tracks[body].speed_scale = self.speed(core, body).max((core.world.gravity().length() * size).sqrt());
+        self.contacts.make_room();
+        self.near.make_room();
+    }
+
+    /// Forgets a body that is about to be removed from the world.
+    pub(super) fn forget_body(&mut self, body: usize) {
+        self.remove_from_pairs(body);
+        let partners: Vec<usize> = self.contacts.partners(body).collect();
+        for other in partners {
+            self.contacts.set((body.min(other), body.max(other)), Vec::new());
+        }
+        self.tracks[body].mode = Mode::Fixed;
+        self.tracks[body].island = None;
+    }
+}

@@ -1,0 +1,270 @@
+//! What a program does to the bodies of a simulation.
+//!
+//! Every action is checked before anything changes, so that one that is refused leaves the simulation as it was. An action
+//! ends the present steps of the bodies it concerns, wakes them from rest, and lets them go on; other bodies are left
+//! alone. The ledgers book it as work from outside and as impulse given by the program. Where an action ends a reduction
+//! of the plan (planar motion, flight in closed form, no contact), the plan is derived again, and the report says when.
+
+use crate::plan::Findings;
+use crate::planar::{self, PlanarFinding};
+use crate::report::PlanChange;
+use crate::scene::{Body, Scene};
+use crate::simulation::Simulation;
+use crate::world::INITIAL_OVERLAP_RELATIVE;
+use crate::{BodyId, Effects, Plan, SimulationError, free_method};
+use polhode_dynamics::BodyState;
+use polhode_dynamics::field::Wrench;
+use polhode_spatial::{DVec3, Pose, Velocity};
+use thiserror::Error;
+
+/// Why an action is refused. The simulation is as it was before.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ActionError {
+    /// The handle is not one of this simulation's.
+    #[error("body number {index} does not exist: the simulation has {bodies} bodies")]
+    UnknownBody {
+        /// The number of the handle.
+        index: usize,
+        /// How many bodies there are.
+        bodies: usize,
+    },
+    /// The body has been removed.
+    #[error("body {0} has been removed: its handle is no longer of use")]
+    RemovedBody(String),
+    /// The body never moves.
+    #[error("body {0} is fixed: no force, impulse or velocity moves it")]
+    FixedBody(String),
+    /// A number is not finite.
+    #[error("{what} of body {body} has a component that is not finite")]
+    NotFinite {
+        /// The body.
+        body: String,
+        /// What is not finite.
+        what: &'static str,
+    },
+    /// The body would overlap another one.
+    #[error(
+        "body {body_a} would overlap body {body_b} by {depth_m:e} m; at most {allowed_m:e} m counts as touch: choose another pose"
+    )]
+    Overlap {
+        /// The body.
+        body_a: String,
+        /// The other body.
+        body_b: String,
+        /// How deep, m.
+        depth_m: f64,
+        /// What counts as touch, m.
+        allowed_m: f64,
+    },
+    /// The body is held at a pivot, which it cannot leave.
+    #[error("body {0} is held at a pivot: it can be turned about it, not moved away from it")]
+    PivotedBody(String),
+}
+
+impl Simulation {
+    /// Sets the force (N) on the centre of mass of a body and the torque (N m), world; both are held until they are set
+    /// again. Zero takes them away.
+    ///
+    /// # Errors
+    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    pub fn set_force(&mut self, body: BodyId, force_n: DVec3, torque_nm: DVec3) -> Result<(), SimulationError> {
+        let index = self.movable(body)?;
+        self.finite(index, "the force", force_n)?;
+        self.finite(index, "the torque", torque_nm)?;
+        let wrench = Wrench { force: force_n, torque: torque_nm };
+        self.act(&[index], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))
+    }
+
+    /// Gives an impulse (N s) to a body at a point (m), both world.
+    ///
+    /// # Errors
+    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    pub fn apply_impulse(&mut self, body: BodyId, impulse_ns: DVec3, point_m: DVec3) -> Result<(), SimulationError> {
+        let index = self.movable(body)?;
+        self.finite(index, "the impulse", impulse_ns)?;
+        self.finite(index, "the point of the impulse", point_m)?;
+        self.change_state(index, "apply_impulse", |rigid, state| {
+            state.angular_momentum += (point_m - state.pose.translation).cross(impulse_ns);
+            if !rigid.is_pivoted() {
+                state.linear_velocity += impulse_ns * rigid.inverse_mass();
+            }
+        })
+    }
+
+    /// Sets the velocity of a body: of its centre of mass, and angular, world. A body on a pivot takes the angular one.
+    ///
+    /// # Errors
+    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    pub fn set_velocity(&mut self, body: BodyId, velocity: Velocity) -> Result<(), SimulationError> {
+        let index = self.movable(body)?;
+        self.finite(index, "the velocity", velocity.linear)?;
+        self.finite(index, "the angular velocity", velocity.angular)?;
+        self.change_state(index, "set_velocity", |rigid, state| {
+            *state = rigid.at_velocity(state.pose, velocity);
+        })
+    }
+
+    /// Puts a body to a pose (of its own origin, world). Its velocity stays.
+    ///
+    /// # Errors
+    /// When the body would overlap another one, leave its pivot, or is removed, fixed or not finite ([`ActionError`]).
+    pub fn set_pose(&mut self, body: BodyId, pose: Pose) -> Result<(), SimulationError> {
+        let index = self.movable(body)?;
+        if !pose.is_finite() {
+            return Err(ActionError::NotFinite { body: self.name(index), what: "the pose" }.into());
+        }
+        let mut states = self.tier.states(&self.core);
+        let moved = self.core.world.moving_pose(index, pose);
+        let pivoted = self.core.world.bodies[index].rigid.as_ref().is_some_and(polhode_dynamics::RigidBody::is_pivoted);
+        let distance = (moved.translation - states[index].pose.translation).length();
+        if pivoted && distance > self.core.world.touch_distance(&states, index, index) {
+            return Err(ActionError::PivotedBody(self.name(index)).into());
+        }
+        states[index].pose = moved;
+        self.check_clear(index, &states)?;
+        self.change_state(index, "set_pose", |rigid, state| {
+            // The velocities stay, so that the momentum turns with the body.
+            let velocity = rigid.center_of_mass_velocity(state);
+            *state = rigid.at_velocity(moved, velocity);
+        })
+    }
+
+    /// Adds a body, as it would stand in a scene, at the present; its handle.
+    ///
+    /// # Errors
+    /// When a scene would refuse it (a name in use, numbers that are not finite), or it would overlap another body.
+    pub fn add_body(&mut self, body: Body) -> Result<BodyId, SimulationError> {
+        let world = &self.core.world;
+        let taken = world.bodies.iter().any(|other| !other.removed && other.name == body.name);
+        Scene::check_added_body(world.bodies.len(), &body, taken)?;
+        let mut probe = world.clone();
+        let (index, state) = probe.add_body(body.clone())?;
+        let mut states = self.tier.states(&self.core);
+        states.push(state);
+        check_clear(&probe, index, &states)?;
+        self.act(&[], "add_body", |simulation| {
+            let (added, state) = simulation.core.world.add_body(body)?;
+            simulation.tier.add_body(&simulation.core, state);
+            let states = simulation.tier.states_mut().to_vec();
+            simulation.core.accounts.books.added(&simulation.core.world, &states, added);
+            simulation.tier.interrupt(&mut simulation.core, &[added])
+        })?;
+        Ok(BodyId::new(index))
+    }
+
+    /// Removes a body. Its number stays in samples, with the pose it had; what it carried falls.
+    ///
+    /// # Errors
+    /// For a body that has been removed before ([`ActionError`]).
+    pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
+        let index = self.present(body)?;
+        self.act(&[index], "remove_body", |simulation| {
+            let states = simulation.tier.states_mut().to_vec();
+            simulation.core.accounts.books.removed(&simulation.core.world, &states, index);
+            simulation.tier.remove_body(index);
+            Ok(simulation.core.world.remove_body(index)?)
+        })
+    }
+
+    /// Changes the state of a body, and books the change.
+    fn change_state(
+        &mut self,
+        index: usize,
+        what: &'static str,
+        change: impl FnOnce(&polhode_dynamics::RigidBody, &mut BodyState),
+    ) -> Result<(), SimulationError> {
+        self.act(&[index], what, |simulation| {
+            let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
+            let before = simulation.tier.states_mut().to_vec();
+            let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &[index]);
+            change(&rigid, &mut simulation.tier.states_mut()[index]);
+            let after = simulation.tier.states_mut().to_vec();
+            let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &[index]);
+            simulation.core.accounts.books.program(before, after);
+            Ok(())
+        })
+    }
+
+    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on.
+    fn act(
+        &mut self,
+        bodies: &[usize],
+        what: &'static str,
+        change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
+    ) -> Result<(), SimulationError> {
+        // A plane of motion is one of all bodies: whether they stay in it is asked of all.
+        let planar = self.core.world.plane.is_some();
+        let concerned = if planar { self.core.world.movable.clone() } else { bodies.to_vec() };
+        self.tier.interrupt(&mut self.core, &concerned)?;
+        change(self)?;
+        self.derive_plan_again(what);
+        self.tier.resume(&mut self.core)
+    }
+
+    /// Derives the plan again after an action.
+    fn derive_plan_again(&mut self, what: &'static str) {
+        let states = self.tier.states(&self.core);
+        let core = &mut self.core;
+        let choice = free_method::choose(&core.world, &states, &core.settings.as_resolved());
+        core.settings.integrator = choice.integrator;
+        let planar = match (core.effects, core.world.plane) {
+            (Effects::Planned, Some(plane)) => {
+                let found = planar::find(&core.world, &states, &core.settings);
+                if found.plane == Some(plane) { found } else { PlanarFinding { plane: None, ..found } }
+            }
+            _ => PlanarFinding::off("not looked for again after an action of the program"),
+        };
+        core.world.plane = planar.plane;
+        let findings = Findings { choice, planar };
+        let plan = Plan::derive(&core.world, &core.settings, core.effects, self.tier.touching_pairs(), &findings);
+        let changes = plan.changes_from(&self.plan);
+        if !changes.is_empty() {
+            self.plan_changes.push(PlanChange { t_s: core.t, action: what, changes });
+        }
+        self.plan = plan;
+    }
+
+    /// The number of a body that has not been removed.
+    fn present(&self, body: BodyId) -> Result<usize, ActionError> {
+        let (index, bodies) = (body.index(), self.core.world.bodies.len());
+        match self.core.world.bodies.get(index) {
+            None => Err(ActionError::UnknownBody { index, bodies }),
+            Some(known) if known.removed => Err(ActionError::RemovedBody(known.name.clone())),
+            Some(_) => Ok(index),
+        }
+    }
+
+    /// The number of a body that moves.
+    fn movable(&self, body: BodyId) -> Result<usize, ActionError> {
+        let index = self.present(body)?;
+        if self.core.world.bodies[index].moves() { Ok(index) } else { Err(ActionError::FixedBody(self.name(index))) }
+    }
+
+    fn name(&self, index: usize) -> String {
+        self.core.world.bodies[index].name.clone()
+    }
+
+    fn finite(&self, index: usize, what: &'static str, vector: DVec3) -> Result<(), ActionError> {
+        if vector.is_finite() { Ok(()) } else { Err(ActionError::NotFinite { body: self.name(index), what }) }
+    }
+
+    fn check_clear(&self, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
+        check_clear(&self.core.world, index, states)
+    }
+}
+
+/// Checks that a body overlaps no other one.
+fn check_clear(world: &crate::world::World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
+    for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
+        let Some((shape_a, shape_b)) = world.shapes(index, other) else { continue };
+        let separation = polhode_contact::separation(shape_a, &states[index].pose, shape_b, &states[other].pose);
+        let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
+        if separation < -allowed_m {
+            let name = |body: usize| world.bodies[body].name.clone();
+            let (body_a, body_b) = (name(index), name(other));
+            return Err(ActionError::Overlap { body_a, body_b, depth_m: -separation, allowed_m });
+        }
+    }
+    Ok(())
+}
