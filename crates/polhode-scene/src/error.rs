@@ -5,6 +5,7 @@ use polhode::SceneError;
 use polhode::contact::ShapeError;
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
+use polhode::scene::MotionError;
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -133,6 +134,9 @@ pub enum Refusal {
     /// A force has no kind, or several.
     #[error("a force is exactly one of the kinds")]
     ForceKinds,
+    /// A prescribed motion has no kind, or several.
+    #[error("a motion is exactly one of the kinds")]
+    MotionKinds,
     /// Something else that the format's reader refuses.
     #[error("{0}")]
     Other(String),
@@ -222,6 +226,9 @@ pub enum Refusal {
     /// A force is refused.
     #[error(transparent)]
     Field(#[from] FieldError),
+    /// A prescribed motion is refused.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
@@ -271,7 +278,7 @@ pub enum MeshFileError {
 impl Refusal {
     /// What the reader of the format says of a value at `path`, in the format's own terms.
     pub(crate) fn from_message(message: &str, path: &KeyPath) -> Self {
-        let in_forces = path.steps().first() == Some(&Step::key("forces"));
+        let kinds = Kinds::at(path);
         let quoted = |rest: &str| rest.split_once('`').map(|(name, tail)| (name.to_owned(), tail.to_owned()));
         let expected = |tail: &str| tail.split_once("expected ").map_or(tail, |(_, list)| list).replace("one of ", "");
         if let Some((key, tail)) = message.strip_prefix("unknown field `").and_then(quoted) {
@@ -289,11 +296,15 @@ impl Refusal {
             .or_else(|| message.strip_prefix("invalid "))
             .and_then(|rest| rest.split_once(", expected "));
         if let Some((found, accepted)) = typed {
-            return Self::Type { found: plain(found, in_forces), accepted: plain(accepted, in_forces) };
+            return Self::Type { found: plain(found, kinds), accepted: plain(accepted, kinds) };
         }
-        // A shape or a force is a table with the one key that names its kind.
-        if message.starts_with("wanted exactly 1 element") {
-            return if in_forces { Self::ForceKinds } else { Self::ShapeKinds };
+        // A shape, a force or a motion is a table with the one key that names its kind.
+        if message.starts_with("wanted exactly 1 element") || message == "wanted string or table" {
+            return match kinds {
+                Kinds::Shapes => Self::ShapeKinds,
+                Kinds::Forces => Self::ForceKinds,
+                Kinds::Motions => Self::MotionKinds,
+            };
         }
         Self::Other(message.to_owned())
     }
@@ -307,6 +318,7 @@ impl Refusal {
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
+            Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
             Self::UnknownName { known, .. } => Some(format!("accepted: {known}")),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
@@ -318,18 +330,41 @@ impl Refusal {
     }
 }
 
+/// Which kinds a table with one key has in a part of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kinds {
+    Shapes,
+    Forces,
+    Motions,
+}
+
+impl Kinds {
+    fn at(path: &KeyPath) -> Self {
+        let steps = path.steps();
+        if steps.first() == Some(&Step::key("forces")) {
+            Self::Forces
+        } else if steps.contains(&Step::key("motion")) {
+            Self::Motions
+        } else {
+            Self::Shapes
+        }
+    }
+}
+
 /// Names of Rust types in the words of the format.
-fn plain(text: &str, in_forces: bool) -> String {
+fn plain(text: &str, kinds: Kinds) -> String {
     match text {
         "f64" => "a number".to_owned(),
         "u32" | "u64" => "a whole number of at least 0".to_owned(),
         "a sequence" => "an array".to_owned(),
         "map" => "a table or date".to_owned(),
         "unit variant" => "a single word".to_owned(),
-        "newtype variant" if in_forces => {
-            "a force with its keys, such as type.torque = { body = \"wheel\", torque = [0, 0, 1] }".to_owned()
+        "newtype variant" => match kinds {
+            Kinds::Shapes => "a shape with its keys, such as shape.box.size = [1, 1, 1]",
+            Kinds::Forces => "a force with its keys, such as type.torque = { body = \"wheel\", torque = [0, 0, 1] }",
+            Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
-        "newtype variant" => "a shape with its keys, such as shape.box.size = [1, 1, 1]".to_owned(),
+        .to_owned(),
         _ if text.starts_with("struct ") => "a table".to_owned(),
         _ if text.starts_with("enum ") => "a word".to_owned(),
         _ => text.to_owned(),

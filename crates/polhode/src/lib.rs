@@ -21,6 +21,7 @@ pub mod momentum_ledger;
 pub mod observer;
 pub mod plan;
 mod planar;
+mod prescribed;
 pub mod report;
 pub mod scene;
 mod settings;

@@ -7,13 +7,14 @@
 use crate::Acceleration;
 use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
-use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError};
+use crate::prescribed;
+use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError, Trajectory};
 use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::energy::potential_energy;
 use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, FieldError, Frame, Wrench};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
-use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose};
+use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose, Velocity};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -31,8 +32,10 @@ const ROUNDING_ULPS: f64 = 8.0;
 #[derive(Debug, Clone)]
 pub(crate) struct WorldBody {
     pub(crate) name: String,
-    /// Mass properties; none for a body that never moves.
+    /// Mass properties; none for a body that no force moves.
     pub(crate) rigid: Option<RigidBody>,
+    /// Motion of the moving frame of a kinematic body.
+    pub(crate) trajectory: Option<Trajectory>,
     /// Shape in the moving frame.
     pub(crate) shape: Option<Shape>,
     /// `p_BC`: origin of the moving frame in the body's own, m.
@@ -50,8 +53,10 @@ pub(crate) struct WorldBody {
 pub(crate) struct World {
     pub(crate) scene: Scene,
     pub(crate) bodies: Vec<WorldBody>,
-    /// Those that move, and their mass properties in the same order.
+    /// Those that forces move, and their mass properties in the same order.
     pub(crate) movable: Vec<usize>,
+    /// Kinematic bodies.
+    pub(crate) prescribed: Vec<usize>,
     rigid: Arc<[RigidBody]>,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
@@ -81,11 +86,13 @@ impl World {
         let states: Vec<_> =
             scene.bodies().iter().zip(&bodies).map(|(body, world)| world.initial_state(body)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
+        let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
         let mut world = Self {
             scene: scene.clone(),
             bodies,
             movable,
+            prescribed,
             rigid,
             fields: Arc::from(Vec::new()),
             driven: Vec::new(),
@@ -346,10 +353,15 @@ impl World {
         ROUNDING_ULPS * f64::EPSILON * coordinate(a).max(coordinate(b))
     }
 
-    /// A body's pose and velocity as they are reported.
+    /// A body's pose and velocity as they are reported: the velocity of the centre of mass, of a kinematic body that of
+    /// its own origin.
     pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
         let body = &self.bodies[index];
-        let velocity = body.rigid.as_ref().map_or_else(Default::default, |rigid| rigid.center_of_mass_velocity(state));
+        let velocity = match (&body.rigid, &body.trajectory) {
+            (Some(rigid), _) => rigid.center_of_mass_velocity(state),
+            (None, Some(_)) => prescribed::velocity_of(state),
+            (None, None) => Velocity::ZERO,
+        };
         BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
     }
 
@@ -475,6 +487,7 @@ impl WorldBody {
                 None => RigidBody::new(properties),
             }),
             start: (*body.initial_pose()).transform_point(center_of_mass),
+            trajectory: body.trajectory(),
             size: size_of(body, shape.as_ref()),
             shape,
             origin,
@@ -484,13 +497,14 @@ impl WorldBody {
 
     fn initial_state(&self, body: &Body) -> BodyState {
         let pose = *body.initial_pose() * Pose::from_translation(self.origin);
-        match &self.rigid {
-            Some(rigid) => rigid.at_velocity(pose, *body.initial_velocity()),
-            None => BodyState::at_rest(pose),
+        match (&self.rigid, &self.trajectory) {
+            (Some(rigid), _) => rigid.at_velocity(pose, *body.initial_velocity()),
+            (None, Some(trajectory)) => prescribed::state_at(trajectory, 0.0),
+            (None, None) => BodyState::at_rest(pose),
         }
     }
 
-    /// Whether the body can move.
+    /// Whether forces can move the body.
     pub(crate) fn moves(&self) -> bool {
         self.rigid.is_some() && !self.removed
     }

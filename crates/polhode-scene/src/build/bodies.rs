@@ -33,11 +33,12 @@ impl<'a> Bodies<'a> {
         })
     }
 
-    /// The number of the body of this name, which must move: on a fixed one, `key` (a kind of force) does nothing.
+    /// The number of the body of this name, which forces must move: on another one, `key` (a kind of force) does nothing.
     pub(super) fn movable(&self, name: &str, key: &'static str, path: &KeyPath) -> Result<usize, Fault> {
         let (number, body) = self.get(name, path)?;
         if body.is_fixed() {
-            return Err((path.clone(), Refusal::Meaningless { key, what: "a fixed body" }));
+            let what = if body.motion().is_some() { "a body with a prescribed motion" } else { "a fixed body" };
+            return Err((path.clone(), Refusal::Meaningless { key, what }));
         }
         Ok(number)
     }

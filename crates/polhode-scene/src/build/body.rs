@@ -3,7 +3,7 @@
 use super::materials::Materials;
 use super::matter::Matter;
 use super::shape::{self, Form, Mobility};
-use super::{Fault, mass, pivot, placement, vector};
+use super::{Fault, mass, motion, pivot, placement, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly};
@@ -19,19 +19,21 @@ pub(super) fn build(
     folder: &MeshFolder,
     path: &KeyPath,
 ) -> Result<Body, Fault> {
-    let mobility = if entry.fixed { Mobility::Fixed } else { Mobility::Moves };
+    let mobility = if entry.fixed || entry.motion.is_some() { Mobility::Fixed } else { Mobility::Moves };
     let form =
         entry.shape.as_ref().map(|shape| shape::build(shape, mobility, folder, &path.key("shape"))).transpose()?;
-    let mut body = if entry.fixed {
-        fixed(entry, path)?
+    let (position, orientation) = (entry.position.as_ref(), entry.orientation.as_ref());
+    let pose = placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?;
+    let mut body = if let Some(motion) = &entry.motion {
+        motion::body(entry, motion, pose, path)?
+    } else if entry.fixed {
+        fixed(entry, path)?.pose(pose)
     } else {
         if matches!(form, Some(Form { matter: Matter::HalfSpace, .. })) {
             return Err((path.key("shape"), SceneError::MovingHalfSpace(entry.name.clone()).into()));
         }
-        Body::movable(&entry.name, mass::build(entry, form.as_ref().map(|form| &form.matter), path)?)
+        Body::movable(&entry.name, mass::build(entry, form.as_ref().map(|form| &form.matter), path)?).pose(pose)
     };
-    let (position, orientation) = (entry.position.as_ref(), entry.orientation.as_ref());
-    body = body.pose(placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?);
     let velocity = optional(entry.velocity.as_ref(), path, "velocity")?;
     let angular_velocity = optional(entry.angular_velocity.as_ref(), path, "angular_velocity")?;
     if let Some(pivot) = &entry.pivot {

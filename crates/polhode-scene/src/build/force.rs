@@ -32,7 +32,7 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>) -> Result<Vec<Force>,
 
 /// The entry of the file that force `number` of the engine comes from.
 pub(super) fn entry_of(number: usize, file: &SceneFile) -> Option<usize> {
-    let movable = file.bodies.iter().filter(|body| !body.fixed).count();
+    let movable = file.bodies.iter().filter(|body| !body.fixed && body.motion.is_none()).count();
     let mut end = 0;
     file.forces.iter().position(|entry| {
         end += match &entry.kind {

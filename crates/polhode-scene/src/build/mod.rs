@@ -12,6 +12,7 @@
 //! | `materials` | materials and rules for pairs of them |
 //! | `matter` | what the mass of a body is spread over |
 //! | `method` | tier and knobs |
+//! | `motion` | kinematic bodies and their prescribed motions |
 //! | `placement` | where a body or a part of one stands |
 //! | `pivot` | the velocity of a body on a pivot |
 //! | `shape` | shapes, and the meshes they are read from |
@@ -25,6 +26,7 @@ mod mass;
 mod materials;
 mod matter;
 mod method;
+mod motion;
 mod pivot;
 mod placement;
 mod shape;
@@ -93,9 +95,12 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         | SceneError::FixedBodyMoves(name)
         | SceneError::MovingSurface(name)
         | SceneError::Shape { body: name, .. }
-        | SceneError::MovingHalfSpace(name) => body(name),
-        SceneError::FixedBodyPivots(name) => body(name).key("pivot"),
-        SceneError::PivotMoves { body: name, .. } => body(name).key("velocity"),
+        | SceneError::MovingHalfSpace(name)
+        | SceneError::Motion { body: name, .. } => body(name),
+        SceneError::FixedBodyPivots(name) | SceneError::KinematicBodyPivots(name) => body(name).key("pivot"),
+        SceneError::PivotMoves { body: name, .. } | SceneError::KinematicBodyHasVelocity(name) => {
+            body(name).key("velocity")
+        }
         SceneError::EmptyName(index) => KeyPath::element("bodies", *index),
         SceneError::Force { force: number, .. } | SceneError::ForceOnUnknownBody { force: number, .. } => {
             force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))

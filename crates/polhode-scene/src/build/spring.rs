@@ -50,6 +50,9 @@ fn between_bodies(
     if a == b {
         return Err((path_of_bodies, FieldError::SameEnds.into()));
     }
+    for (index, body) in [body_a, body_b].into_iter().enumerate() {
+        follows_no_motion(body, &path_of_bodies.index(index))?;
+    }
     if body_a.is_fixed() && body_b.is_fixed() {
         return Err((path_of_bodies, needs_a_body_that_moves()));
     }
@@ -73,11 +76,22 @@ fn to_the_world(
         return Err((path.clone(), Refusal::Needs { what: TO_THE_WORLD, needed: "`anchor`" }));
     };
     let (number, body) = bodies.get(name, &path.key("body"))?;
+    follows_no_motion(body, &path.key("body"))?;
     if body.is_fixed() {
         return Err((path.key("body"), needs_a_body_that_moves()));
     }
     let point = entry.point.as_ref().map_or(Ok(DVec3::ZERO), |point| vector(point, &path.key("point")))?;
     Ok([Attachment::Body { body: number, point }, Attachment::World(vector(anchor, &path.key("anchor"))?)])
+}
+
+/// The end of a spring does not follow a prescribed motion yet.
+fn follows_no_motion(body: &Body, path: &KeyPath) -> Result<(), Fault> {
+    if body.motion().is_none() {
+        return Ok(());
+    }
+    let what = format!("a spring fastened to a body with a prescribed motion ({})", body.name());
+    let instead = "a spring fastened to the world, to a fixed body or to one that forces move".to_owned();
+    Err((path.clone(), Refusal::NotYetAvailable { what, instead }))
 }
 
 fn needs_a_body_that_moves() -> Refusal {

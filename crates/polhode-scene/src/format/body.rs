@@ -1,5 +1,6 @@
 //! Bodies and their shapes.
 
+use super::MotionEntry;
 use super::exactly::{Exactly, Vector};
 use schemars::JsonSchema;
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
@@ -32,6 +33,8 @@ pub struct BodyEntry {
     pub orientation: Option<Exactly<f64, 4>>,
     /// Orientation as axis times angle, rad; or orientation.
     pub rotation_vector: Option<Vector>,
+    /// Motion that is prescribed, whatever acts on the body; then without mass, velocities and pivot.
+    pub motion: Option<MotionEntry>,
     /// A point of the world, m, that is held fixed in the body, which then only turns about it.
     pub pivot: Option<Vector>,
     /// Velocity of the centre of mass, world, m/s; of a body with a pivot that of its rotation, or absent.
@@ -50,7 +53,7 @@ pub enum ShapeEntry {
     Box(BoxEntry),
     /// A ball about the origin.
     Sphere(SphereEntry),
-    /// Everything below a plane through the origin; fixed bodies only.
+    /// Everything below a plane through the origin; fixed and kinematic bodies only.
     HalfSpace(HalfSpaceEntry),
     /// Points that touch by themselves: corners without faces. Mass and inertia must be given; the centre of mass is
     /// the origin.
@@ -67,7 +70,7 @@ pub enum ShapeEntry {
     Compound(CompoundEntry),
     /// A convex solid from a mesh file.
     Convex(FileEntry),
-    /// A mesh file: of a closed solid of any form, or, for a fixed body, of a surface too.
+    /// A mesh file: of a closed solid of any form, or, for a fixed or kinematic body, of a surface too.
     Mesh(FileEntry),
 }
 

@@ -11,6 +11,7 @@
 //! | `integrator`, `broad_phase` | [`IntegratorName`], [`BroadPhaseName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `force` | [`ForceEntry`] and the kinds of force |
+//! | `motion` | [`MotionEntry`] and the kinds of prescribed motion |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
@@ -21,6 +22,7 @@ mod exactly;
 mod force;
 mod integrator;
 mod method;
+mod motion;
 pub(crate) mod planned;
 mod scene;
 mod signal;
@@ -37,6 +39,7 @@ pub use force::{
 };
 pub use integrator::IntegratorName;
 pub use method::{ContactName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName};
+pub use motion::{ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile};
 pub use signal::{SignalEntry, SinusoidEntry};
 
@@ -46,6 +49,9 @@ pub const VERSION: u32 = 1;
 /// Kinds of shape, for messages.
 pub(crate) const SHAPES: &str =
     "box, sphere, cylinder, cone, capsule, torus, half_space, points, convex, mesh or compound";
+
+/// Kinds of prescribed motion, for messages.
+pub(crate) const MOTIONS: &str = "constant, sine or table";
 
 /// Kinds of force, for messages.
 pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";

@@ -9,6 +9,7 @@ mod forces;
 mod format;
 mod mass;
 mod mesh_report;
+mod motions;
 mod outputs;
 mod overrides;
 mod pivots;

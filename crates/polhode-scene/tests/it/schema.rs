@@ -35,7 +35,8 @@ fn lists_what_is_accepted() {
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval friction \
         restitution tier step integrator orientation rotation_rate impact contact response broad_phase tolerance max_events_per_step fixed shape \
-        mass density inertia hollow position rotation_vector velocity angular_velocity material pivot box sphere half_space \
+        mass density inertia hollow position rotation_vector velocity angular_velocity material pivot motion sine frequency \
+        axis angle times orientations rotation_vectors box sphere half_space \
         points convex mesh size radius normal positions file thesis accurate quaternion \
         quaternion-unnormalized quaternion-three-numbers matrix matrix-unorthogonalized euler-angles angular-momentum \
         angular-velocity type point_gravity mutual_gravity force torque drag spring center mu constant body frame point \

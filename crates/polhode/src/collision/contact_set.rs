@@ -3,6 +3,7 @@
 //! A contact is known by its bodies and features, so that its status survives from one event to the next while its
 //! geometry is always evaluated afresh. Between events the set is frozen; at an event it is detected again.
 
+use crate::prescribed;
 use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{ContactFeature, ContactKinematics, Shape, counterpart};
 use polhode_dynamics::BodyState;
@@ -45,9 +46,13 @@ impl World {
         Some((self.bodies[a].shape.as_ref()?, self.bodies[b].shape.as_ref()?))
     }
 
-    /// Velocity of a body; zero for one that never moves.
+    /// Velocity of a body's moving frame; zero for one that never moves.
     pub(crate) fn velocity(&self, index: usize, state: &BodyState) -> Velocity {
-        self.bodies[index].rigid.as_ref().map_or(Velocity::ZERO, |rigid| rigid.velocity(state))
+        match (&self.bodies[index].rigid, &self.bodies[index].trajectory) {
+            (Some(rigid), _) => rigid.velocity(state),
+            (None, Some(_)) => prescribed::velocity_of(state),
+            (None, None) => Velocity::ZERO,
+        }
     }
 
     /// Geometry, approach and acceleration terms of a contact at the given states; none when its features no longer

@@ -124,6 +124,27 @@ impl Assembly {
         Ok(b)
     }
 
+    /// The same at `t` (s) where the motion of bodies may be prescribed: `b = J a_free + bias + sum +-n.(a + alpha x r)` over
+    /// the prescribed members of each contact.
+    ///
+    /// # Errors
+    /// When `free` has the wrong length.
+    #[cfg_attr(not(test), expect(dead_code, reason = "the engine does not move kinematic bodies yet"))]
+    pub(crate) fn acceleration_constants_at<'a>(
+        &self,
+        world: &World,
+        t: f64,
+        states: &[BodyState],
+        free: &[f64],
+        contacts: impl Iterator<Item = (ContactId, &'a ContactKinematics)>,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let mut b = self.problem.row_velocities(free)?;
+        for (constant, (id, k)) in b.iter_mut().zip(contacts) {
+            *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
+        }
+        Ok(b)
+    }
+
     /// Splits a vector of generalised columns into (body, linear, angular).
     pub(crate) fn split<'a>(&'a self, columns: &'a [f64]) -> impl Iterator<Item = (usize, DVec3, DVec3)> + 'a {
         self.bodies

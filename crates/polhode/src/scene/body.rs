@@ -1,13 +1,15 @@
 //! Bodies of a scene.
 
-use super::{Geometry, Material};
+use super::{Geometry, Material, PrescribedMotion, Trajectory};
 use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
 
 /// Whether and how a body moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum BodyMass {
     /// Immovable, of infinite mass (thesis 3.3): it never moves, whatever hits it.
     Fixed,
+    /// Moves as prescribed, whatever hits it: of infinite mass.
+    Kinematic(PrescribedMotion),
     /// Moves by its mass properties (in the body's own frame).
     Movable(MassProperties),
 }
@@ -15,7 +17,8 @@ pub enum BodyMass {
 /// A body: a name, what it is made of, where it is and how it moves.
 ///
 /// `pose` is that of the body's own origin (a primitive's origin is its centre of mass, a mesh's is the file's);
-/// `velocity` is that of the centre of mass, in the world.
+/// `velocity` is that of the centre of mass, in the world. A kinematic body has no mass and no velocity of its own choice:
+/// its pose and velocity at any time are those of its [`Body::trajectory`].
 #[derive(Debug, Clone)]
 pub struct Body {
     pub(crate) name: String,
@@ -31,6 +34,14 @@ impl Body {
     /// An immovable body at the world's origin, without a shape.
     pub fn fixed(name: impl Into<String>) -> Self {
         Self::with_mass(name.into(), BodyMass::Fixed)
+    }
+
+    /// A body whose pose is prescribed over time, whatever acts on it, without a shape. A constant velocity and a sine start
+    /// from [`Body::pose`]; what a table gives is where the body is, and a pose given besides must be that of the table at
+    /// t = 0.
+    pub fn kinematic(name: impl Into<String>, motion: PrescribedMotion) -> Self {
+        let pose = motion.initial_pose(&Pose::IDENTITY);
+        Self { pose, ..Self::with_mass(name.into(), BodyMass::Kinematic(motion)) }
     }
 
     /// A body that moves, at rest at the world's origin, without a shape.
@@ -91,15 +102,28 @@ impl Body {
         &self.name
     }
 
-    /// Whether the body is immovable.
+    /// Whether no force moves the body: it is immovable or its motion is prescribed.
     pub fn is_fixed(&self) -> bool {
-        matches!(self.mass, BodyMass::Fixed)
+        matches!(self.mass, BodyMass::Fixed | BodyMass::Kinematic(_))
     }
 
-    /// Mass properties in the body's own frame, when it moves.
+    /// The motion of a kinematic body.
+    pub fn motion(&self) -> Option<&PrescribedMotion> {
+        match &self.mass {
+            BodyMass::Kinematic(motion) => Some(motion),
+            BodyMass::Fixed | BodyMass::Movable(_) => None,
+        }
+    }
+
+    /// The motion of a kinematic body from its initial pose.
+    pub fn trajectory(&self) -> Option<Trajectory> {
+        self.motion().map(|motion| motion.from_pose(&self.pose))
+    }
+
+    /// Mass properties in the body's own frame, when forces move it.
     pub fn mass_properties(&self) -> Option<&MassProperties> {
         match &self.mass {
-            BodyMass::Fixed => None,
+            BodyMass::Fixed | BodyMass::Kinematic(_) => None,
             BodyMass::Movable(properties) => Some(properties),
         }
     }
@@ -109,7 +133,7 @@ impl Body {
         self.geometry.as_ref()
     }
 
-    /// `X_WB` at the start.
+    /// `X_WB` at the start; of a kinematic body that oscillates, the centre of the oscillation.
     pub fn initial_pose(&self) -> &Pose {
         &self.pose
     }

@@ -1,6 +1,6 @@
 //! Building and checking a scene.
 
-use super::{Body, DEFAULT_GRAVITY, Force, Geometry, Method, PairRule, Scene, SceneError, force};
+use super::{Body, DEFAULT_GRAVITY, Force, Geometry, Method, PairRule, PrescribedMotion, Scene, SceneError, force};
 use polhode_contact::Shape;
 use polhode_spatial::DVec3;
 
@@ -136,6 +136,17 @@ pub(super) fn check_counts(scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
+/// The engine does not move kinematic bodies yet.
+pub(super) fn check_engine_moves_bodies(scene: &Scene) -> Result<(), SceneError> {
+    match scene.bodies.iter().find(|body| body.motion().is_some()) {
+        Some(body) => Err(SceneError::NotYetAvailable {
+            what: format!("a run with a prescribed motion (body {})", body.name),
+            instead: "a fixed body, or one that forces move".to_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
 pub(super) fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     if body.name.is_empty() {
         return Err(SceneError::EmptyName(number));
@@ -146,6 +157,9 @@ pub(super) fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     }
     if !body.velocity.is_finite() {
         return not_finite("its velocity");
+    }
+    if let Some(motion) = body.motion() {
+        return check_kinematic(body, motion);
     }
     if let Some(pivot) = body.pivot {
         check_pivot(body, pivot)?;
@@ -162,6 +176,17 @@ pub(super) fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
         }
         _ => Ok(()),
     }
+}
+
+/// A kinematic body has no velocity or pivot of its own, and starts where its motion does.
+fn check_kinematic(body: &Body, motion: &PrescribedMotion) -> Result<(), SceneError> {
+    if body.pivot.is_some() {
+        return Err(SceneError::KinematicBodyPivots(body.name.clone()));
+    }
+    if !body.velocity.is_zero() {
+        return Err(SceneError::KinematicBodyHasVelocity(body.name.clone()));
+    }
+    motion.check_start(&body.pose).map_err(|source| SceneError::Motion { body: body.name.clone(), source })
 }
 
 /// A pivoted body moves about a point that stays: a velocity of its centre of mass, when it is given, must be that of

@@ -1,5 +1,6 @@
 //! What can be wrong with a scene.
 
+use super::MotionError;
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use thiserror::Error;
@@ -51,12 +52,26 @@ pub enum SceneError {
     /// A fixed body is given a velocity.
     #[error("body {0} is fixed and has a velocity: fixed bodies do not move")]
     FixedBodyMoves(String),
+    /// A kinematic body is given a velocity.
+    #[error("body {0} has a prescribed motion and a velocity: its velocity is that of the motion, leave it out")]
+    KinematicBodyHasVelocity(String),
+    /// A kinematic body is given a pivot.
+    #[error("body {0} has a prescribed motion and a pivot: its motion is all that moves it, leave the pivot out")]
+    KinematicBodyPivots(String),
+    /// A kinematic body is given another pose than its motion has at the start.
+    #[error("body {body}: {source}")]
+    Motion {
+        /// The body.
+        body: String,
+        /// Why.
+        source: MotionError,
+    },
     /// A half-space is given to a body that moves.
-    #[error("body {0} is a half-space, which is unbounded: it must be fixed")]
+    #[error("body {0} is a half-space, which is unbounded: it must be fixed or kinematic")]
     MovingHalfSpace(String),
     /// A surface of triangles is given to a body that moves.
     #[error(
-        "body {0} is a surface of triangles, which is ground: it must be fixed; a body that moves needs a closed mesh"
+        "body {0} is a surface of triangles, which is ground: it must be fixed or kinematic; a body that moves by forces needs a closed mesh"
     )]
     MovingSurface(String),
     /// A group of bodies names one that is not there.

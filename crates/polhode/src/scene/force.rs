@@ -152,6 +152,11 @@ impl Force {
         }
     }
 
+    /// The first kinematic body that the force names.
+    fn kinematic_body<'a>(&self, bodies: &'a [Body]) -> Option<&'a Body> {
+        self.bodies().into_iter().filter_map(|body| bodies.get(body)).find(|body| body.motion().is_some())
+    }
+
     /// The bodies that the force names.
     fn bodies(&self) -> Vec<usize> {
         match self {
@@ -188,6 +193,13 @@ impl Attachment {
 pub(super) fn check(number: usize, force: &Force, bodies: &[Body]) -> Result<(), SceneError> {
     if let Some(body) = force.bodies().into_iter().find(|&body| body >= bodies.len()) {
         return Err(SceneError::ForceOnUnknownBody { force: number, body });
+    }
+    if let (Force::Spring { .. }, Some(body)) = (force, force.kinematic_body(bodies)) {
+        // Its anchor would have to follow the motion, and its potential energy be a function of time.
+        return Err(SceneError::NotYetAvailable {
+            what: format!("a spring fastened to a kinematic body ({})", body.name()),
+            instead: "a spring fastened to the world or to a body that forces move".to_owned(),
+        });
     }
     force.fields(&OwnFrames).map(|_| ()).map_err(|source| SceneError::Force { force: number, source })
 }

@@ -10,6 +10,7 @@ mod force;
 mod geometry;
 mod material;
 mod method;
+pub mod motion;
 
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
@@ -19,6 +20,7 @@ pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
 pub use method::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 
 use polhode_spatial::DVec3;
@@ -86,12 +88,13 @@ impl Scene {
         Ok(self)
     }
 
-    /// Checks the method, and that a run ends.
+    /// Checks the method, that the engine can move all bodies, and that a run ends.
     ///
     /// # Errors
-    /// As [`SceneBuilder::build`].
+    /// As [`SceneBuilder::build`], and when a body is kinematic.
     pub(crate) fn check_times(&self) -> Result<(), SceneError> {
         self.method.validate()?;
+        builder::check_engine_moves_bodies(self)?;
         builder::check_counts(self)
     }
 
@@ -139,7 +142,7 @@ impl Scene {
         pairs.map(move |(i, j)| (shaped[i], shaped[j])).filter(|&(a, b)| self.may_collide(a, b))
     }
 
-    /// Whether two bodies may collide: not both immovable, both with a shape, and not in one `no_contact` group.
+    /// Whether two bodies may collide: not both out of the reach of forces, both with a shape, and not in one `no_contact` group.
     pub fn may_collide(&self, a: usize, b: usize) -> bool {
         let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
         a != b

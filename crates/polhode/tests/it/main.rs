@@ -16,6 +16,7 @@ mod linked_rings;
 mod momentum;
 mod pivots;
 mod planar;
+mod prescribed_motion;
 mod round_bodies;
 mod support;
 mod table_edge;

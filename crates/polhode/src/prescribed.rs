@@ -1,0 +1,317 @@
+//! Kinematic bodies as the engine sees them: states and accelerations that no force changes.
+//!
+//! The moving frame of a kinematic body is its own frame. Its state holds the pose and the velocity of its own origin and,
+//! since it has no inertia, its angular velocity (rad/s, world) in the place of the angular momentum, as of unit inertia.
+//! Such states are functions of time: they must be set at every time at which contacts are evaluated
+//! ([`World::prescribe`]).
+//!
+//! In the rows of contacts a kinematic body is a known term. With A or B prescribed, r from its origin to the contact point
+//! and the sign of the body (+ for A, - for B):
+//!
+//! ```text
+//! chi'  = J v + sum +-n.(v + w x r)               chi'' = J a + bias + sum +-n.(a + alpha x r)
+//! ```
+//!
+//! over its prescribed members. [`polhode_contact::kinematics`] has that term of `chi'` and all of `bias`, from the
+//! velocities in the states; the term of `chi''` is [`World::prescribed_acceleration_of`]. A force f along the normal does
+//! work on the bodies that forces move at the rate `-f` times the term of `chi'` ([`World::prescribed_rate_of`]), an
+//! impulse p the work `-p` times it: work of the outside. What an impact law says of energy is in relative velocities, and so
+//! leaves that work out.
+
+use crate::collision::contact_set::ContactId;
+use crate::scene::Trajectory;
+use crate::world::World;
+use polhode_contact::ContactGeometry;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Motion, Velocity};
+
+// The engine does not call these yet; the tests do.
+#[cfg_attr(not(test), expect(dead_code, reason = "the engine does not move kinematic bodies yet"))]
+impl World {
+    /// The kinematic bodies, ascending.
+    pub(crate) fn prescribed(&self) -> &[usize] {
+        &self.prescribed
+    }
+
+    /// Motion of the moving frame of a kinematic body.
+    pub(crate) fn trajectory(&self, body: usize) -> Option<&Trajectory> {
+        self.bodies[body].trajectory.as_ref()
+    }
+
+    /// State of a kinematic body at `t` (s).
+    pub(crate) fn prescribed_state(&self, body: usize, t: f64) -> Option<BodyState> {
+        self.trajectory(body).map(|trajectory| state_at(trajectory, t))
+    }
+
+    /// Sets the states of all kinematic bodies to those at `t` (s).
+    pub(crate) fn prescribe(&self, t: f64, states: &mut [BodyState]) {
+        for &body in &self.prescribed {
+            if let (Some(trajectory), Some(state)) = (self.trajectory(body), states.get_mut(body)) {
+                *state = state_at(trajectory, t);
+            }
+        }
+    }
+
+    /// Acceleration of a body's origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s) that its motion prescribes, world;
+    /// zero for other bodies.
+    pub(crate) fn prescribed_acceleration(&self, body: usize, t: f64) -> (DVec3, DVec3) {
+        self.trajectory(body).map_or((DVec3::ZERO, DVec3::ZERO), |trajectory| {
+            let acceleration = trajectory.acceleration(t);
+            (acceleration.linear, acceleration.angular)
+        })
+    }
+
+    /// The first time strictly between `from` and `to` (s), on the way from one to the other, at which a prescribed motion
+    /// is not smooth.
+    pub(crate) fn prescribed_corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        let corners = self.prescribed.iter().filter_map(|&body| self.trajectory(body)?.corner_between(from, to));
+        if from < to { corners.reduce(f64::min) } else { corners.reduce(f64::max) }
+    }
+
+    /// Whether a kinematic body stands still from `from` to `to` (s), so that what rests on it may go on resting; other
+    /// bodies do.
+    pub(crate) fn stands_still(&self, body: usize, from: f64, to: f64) -> bool {
+        self.trajectory(body).is_none_or(|trajectory| {
+            let bounds = trajectory.bounds(from, to);
+            bounds.speed == 0.0 && bounds.angular_speed == 0.0
+        })
+    }
+
+    /// What prescribed velocities add to the rate of a contact's separation, m/s.
+    pub(crate) fn prescribed_rate_of(&self, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
+        self.prescribed_term(states, id, geometry, |body| {
+            let velocity = self.velocity(body, &states[body]);
+            (velocity.linear, velocity.angular)
+        })
+    }
+
+    /// What prescribed accelerations at `t` (s) add to the second derivative of a contact's separation, m/s^2.
+    pub(crate) fn prescribed_acceleration_of(
+        &self,
+        t: f64,
+        states: &[BodyState],
+        id: ContactId,
+        geometry: &ContactGeometry,
+    ) -> f64 {
+        self.prescribed_term(states, id, geometry, |body| self.prescribed_acceleration(body, t))
+    }
+
+    /// `sum +-n.(linear + angular x r)` over the members of a contact whose motion is prescribed.
+    fn prescribed_term(
+        &self,
+        states: &[BodyState],
+        id: ContactId,
+        geometry: &ContactGeometry,
+        rates: impl Fn(usize) -> (DVec3, DVec3),
+    ) -> f64 {
+        if self.prescribed.is_empty() {
+            return 0.0;
+        }
+        let members = [(id.a, 1.0), (id.b, -1.0)].into_iter().filter(|&(body, _)| self.trajectory(body).is_some());
+        members
+            .map(|(body, sign)| {
+                let (linear, angular) = rates(body);
+                let arm = geometry.point - states[body].pose.translation;
+                sign * geometry.normal.dot(linear + angular.cross(arm))
+            })
+            .sum()
+    }
+}
+
+/// The state of a body that follows a trajectory.
+pub(crate) fn state_at(trajectory: &Trajectory, t: f64) -> BodyState {
+    let velocity = trajectory.velocity(t);
+    BodyState { pose: trajectory.pose(t), linear_velocity: velocity.linear, angular_momentum: velocity.angular }
+}
+
+/// The velocity that the state of a kinematic body holds.
+pub(crate) const fn velocity_of(state: &BodyState) -> Velocity {
+    Velocity::new(state.linear_velocity, state.angular_momentum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interaction::assembly::Assembly;
+    use crate::interaction::groups::Group;
+    use crate::interaction::impact::strike;
+    use crate::scene::{Body, Geometry, ImpactLaw, MotionTable, PrescribedMotion, SampledOrientations, Scene};
+    use polhode_contact::Shape;
+    use polhode_dynamics::Flight;
+    use polhode_response::ComplementaritySolver;
+    use polhode_response::impact::ImpactSettings;
+    use polhode_spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector};
+    use std::error::Error;
+
+    type TestResult = Result<(), Box<dyn Error>>;
+
+    const TABLE: usize = 0;
+    const BODY: usize = 1;
+
+    fn motions() -> Result<[PrescribedMotion; 3], Box<dyn Error>> {
+        let screw = Velocity::new(DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.8, 1.5, -0.6));
+        let turns = [DVec3::ZERO, DVec3::new(0.4, 0.9, 0.0), DVec3::new(-0.3, 1.0, 0.8), DVec3::new(0.0, 0.2, 1.5)];
+        let table = MotionTable {
+            times_s: vec![-0.4, 0.1, 0.7, 1.2],
+            positions_m: Some(vec![DVec3::ZERO, DVec3::X * 0.2, DVec3::new(0.1, -0.3, 0.4), DVec3::Z]),
+            orientations: Some(SampledOrientations::RotationVectors(turns.to_vec())),
+        };
+        Ok([
+            PrescribedMotion::constant_velocity(screw)?,
+            PrescribedMotion::sine(DVec3::new(0.2, 0.1, 0.3), DVec3::new(0.2, -0.5, 0.4), 1.3, 0.6)?,
+            PrescribedMotion::table(&table)?,
+        ])
+    }
+
+    /// A kinematic body of this shape, and a body of the other shape that flies by, of three different moments.
+    fn world(motion: PrescribedMotion, shape: Shape, other: Shape) -> Result<(World, Vec<BodyState>), Box<dyn Error>> {
+        let inertia = Inertia::from_diagonal(DVec3::new(0.2, 0.3, 0.4))?;
+        let flying = Body::movable("body", MassProperties::new(Mass::new(2.0)?, DVec3::ZERO, inertia))
+            .geometry(Geometry::Shape(other))
+            .pose(Pose::new(Rotation::from_rotation_vector(DVec3::new(0.4, -0.3, 1.0)), DVec3::new(0.2, 0.3, 1.9)))
+            .velocity(Velocity::new(DVec3::new(0.5, 0.1, -0.7), DVec3::new(1.0, -2.0, 0.5)));
+        let table = Body::kinematic("table", motion).geometry(Geometry::Shape(shape));
+        let scene = Scene::builder("kinematic").body(table).body(flying).build()?;
+        Ok(World::new(&scene)?)
+    }
+
+    /// States at `t`: of the kinematic body as prescribed, of the other one in free flight.
+    fn states_at(world: &World, start: &[BodyState], t: f64) -> Vec<BodyState> {
+        let mut states = start.to_vec();
+        if let Some(rigid) = &world.bodies[BODY].rigid {
+            states[BODY] = Flight::new(rigid, 0.0, &start[BODY], world.gravity()).state(t);
+        }
+        world.prescribe(t, &mut states);
+        states
+    }
+
+    /// The second derivative of a separation is `J a_free + bias` and the term of the prescribed body, the first one what
+    /// contact says: against differences of the separation itself, for faces, edges, spheres and half-spaces, with the
+    /// kinematic body first or second.
+    #[test]
+    fn separations_of_prescribed_bodies() -> TestResult {
+        let cuboid = || Shape::cuboid(DVec3::new(1.5, 1.0, 0.8));
+        let ball = || Shape::sphere(0.4);
+        let shapes = [
+            (cuboid()?, cuboid()?),
+            (cuboid()?, ball()?),
+            (ball()?, cuboid()?),
+            (Shape::half_space(UnitVector::Z), cuboid()?),
+        ];
+        let (mut contacts, mut with_b) = (0, 0);
+        for motion in motions()? {
+            for (shape, other) in &shapes {
+                let (world, start) = world(motion.clone(), shape.clone(), other.clone())?;
+                for t in [0.2, 0.3, 0.5] {
+                    let states = states_at(&world, &start, t);
+                    for (a, b) in [(TABLE, BODY), (BODY, TABLE)] {
+                        for touch in world.contacts_of_pair(&states, a, b, 10.0) {
+                            check_derivatives(&world, &start, touch.id, t)?;
+                            contacts += 1;
+                            with_b += usize::from(b == TABLE);
+                        }
+                    }
+                }
+            }
+        }
+        assert!(contacts > 60 && with_b > 30, "{contacts} {with_b}");
+        Ok(())
+    }
+
+    fn check_derivatives(world: &World, start: &[BodyState], id: ContactId, t: f64) -> TestResult {
+        let h = 3e-4;
+        let separation = |t: f64| {
+            let kinematics = world.kinematics(&states_at(world, start, t), id);
+            kinematics.map(|k| k.geometry.separation).ok_or("no contact")
+        };
+        let (near, far) =
+            ([separation(t - h)?, separation(t + h)?], [separation(t - 2.0 * h)?, separation(t + 2.0 * h)?]);
+        let rate = (8.0 * (near[1] - near[0]) - (far[1] - far[0])) / (12.0 * h);
+        let second = (16.0 * (near[0] + near[1]) - (far[0] + far[1]) - 30.0 * separation(t)?) / (12.0 * h * h);
+
+        let states = states_at(world, start, t);
+        let kinematics = world.kinematics(&states, id).ok_or("no contact")?;
+        let assembly = Assembly::new(world, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
+        let free = assembly.free_accelerations(world, &states, &world.loads(t, &states));
+        let b = assembly.acceleration_constants_at(world, t, &states, &free, [(id, &kinematics)].into_iter())?;
+        // Differences err by 1e-15/h^2 and by sixth derivatives times h^4.
+        assert!((kinematics.separation_rate - rate).abs() < 1e-8, "{id:?} {} {rate}", kinematics.separation_rate);
+        assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
+
+        // The rate is that of the bodies that forces move, and the term of the prescribed one.
+        let velocity = world.velocity(BODY, &states[BODY]);
+        let columns = [velocity.linear.to_array(), velocity.angular.to_array()].concat();
+        let moved = assembly.problem.row_velocities(&columns)?[0];
+        let prescribed = world.prescribed_rate_of(&states, id, &kinematics.geometry);
+        assert!((moved + prescribed - kinematics.separation_rate).abs() < 1e-12);
+        Ok(())
+    }
+
+    /// An impact on a kinematic body gives the body that is struck what the impact takes in relative velocities (the energy
+    /// change of the law) and the work of the prescribed motion, `-p` times its part of the rate of separation.
+    #[test]
+    fn work_of_a_prescribed_motion_in_an_impact() -> TestResult {
+        let settings = ImpactSettings::default();
+        for motion in motions()? {
+            let (world, start) = world(motion, Shape::cuboid(DVec3::new(1.5, 1.0, 0.8))?, Shape::sphere(0.4)?)?;
+            let mut states = states_at(&world, &start, 0.3);
+            states[BODY].linear_velocity = DVec3::new(0.3, 0.2, -9.0);
+            let touches = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+            let group = Group { bodies: vec![BODY], contacts: vec![0] };
+            let term = world.prescribed_rate_of(&states, touches[0].id, &touches[0].kinematics.geometry);
+            let before = world.energies(BODY, &states[BODY]).0;
+            let law = ImpactLaw::Simultaneous;
+            let solver = &mut ComplementaritySolver::default();
+            let outcome = strike(&world, &mut states, &group, &touches, law, &settings, solver)?;
+            let gained = world.energies(BODY, &states[BODY]).0 - before;
+            let work = -outcome.impulses[0] * term;
+            assert!(
+                outcome.impulses[0] > 1.0 && outcome.energy_change < -1.0 && work.abs() > 0.1,
+                "{outcome:?} {work}"
+            );
+            assert!((gained - outcome.energy_change - work).abs() < 1e-12 * before, "{gained} {outcome:?} {work}");
+            // Without restitution the contact opens no more and closes no more.
+            let after = world.kinematics(&states, touches[0].id).ok_or("no contact")?;
+            assert!(after.separation_rate.abs() < 1e-12);
+        }
+        Ok(())
+    }
+
+    /// At the start a kinematic body is where its motion has it, not at the centre of its oscillation, and has its velocity;
+    /// it is not among the bodies that forces move.
+    #[test]
+    fn states_follow_the_motion() -> TestResult {
+        for motion in motions()? {
+            let trajectory = motion.from_pose(&motion.initial_pose(&Pose::IDENTITY));
+            let (world, states) = world(motion, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+            assert_eq!((world.prescribed(), world.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
+            for t in [0.0, 0.35, 3.0] {
+                let now = states_at(&world, &states, t);
+                let sample = world.sample(TABLE, &now[TABLE]);
+                assert_eq!((sample.pose, sample.velocity), (trajectory.pose(t), trajectory.velocity(t)));
+                assert_eq!(world.velocity(TABLE, &now[TABLE]), trajectory.velocity(t));
+                assert_eq!(world.prescribed_state(TABLE, t), Some(now[TABLE]));
+                assert_eq!(world.prescribed_acceleration(TABLE, t).0, trajectory.acceleration(t).linear);
+            }
+            assert_eq!(states[TABLE], states_at(&world, &states, 0.0)[TABLE]);
+            assert_eq!((world.prescribed_state(BODY, 0.0), world.energies(TABLE, &states[TABLE])), (None, (0.0, 0.0)));
+            assert_eq!(world.prescribed_acceleration(BODY, 0.0), (DVec3::ZERO, DVec3::ZERO));
+        }
+        Ok(())
+    }
+
+    /// A table ends steps at its samples, and stands still after the last one.
+    #[test]
+    fn corners_and_standstill() -> TestResult {
+        let [screw, _, table] = motions()?;
+        let (world, _) = world(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+        assert_eq!(world.prescribed_corner_between(0.0, 2.0), Some(0.1));
+        assert_eq!(world.prescribed_corner_between(2.0, 0.0), Some(1.2));
+        assert_eq!(world.prescribed_corner_between(1.2, 2.0), None);
+        assert!(!world.stands_still(TABLE, 1.0, 2.0) && world.stands_still(TABLE, 1.2, 2.0));
+        assert!(world.stands_still(BODY, 0.0, 2.0));
+        let (world, _) = self::world(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+        assert!(!world.stands_still(TABLE, 5.0, 6.0));
+        Ok(())
+    }
+}

@@ -1,0 +1,83 @@
+//! Oscillation about the initial pose.
+//!
+//! With `s(t) = sin(2 pi f t + phase)` the body's origin is moved by `A s(t)` and the body turned by the rotation vector
+//! `B s(t)`, both in the world; `f` in Hz, `A` in m, `B` in rad.
+
+use super::error::{number, vector};
+use super::{Displacement, MotionError, within_reach};
+use polhode_spatial::{DVec3, MotionBounds, Rotation};
+use std::f64::consts::TAU;
+
+/// Rounding of an argument of the sine and of a bound's evaluation, relative to the argument: a few operations, each good
+/// to 1.1e-16.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// An oscillation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sine {
+    amplitude: DVec3,
+    rotation: DVec3,
+    /// rad/s.
+    rate: f64,
+    phase: f64,
+}
+
+impl Sine {
+    pub(super) fn new(amplitude: DVec3, rotation: DVec3, frequency_hz: f64, phase: f64) -> Result<Self, MotionError> {
+        let amplitude = vector("the amplitude", amplitude)?;
+        let rotation = vector("the angle", rotation)?;
+        if number("the frequency", frequency_hz)? <= 0.0 {
+            return Err(MotionError::Frequency(frequency_hz));
+        }
+        let sine = Self { amplitude, rotation, rate: TAU * frequency_hz, phase: number("the phase", phase)? };
+        within_reach(&sine.peak())?;
+        Ok(sine)
+    }
+
+    /// Bounds of all times.
+    fn peak(&self) -> MotionBounds {
+        let (length, angle) = (self.amplitude.length(), self.rotation.length());
+        MotionBounds {
+            speed: length * self.rate,
+            acceleration: length * self.rate * self.rate,
+            angular_speed: angle * self.rate,
+            angular_acceleration: angle * self.rate * self.rate,
+        }
+    }
+
+    fn argument(&self, t: f64) -> f64 {
+        self.rate * t + self.phase
+    }
+
+    pub(super) fn at(&self, t: f64) -> Displacement {
+        let argument = self.argument(t);
+        let (sine, cosine) = (libm::sin(argument), libm::cos(argument));
+        let (first, second) = (self.rate * cosine, -self.rate * self.rate * sine);
+        Displacement {
+            translation: self.amplitude * sine,
+            rotation: Rotation::from_rotation_vector(self.rotation * sine),
+            velocity: self.amplitude * first,
+            angular_velocity: self.rotation * first,
+            acceleration: self.amplitude * second,
+            angular_acceleration: self.rotation * second,
+        }
+    }
+
+    pub(super) fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        let (from, to) = (self.argument(t0), self.argument(t1));
+        let radius = 0.5 * (to - from).abs() + ROUNDING * (1.0 + from.abs() + to.abs());
+        let middle = 0.5 * (from + to);
+        let (sine, cosine) = (libm::sin(middle).abs(), libm::cos(middle).abs());
+        // |cos(m + d)| <= |cos m| + |sin m| |d|, and likewise for the sine; written so that NaN gives the peak.
+        let at_most = |value: f64| if value < 1.0 { value } else { 1.0 };
+        let fast = at_most(cosine + sine * radius) * (1.0 + ROUNDING) + ROUNDING;
+        let sharp = at_most(sine + cosine * radius) * (1.0 + ROUNDING) + ROUNDING;
+        let peak = self.peak();
+        MotionBounds {
+            speed: peak.speed * fast,
+            acceleration: peak.acceleration * sharp,
+            angular_speed: peak.angular_speed * fast,
+            angular_acceleration: peak.angular_acceleration * sharp,
+        }
+    }
+}

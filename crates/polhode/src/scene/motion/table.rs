@@ -1,0 +1,308 @@
+//! Motion through samples.
+//!
+//! **Position.** Between two samples a polynomial of degree five with the positions, velocities and accelerations of its
+//! ends. Those of the inner samples are those of the clamped cubic spline (velocity zero at both ends), so that away from
+//! the ends the path is that spline; at the first and the last sample both are zero.
+//!
+//! **Orientation.** The same for rotation vectors: between samples k and k + 1 `R(t) = exp(theta(t)) R_k`, theta of degree
+//! five from zero to the rotation vector `phi_k` of `R_(k+1) R_k^-1`, with the angular velocity and acceleration of both ends
+//! ([`super::turning`]). Those come from the clamped cubic spline whose steps are
+//! `phi_k + h_k^2 (w_k x w_(k+1))/12`, the integral of the angular velocity but for terms of order h^5 (the commutator of
+//! Magnus' expansion), with w from a first spline through the `phi_k` themselves. About one axis this is the spline of
+//! the angle, over any number of turns. The interpolation does not depend on the frames of world and body.
+//!
+//! Pose, velocity and acceleration are continuous at all times, before the first and after the last sample too, where
+//! the body stands still. At samples third derivatives jump. Against a smooth motion that starts and ends without velocity
+//! and acceleration the error of pose is of order h^4.
+//!
+//! **Limits.** From one sample to the next the body turns by less than half a turn: a table of quaternions cannot tell
+//! more, and one of rotation vectors must not change by more from sample to sample. Like every spline of its kind it
+//! overshoots where a short, fast stretch follows a long one.
+//!
+//! Sources: docs/REFERENCES.md, de Boor 1978; Park and Ravani 1997 for splines of rotations in rotation vectors from sample
+//! to sample.
+
+use super::error::{number, vector};
+use super::polynomial::{Jet, Quintic, knot_rates};
+use super::{Displacement, LARGEST_TURN, MotionError, turning, within_reach};
+use polhode_spatial::{DVec3, MotionBounds, Rotation};
+
+/// SampledOrientations of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SampledOrientations {
+    /// Rotations of the body's axes into the world's.
+    Rotations(Vec<Rotation>),
+    /// The same as rotation vectors, rad. Where turns are counted they go on: half a turn, a turn, one and a half.
+    RotationVectors(Vec<DVec3>),
+}
+
+impl SampledOrientations {
+    fn len(&self) -> usize {
+        match self {
+            Self::Rotations(rotations) => rotations.len(),
+            Self::RotationVectors(vectors) => vectors.len(),
+        }
+    }
+
+    /// The rotations, when none is too far from the one before.
+    fn checked(&self) -> Result<Vec<Rotation>, MotionError> {
+        let too_far = |angles: &mut dyn Iterator<Item = f64>| {
+            // Written so that NaN is refused.
+            let found = angles.enumerate().find(|(_, angle)| !matches!(angle, 0.0..=LARGEST_TURN));
+            found.map_or(Ok(()), |(step, angle)| Err(MotionError::Turn { index: step + 1, angle }))
+        };
+        match self {
+            Self::Rotations(rotations) => {
+                for rotation in rotations {
+                    for component in rotation.to_wxyz() {
+                        number("an orientation", component)?;
+                    }
+                }
+                too_far(&mut rotations.windows(2).map(|pair| pair[0].angle_to(pair[1])))?;
+                Ok(rotations.clone())
+            }
+            Self::RotationVectors(vectors) => {
+                for &rotation in vectors {
+                    vector("a rotation vector", rotation)?;
+                }
+                too_far(&mut vectors.windows(2).map(|pair| (pair[1] - pair[0]).length()))?;
+                Ok(vectors.iter().map(|&rotation| Rotation::from_rotation_vector(rotation)).collect())
+            }
+        }
+    }
+}
+
+/// Samples of a motion: where the body's own origin is and how the body is turned, in the world, at times that rise. What
+/// is absent stays as in the body's initial pose.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MotionTable {
+    /// s; two or more, each above the one before.
+    pub times_s: Vec<f64>,
+    /// m; one for each time.
+    pub positions_m: Option<Vec<DVec3>>,
+    /// One for each time.
+    pub orientations: Option<SampledOrientations>,
+}
+
+/// Positions and the polynomials between them.
+#[derive(Debug, Clone, PartialEq)]
+struct Path {
+    knots: Vec<DVec3>,
+    between: Vec<Quintic>,
+}
+
+/// SampledOrientations and the polynomials of the rotation vectors between them.
+#[derive(Debug, Clone, PartialEq)]
+struct Turns {
+    knots: Vec<Rotation>,
+    between: Vec<Quintic>,
+}
+
+/// A motion through samples.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Spline {
+    times: Vec<f64>,
+    path: Option<Path>,
+    turns: Option<Turns>,
+}
+
+/// Where among the samples a time lies.
+enum Place {
+    /// At a sample, standing.
+    Standing(usize),
+    /// This part of the way from a sample to the next.
+    Between(usize, f64),
+}
+
+impl Spline {
+    pub(super) fn new(table: &MotionTable) -> Result<Self, MotionError> {
+        let times = checked_times(&table.times_s)?;
+        let count = |quantity, found: Option<usize>| match found {
+            Some(found) if found != times.len() => Err(MotionError::Count { quantity, found, times: times.len() }),
+            _ => Ok(()),
+        };
+        count("positions", table.positions_m.as_ref().map(Vec::len))?;
+        count("orientations", table.orientations.as_ref().map(SampledOrientations::len))?;
+        if table.positions_m.is_none() && table.orientations.is_none() {
+            return Err(MotionError::EmptyTable);
+        }
+        let spacings: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let path = table.positions_m.as_ref().map(|positions| Path::new(&spacings, positions)).transpose()?;
+        let turns = table.orientations.as_ref().map(|orientations| Turns::new(&spacings, orientations)).transpose()?;
+        let spline = Self { times, path, turns };
+        within_reach(&spline.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
+        Ok(spline)
+    }
+
+    /// Whether the table has positions, and whether it has orientations.
+    pub(super) const fn gives(&self) -> (bool, bool) {
+        (self.path.is_some(), self.turns.is_some())
+    }
+
+    fn place(&self, t: f64) -> Place {
+        let next = self.times.partition_point(|&time| time <= t);
+        match (next.checked_sub(1), self.times.get(next)) {
+            (Some(k), Some(&end)) => {
+                let start = self.times[k];
+                Place::Between(k, (t - start) / (end - start))
+            }
+            (Some(last), None) => Place::Standing(last),
+            (None, _) => Place::Standing(0),
+        }
+    }
+
+    fn spacing(&self, k: usize) -> f64 {
+        self.times[k + 1] - self.times[k]
+    }
+
+    /// Where the body is, absolutely, in what the table gives.
+    pub(super) fn at(&self, t: f64) -> Displacement {
+        let mut at = Displacement::default();
+        match self.place(t) {
+            Place::Standing(k) => {
+                at.translation = self.path.as_ref().map_or(DVec3::ZERO, |path| path.knots[k]);
+                at.rotation = self.turns.as_ref().map_or(Rotation::IDENTITY, |turns| turns.knots[k]);
+            }
+            Place::Between(k, x) => {
+                let h = self.spacing(k);
+                if let Some(path) = &self.path {
+                    let jet = path.between[k].at(x);
+                    at.translation = path.knots[k] + jet.value;
+                    at.velocity = jet.first / h;
+                    at.acceleration = jet.second / h / h;
+                }
+                if let Some(turns) = &self.turns {
+                    let jet = turns.between[k].at(x);
+                    at.rotation = Rotation::from_rotation_vector(jet.value) * turns.knots[k];
+                    let (velocity, acceleration) = turning::rates(&jet);
+                    at.angular_velocity = velocity / h;
+                    at.angular_acceleration = acceleration / h / h;
+                }
+            }
+        }
+        at
+    }
+
+    pub(super) fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        let (from, to) = (t0.min(t1), t0.max(t1));
+        let mut bounds = MotionBounds::default();
+        let first = self.times.partition_point(|&time| time <= from).saturating_sub(1);
+        for k in first..self.times.len() - 1 {
+            let (start, end) = (self.times[k], self.times[k + 1]);
+            if start > to {
+                break;
+            }
+            if end <= from {
+                continue;
+            }
+            let at = |t: f64| (t.clamp(start, end) - start) / (end - start);
+            bounds = larger(&bounds, &self.bounds_between(k, at(from), at(to)));
+        }
+        // Times that are none are bounded by nothing.
+        if t0.is_nan() || t1.is_nan() { infinite() } else { bounds }
+    }
+
+    /// Bounds over a part of the way from one sample to the next.
+    fn bounds_between(&self, k: usize, x0: f64, x1: f64) -> MotionBounds {
+        let h = self.spacing(k);
+        let mut bounds = MotionBounds::default();
+        if let Some(path) = &self.path {
+            let rates = path.between[k].rates(x0, x1);
+            bounds.speed = rates.first / h;
+            bounds.acceleration = rates.second / h / h;
+        }
+        if let Some(turns) = &self.turns {
+            let polynomial = &turns.between[k];
+            let rates = polynomial.rates(x0, x1);
+            let acceleration = rates.second + 0.5 * rates.first * rates.first.min(rates.aside);
+            let middle = turning::rates(&polynomial.at(0.5 * (x0 + x1))).0.length();
+            let near = middle + acceleration * (0.5 * (x1 - x0).abs()) + turning::ROUNDING * rates.first;
+            bounds.angular_speed = rates.first.min(near) / h;
+            bounds.angular_acceleration = acceleration / h / h;
+        }
+        bounds
+    }
+
+    pub(super) fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
+        let times = &self.times;
+        let corner = if from < to {
+            times.get(times.partition_point(|&time| time <= from))
+        } else {
+            times.partition_point(|&time| time < from).checked_sub(1).and_then(|last| times.get(last))
+        };
+        corner.copied().filter(|&time| from.min(to) < time && time < from.max(to))
+    }
+}
+
+impl Path {
+    fn new(spacings: &[f64], positions: &[DVec3]) -> Result<Self, MotionError> {
+        for &position in positions {
+            vector("a position", position)?;
+        }
+        let steps: Vec<DVec3> = positions.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let rates = knot_rates(spacings, &steps);
+        let between = spacings.iter().zip(&steps).zip(rates.windows(2)).map(|((&h, &value), rates)| {
+            let (start, end) = (rates[0], rates[1]);
+            let end = Jet { value, first: end.0 * h, second: end.1 * h * h };
+            Quintic::between(start.0 * h, start.1 * h * h, &end)
+        });
+        Ok(Self { knots: positions.to_vec(), between: between.collect() })
+    }
+}
+
+impl Turns {
+    fn new(spacings: &[f64], orientations: &SampledOrientations) -> Result<Self, MotionError> {
+        let knots = orientations.checked()?;
+        let steps: Vec<DVec3> =
+            knots.windows(2).map(|pair| (pair[1] * pair[0].inverse()).to_rotation_vector()).collect();
+        let rough = knot_rates(spacings, &steps);
+        let integrals: Vec<DVec3> = spacings
+            .iter()
+            .zip(&steps)
+            .zip(rough.windows(2))
+            .map(|((&h, &step), rates)| step + (rates[0].0 * h).cross(rates[1].0 * h) / 12.0)
+            .collect();
+        let rates = knot_rates(spacings, &integrals);
+        let between = spacings.iter().zip(&steps).zip(rates.windows(2)).map(|((&h, &step), rates)| {
+            let (start, end) = (rates[0], rates[1]);
+            Quintic::between(start.0 * h, start.1 * h * h, &turning::jet(step, end.0 * h, end.1 * h * h))
+        });
+        let between = between.collect();
+        Ok(Self { knots, between })
+    }
+}
+
+fn checked_times(times: &[f64]) -> Result<Vec<f64>, MotionError> {
+    for &time in times {
+        number("a time", time)?;
+    }
+    if times.len() < 2 {
+        return Err(MotionError::TooFewSamples(times.len()));
+    }
+    for (index, pair) in times.windows(2).enumerate() {
+        if pair[1] <= pair[0] {
+            return Err(MotionError::TimeOrder { index: index + 1, t: pair[1], before: pair[0] });
+        }
+    }
+    Ok(times.to_vec())
+}
+
+fn larger(a: &MotionBounds, b: &MotionBounds) -> MotionBounds {
+    // The larger of a number and NaN would be the number; a bound that is none must not be lost.
+    let most = |a: f64, b: f64| if a >= b { a } else { b };
+    MotionBounds {
+        speed: most(a.speed, b.speed),
+        acceleration: most(a.acceleration, b.acceleration),
+        angular_speed: most(a.angular_speed, b.angular_speed),
+        angular_acceleration: most(a.angular_acceleration, b.angular_acceleration),
+    }
+}
+
+const fn infinite() -> MotionBounds {
+    MotionBounds {
+        speed: f64::INFINITY,
+        acceleration: f64::INFINITY,
+        angular_speed: f64::INFINITY,
+        angular_acceleration: f64::INFINITY,
+    }
+}
