@@ -73,7 +73,7 @@ impl Simulation {
         self.finite(index, "the force", force_n)?;
         self.finite(index, "the torque", torque_nm)?;
         let wrench = Wrench { force: force_n, torque: torque_nm };
-        self.act(&[index], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))
+        self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))
     }
 
     /// Gives an impulse (N s) to a body at a point (m), both world.
@@ -84,7 +84,7 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the impulse", impulse_ns)?;
         self.finite(index, "the point of the impulse", point_m)?;
-        self.change_state(index, "apply_impulse", |rigid, state| {
+        self.change_state(index, &[], "apply_impulse", |rigid, state| {
             state.angular_momentum += (point_m - state.pose.translation).cross(impulse_ns);
             if !rigid.is_pivoted() {
                 state.linear_velocity += impulse_ns * rigid.inverse_mass();
@@ -100,7 +100,7 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the velocity", velocity.linear)?;
         self.finite(index, "the angular velocity", velocity.angular)?;
-        self.change_state(index, "set_velocity", |rigid, state| {
+        self.change_state(index, &[], "set_velocity", |rigid, state| {
             *state = rigid.at_velocity(state.pose, velocity);
         })
     }
@@ -123,7 +123,7 @@ impl Simulation {
         }
         states[index].pose = moved;
         self.check_clear(index, &states)?;
-        self.change_state(index, "set_pose", |rigid, state| {
+        self.change_state(index, &[index], "set_pose", |rigid, state| {
             // The velocities stay, so that the momentum turns with the body.
             let velocity = rigid.center_of_mass_velocity(state);
             *state = rigid.at_velocity(moved, velocity);
@@ -143,7 +143,7 @@ impl Simulation {
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;
-        self.act(&[], "add_body", |simulation| {
+        self.act(&[], &[index], "add_body", |simulation| {
             let (added, state) = simulation.core.world.add_body(body)?;
             simulation.tier.add_body(&simulation.core, state);
             let states = simulation.tier.states_mut().to_vec();
@@ -159,7 +159,7 @@ impl Simulation {
     /// For a body that has been removed before ([`ActionError`]).
     pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
         let index = self.present(body)?;
-        self.act(&[index], "remove_body", |simulation| {
+        self.act(&[index], &[], "remove_body", |simulation| {
             let states = simulation.tier.states_mut().to_vec();
             simulation.core.accounts.books.removed(&simulation.core.world, &states, index);
             simulation.tier.remove_body(index);
@@ -167,14 +167,15 @@ impl Simulation {
         })
     }
 
-    /// Changes the state of a body, and books the change.
+    /// Changes the state of a body, and books the change; `moved` names the body if its pose is new.
     fn change_state(
         &mut self,
         index: usize,
+        moved: &[usize],
         what: &'static str,
         change: impl FnOnce(&polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
-        self.act(&[index], what, |simulation| {
+        self.act(&[index], moved, what, |simulation| {
             let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
             let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &[index]);
@@ -186,10 +187,12 @@ impl Simulation {
         })
     }
 
-    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on.
+    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on; the poses of
+    /// `moved` are new.
     fn act(
         &mut self,
         bodies: &[usize],
+        moved: &[usize],
         what: &'static str,
         change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
     ) -> Result<(), SimulationError> {
@@ -199,7 +202,7 @@ impl Simulation {
         self.tier.interrupt(&mut self.core, &concerned)?;
         change(self)?;
         self.derive_plan_again(what);
-        self.tier.resume(&mut self.core)
+        self.tier.resume(&mut self.core, moved)
     }
 
     /// Derives the plan again after an action.

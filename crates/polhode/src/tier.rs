@@ -68,11 +68,11 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// The states of the present, to be changed for bodies that have been interrupted.
     fn states_mut(&mut self) -> &mut [BodyState];
 
-    /// Goes on from the changed states of the bodies that have been interrupted.
+    /// Goes on from the changed states of the bodies that have been interrupted; the poses of `moved` are new.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
-    fn resume(&mut self, core: &mut Core) -> Result<(), SimulationError>;
+    fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError>;
 
     /// A body has been added to the world, with this state.
     fn add_body(&mut self, core: &Core, state: BodyState);

@@ -532,8 +532,8 @@ impl Tier for Engine {
         &mut self.states
     }
 
-    fn resume(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        self.resume_bodies(core)
+    fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
+        self.resume_bodies(core, moved)
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {

@@ -112,7 +112,7 @@ impl Engine {
     }
 
     /// Whether two bodies touch at `t`.
-    fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
+    pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
         let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(false) };
         let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
         let mut states = std::mem::take(&mut self.scratch);

@@ -40,42 +40,53 @@ impl Engine {
         Ok(())
     }
 
-    /// Resolves the present of the bodies that have been interrupted and lets them go on.
+    /// Resolves the present of the bodies that have been interrupted and lets them go on; the poses of `moved` are new.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
-    pub(super) fn resume_bodies(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+    pub(super) fn resume_bodies(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
         let Some(mut instant) = self.interrupted.take() else { return Ok(()) };
+        let gone = |body: usize| core.world.bodies[body].removed;
         instant.bodies.retain(|&body| core.world.bodies[body].moves());
-        self.find_touching(core, &mut instant);
+        instant.pairs.retain(|&(a, b)| !gone(a) && !gone(b));
+        instant.touches.retain(|touch| !gone(touch.id.a) && !gone(touch.id.b));
         for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
             self.tracks[body].pace = Pace::starting_at(instant.t);
             self.tracks[body].proposed_step_s = core.settings.step_s;
             instant.speed_scale = instant.speed_scale.max(self.speed(core, body));
+        }
+        for &body in moved {
+            self.find_touched(core, &mut instant, body)?;
         }
         self.resolve(core, &mut instant)?;
         self.go_on(core, instant)
     }
 
-    /// The pairs of an instant whose bodies' states a program has changed: any of them may touch any other body where they
-    /// stand now, and what it touches is concerned too.
-    fn find_touching(&mut self, core: &Core, instant: &mut Instant) {
+    /// Takes what a body touches where a program has put it into the instant.
+    fn find_touched(&mut self, core: &mut Core, instant: &mut Instant, body: usize) -> Result<(), SimulationError> {
+        let others = (0..core.world.bodies.len()).filter(|&other| core.world.scene.may_collide(body, other));
         let mut pairs: BTreeSet<(usize, usize)> = instant.pairs.iter().copied().collect();
-        for k in 0..instant.bodies.len() {
-            let body = instant.bodies[k];
-            for other in 0..core.world.bodies.len() {
-                let immovable = !core.world.bodies[other].moves();
-                if (immovable || instant.bodies.binary_search(&other).is_ok())
-                    && core.world.scene.may_collide(body, other)
-                {
-                    pairs.insert((body.min(other), body.max(other)));
-                }
+        for other in others.collect::<Vec<_>>() {
+            let pair = (body.min(other), body.max(other));
+            if !self.touch_at(core, pair, instant.t)? {
+                continue;
+            }
+            pairs.insert(pair);
+            if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+                let mut more = self.concerned(core, instant.t, &[other])?;
+                more.retain(|body| instant.bodies.binary_search(body).is_err());
+                let more = self.end_islands(core, instant.t, more)?;
+                pairs.extend(more.pairs);
+                instant.bodies.extend(more.bodies);
+                instant.bodies.sort_unstable();
+                instant.touches.extend(more.touches);
+                instant.touches.sort_by_key(|touch| touch.id);
+                instant.speed_scale = instant.speed_scale.max(more.speed_scale);
             }
         }
-        let gone = |body: usize| core.world.bodies[body].removed;
-        pairs.retain(|&(a, b)| !gone(a) && !gone(b));
-        instant.touches.retain(|touch| !gone(touch.id.a) && !gone(touch.id.b));
         instant.pairs = pairs.into_iter().collect();
+        Ok(())
     }
 
     /// Makes room for a body that has been added to the world.

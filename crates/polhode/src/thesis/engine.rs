@@ -298,7 +298,7 @@ impl Tier for ThesisEngine {
         &mut self.states
     }
 
-    fn resume(&mut self, _core: &mut Core) -> Result<(), SimulationError> {
+    fn resume(&mut self, _core: &mut Core, _moved: &[usize]) -> Result<(), SimulationError> {
         Ok(())
     }
 

@@ -17,6 +17,7 @@ mod momentum;
 mod pivots;
 mod planar;
 mod prescribed_motion;
+mod program;
 mod round_bodies;
 mod support;
 mod table_edge;
