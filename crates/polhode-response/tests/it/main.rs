@@ -9,6 +9,7 @@ mod forces;
 mod held_rows;
 mod impacts;
 mod least_force;
+mod mass_ratios;
 mod oracle;
 mod problem;
 mod scenes;
