@@ -115,3 +115,17 @@ pub(crate) fn accelerations_under(
     };
     rows.iter().zip(b).map(acceleration).collect()
 }
+
+/// `w` of the rows at `positions` of `rows`, under forces and constant terms that are given in the order of `rows`.
+pub(crate) fn residual(
+    problem: &ContactProblem,
+    rows: &[usize],
+    b: &[f64],
+    forces: &[f64],
+    positions: &[usize],
+) -> Vec<f64> {
+    let carrying: Vec<usize> = positions.iter().map(|&k| rows[k]).collect();
+    let forces: Vec<DoubleDouble> = positions.iter().map(|&k| DoubleDouble::new(forces[k])).collect();
+    let constants: Vec<f64> = positions.iter().map(|&k| b[k]).collect();
+    accelerations_under(problem, &carrying, &constants, &loads(problem, &carrying, &forces))
+}
