@@ -169,6 +169,41 @@ impl ContactProblem {
         Ok(motion)
     }
 
+    /// Largest over smallest mass that the rows meet: of all bodies at all rows, `1 / (J_ib M_b^-1 J_ib^T)`. 1 without
+    /// rows; bodies that a row cannot move do not count.
+    pub(crate) fn mass_ratio(&self) -> f64 {
+        let inverse_masses = (0..self.len()).flat_map(|row| self.entries(row)).map(|e| dot(e.jacobian, e.response));
+        let extremes = inverse_masses.filter(|value| *value > 0.0);
+        let (least, most) =
+            extremes.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), x| (least.min(x), most.max(x)));
+        if most > 0.0 { most / least } else { 1.0 }
+    }
+
+    /// The same rows with every body's mass scaled so that its largest inverse mass at a row is 1.
+    pub(crate) fn with_alike_masses(&self) -> Self {
+        let mut largest = vec![0.0_f64; self.bodies];
+        for entry in (0..self.len()).flat_map(|row| self.entries(row)) {
+            largest[entry.body] = largest[entry.body].max(dot(entry.jacobian, entry.response));
+        }
+        let mut alike = self.clone();
+        for (index, block) in alike.response.chunks_exact_mut(self.width).enumerate() {
+            let largest = largest[self.rows[index / 2].bodies[index % 2] as usize];
+            if largest > 0.0 {
+                for component in block {
+                    *component /= largest;
+                }
+            }
+        }
+        for (block, largest) in alike.inverse_masses.chunks_exact_mut(self.width * self.width).zip(largest) {
+            if largest > 0.0 {
+                for entry in block {
+                    *entry /= largest;
+                }
+            }
+        }
+        alike
+    }
+
     /// The inverse mass block of a body, row-major.
     pub(crate) fn inverse_mass(&self, body: usize) -> &[f64] {
         let block = self.width * self.width;

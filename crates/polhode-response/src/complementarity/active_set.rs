@@ -17,7 +17,7 @@
 //! limit of pivots ends all loops, also for NaN.
 
 use super::rank::{Dependence, Image, Rank, SAFE_PIVOT};
-use crate::certificate::row_accelerations;
+use crate::certificate::{TRUSTED_PIVOT, row_accelerations};
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::kernels::{dot, largest};
 use crate::dense::scalar::Scalar;
@@ -429,6 +429,26 @@ impl<T: Scalar> ActiveSet<T> {
         let row = self.rows.remove(position);
         self.member[row] = false;
         self.forces[row] = T::default();
+    }
+}
+
+impl<T: Scalar> ActiveSet<T> {
+    /// `y = G_PP^-1 r` and `|L^-1 r| = sqrt(r.y)`, in the order of [`rows`](Self::rows). None when the factor is too
+    /// ill-conditioned for that to be relied on.
+    pub(crate) fn absorbed(&self, problem: Problem<'_, T>, residual: &[f64]) -> Option<(Vec<f64>, f64)> {
+        let mut pivots = self.rows.iter().zip(self.factor.pivots());
+        let trusted = TRUSTED_PIVOT * (T::ROUNDING / f64::ROUNDING);
+        if !pivots.all(|(&row, pivot)| pivot > trusted * problem.diagonal(row)) {
+            return None;
+        }
+        let mut y: Vec<T> = residual.iter().map(|&r| T::from_f64(r)).collect();
+        self.factor.solve_lower(&mut y);
+        // Scaled by the largest, so that squares of roundings do not vanish.
+        let size = largest(&y);
+        let squares = y.iter().map(|value| (value.to_f64() / size) * (value.to_f64() / size));
+        let length = if size > 0.0 { size * squares.sum::<f64>().sqrt() } else { size };
+        self.factor.solve_upper(&mut y);
+        Some((y.iter().map(|value| value.to_f64()).collect(), length))
     }
 }
 

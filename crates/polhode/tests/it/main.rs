@@ -13,6 +13,7 @@ mod impacts;
 mod integrators;
 mod invariance;
 mod linked_rings;
+mod mass_ratios;
 mod momentum;
 mod pivots;
 mod planar;
