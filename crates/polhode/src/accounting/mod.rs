@@ -112,17 +112,24 @@ impl Accounts {
         self.next_sample as f64 * world.scene.output_interval_s()
     }
 
-    /// Tells the observer the states at `t` (s), unless it has had a sample of that time.
-    pub(crate) fn emit_sample(&mut self, world: &World, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+    /// Tells the observer the states at `t` (s), unless it has had a sample of that time; whether it was told.
+    pub(crate) fn emit_sample(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        t: f64,
+        observer: &mut dyn Observer,
+    ) -> bool {
         while self.next_sample_s(world) <= t {
             self.next_sample += 1;
         }
         if self.last_sample_s == Some(t) {
-            return;
+            return false;
         }
         self.last_sample_s = Some(t);
         let samples: Vec<_> = states.iter().enumerate().map(|(body, state)| world.sample(body, state)).collect();
         observer.sample(t, &samples);
+        true
     }
 
     /// Writes the accounts into the report of a run that ends with these states.

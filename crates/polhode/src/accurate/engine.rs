@@ -12,11 +12,12 @@ use crate::accounting::Accounts;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::scene::Integrator;
-use crate::simulation::{ContactView, IslandView};
+use crate::simulation::emit_sample;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
 use crate::{Acceleration, BodyId, Effects, SimulationError};
@@ -181,7 +182,7 @@ impl Engine {
             let states = self.states_at(core, t)?;
             core.accounts.observe(&core.world, &states, t)?;
             self.observed_s = t;
-            core.accounts.emit_sample(&core.world, &states, t, observer);
+            emit_sample(&*self, core, &states, t, observer);
         }
     }
 
@@ -370,7 +371,9 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
+            let states = self.states.clone();
+            let t = core.t;
+            emit_sample(&*self, core, &states, t, observer);
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
@@ -489,21 +492,20 @@ impl Tier for Engine {
         Ok(out)
     }
 
-    fn contacts(&self, core: &Core) -> Vec<ContactView> {
-        let states = self.states(core);
+    fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut solver = ComplementaritySolver::default();
         let mut forces_by_id = BTreeMap::new();
-        for (group, members) in self.present_groups(core, &states) {
-            let solved = Forces::solve(&core.world, core.t, &states, &group, &members, &mut solver);
+        for (group, members) in self.present_groups(core, states) {
+            let solved = Forces::solve(&core.world, t, states, &group, &members, &mut solver);
             let forces = solved.map_or_else(|_| vec![f64::NAN; members.len()], |solved| solved.solution.forces);
             forces_by_id.extend(members.iter().map(|touch| touch.id).zip(forces));
         }
         let mut views = Vec::new();
-        for touch in self.present_contacts(core, &states) {
+        for touch in self.present_contacts(core, states) {
             let (id, geometry) = (touch.id, touch.kinematics.geometry);
             let force = forces_by_id.get(&id).copied();
             // A contact that has opened since its bodies were last looked at touches no more.
-            if force.is_none() && geometry.separation > core.world.touch_distance(&states, id.a, id.b) {
+            if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
                 continue;
             }
             views.push(ContactView {
@@ -519,7 +521,17 @@ impl Tier for Engine {
         views
     }
 
-    fn islands(&self, _core: &Core) -> Vec<IslandView> {
+    fn motions(&self) -> Vec<MotionKind> {
+        let kind = |track: &Track| match track.mode {
+            Mode::Fixed => MotionKind::Given,
+            Mode::Flight(_) => MotionKind::Flight,
+            Mode::Constrained | Mode::Stepped => MotionKind::Integrated,
+            Mode::Rest => MotionKind::Rest,
+        };
+        self.tracks.iter().map(kind).collect()
+    }
+
+    fn islands(&self) -> Vec<IslandView> {
         let ids = |bodies: &[usize]| bodies.iter().map(|&body| BodyId::new(body)).collect();
         self.islands.values().map(|island| IslandView { bodies: ids(&island.bodies) }).collect()
     }
