@@ -25,6 +25,8 @@ pub(crate) struct Settings {
     pub(crate) contact: ContactMethod,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
+    /// Whether the scene asks for that step.
+    pub(crate) step_is_asked: bool,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
 }
@@ -81,6 +83,7 @@ impl Settings {
             contact: method.contact.unwrap_or(contact),
             broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(DEFAULT_STEP_S),
+            step_is_asked: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
         }

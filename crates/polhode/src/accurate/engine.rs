@@ -407,14 +407,15 @@ impl Tier for Engine {
         Ok(Reached::Limit)
     }
 
-    /// Motion in closed form in which no event can come needs no steps, but is stopped now and then for those who watch it.
+    /// Where no event can come, islands end their own steps, and motion in closed form needs none, but is stopped now and
+    /// then for those who watch it.
     fn stride(&self, core: &Core) -> f64 {
-        let is = |free: fn(&Mode) -> bool| self.tracks.iter().all(|track| free(&track.mode));
+        let rests = |track: &Track| matches!(track.mode, Mode::Fixed | Mode::Rest);
         if core.effects == Effects::All {
             core.settings.step_s
-        } else if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
+        } else if self.tracks.iter().all(rests) {
             f64::INFINITY
-        } else if !core.world.may_collide_at_all() && is(|mode| matches!(mode, Mode::Fixed | Mode::Flight(_))) {
+        } else if !core.world.may_collide_at_all() {
             core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
         } else {
             core.settings.step_s
