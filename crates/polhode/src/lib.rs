@@ -21,7 +21,9 @@ pub mod report;
 pub mod scene;
 mod settings;
 mod simulation;
+mod stepped;
 mod thesis;
+mod time_stepping;
 mod world;
 
 pub use body_queries::BodyQueries;

@@ -9,6 +9,7 @@ use crate::planar::{self, PlanarFinding};
 use crate::report::{Outcome, RunReport};
 use crate::scene::Tier;
 use crate::settings::Settings;
+use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::world::World;
 use crate::{Effects, Plan, Scene, SimulationError};
@@ -37,6 +38,7 @@ pub struct Simulation {
 enum TierEngine {
     Accurate(Box<Engine>),
     Thesis(Box<ThesisEngine>),
+    Stepped(Box<SteppedEngine>),
 }
 
 impl Simulation {
@@ -61,6 +63,7 @@ impl Simulation {
         let tier = match settings.tier {
             Tier::Accurate => TierEngine::Accurate(Box::new(engine)),
             Tier::Thesis => TierEngine::Thesis(Box::new(ThesisEngine::new(world, states, settings))),
+            Tier::Stepped => TierEngine::Stepped(Box::new(SteppedEngine::new(world, states, settings))),
         };
         Ok(Self { scene: scene.clone(), plan, tier })
     }
@@ -78,6 +81,7 @@ impl Simulation {
         match &mut self.tier {
             TierEngine::Accurate(engine) => engine.accelerations(),
             TierEngine::Thesis(engine) => engine.accelerations(),
+            TierEngine::Stepped(engine) => engine.accelerations(),
         }
     }
 
@@ -91,6 +95,7 @@ impl Simulation {
             match &mut self.tier {
                 TierEngine::Accurate(engine) => engine.step(observer)?,
                 TierEngine::Thesis(engine) => engine.step(observer)?,
+                TierEngine::Stepped(engine) => engine.step(observer)?,
             }
             if observer.progress(self.time()) == Flow::Stop {
                 outcome = Outcome::Stopped;
@@ -105,6 +110,7 @@ impl Simulation {
         match &self.tier {
             TierEngine::Accurate(engine) => engine.time(),
             TierEngine::Thesis(engine) => engine.time(),
+            TierEngine::Stepped(engine) => engine.time(),
         }
     }
 
@@ -117,6 +123,7 @@ impl Simulation {
         let (world, states) = match &self.tier {
             TierEngine::Accurate(engine) => engine.bodies(),
             TierEngine::Thesis(engine) => engine.bodies(),
+            TierEngine::Stepped(engine) => engine.bodies(),
         };
         BodyQueries::new(world, states)
     }
@@ -140,6 +147,7 @@ impl Simulation {
         match &mut self.tier {
             TierEngine::Accurate(engine) => engine.fill(&mut report),
             TierEngine::Thesis(engine) => engine.fill(&mut report),
+            TierEngine::Stepped(engine) => engine.fill(&mut report),
         }
         report
     }

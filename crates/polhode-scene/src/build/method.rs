@@ -54,6 +54,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
 const fn tier(name: TierName) -> Tier {
     match name {
         TierName::Thesis => Tier::Thesis,
+        TierName::Stepped => Tier::Stepped,
         TierName::Accurate => Tier::Accurate,
     }
 }

@@ -1,0 +1,228 @@
+//! One time step, and steps that are split at impacts.
+
+use super::contacts::{NearContact, near_contacts, point_speed};
+use super::drift;
+use super::kick::kick;
+use super::report::TimeStepReport;
+use crate::Momentum;
+use crate::MomentumSum;
+use crate::books::Received;
+use crate::interaction::contact_set::ContactId;
+use crate::scene::ImpactLaw;
+use crate::world::World;
+use polhode_contact::ContactFeature;
+use polhode_dynamics::BodyState;
+use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
+use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
+
+/// Impacts closer to each other than this fraction of a step are of one instant: far below what their order of contacts
+/// could be told by, and above what the prediction of a time errs by (of order h^2).
+const SAME_INSTANT: f64 = 1e-4;
+
+/// Bodies whose speeds where a step begins and ends are below this fraction of what they would gain by falling for the step
+/// are at rest: some thousand roundings.
+const REST_RELATIVE: f64 = 1e-12;
+
+/// The contacts that carried an impulse in the last step of their pair: the first guess of the next problem.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Carried {
+    by_pair: BTreeMap<(usize, usize), Vec<ContactFeature>>,
+}
+
+impl Carried {
+    pub(super) fn contains(&self, id: ContactId) -> bool {
+        self.by_pair.get(&(id.a, id.b)).is_some_and(|features| features.binary_search(&id.feature).is_ok())
+    }
+
+    /// Replaces what is known of `pairs`; `carrying` are sorted.
+    fn replace(&mut self, pairs: &[(usize, usize)], carrying: impl Iterator<Item = ContactId>) {
+        for pair in pairs {
+            self.by_pair.remove(pair);
+        }
+        for id in carrying {
+            self.by_pair.entry((id.a, id.b)).or_default().push(id.feature);
+        }
+    }
+}
+
+/// Makes time steps; keeps its memory, and what carried last, from one to the next.
+#[derive(Debug, Clone)]
+pub(crate) struct TimeStepper {
+    pub(super) law: ImpactLaw,
+    /// The point that moments are booked about, m.
+    about: DVec3,
+    /// Impacts that [`TimeStepper::advance`] splits a step at, at the most.
+    splits: u32,
+    pub(super) solver: ComplementaritySolver,
+    pub(super) delassus: Delassus,
+    pub(super) carried: Carried,
+}
+
+impl TimeStepper {
+    /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
+    pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
+        let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
+        Self { law, about, splits, solver, delassus, carried: Carried::default() }
+    }
+
+    /// Advances `bodies` (movable, ascending) from `t` by `h` (s) in one step. `pairs` (A < B, ascending) are all that may
+    /// touch within it; one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
+    ///
+    /// # Errors
+    /// When a number is not finite; the states are unchanged then.
+    pub(crate) fn step(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        pairs: &[(usize, usize)],
+        (t, h): (f64, f64),
+    ) -> Result<TimeStepReport, ResponseError> {
+        let near = near_contacts(world, states, bodies, pairs, t, h);
+        self.step_by(world, states, bodies, (near, pairs), (t, h))
+    }
+
+    /// As [`Self::step`], in parts that end where contacts close fast enough to bounce, as far as the flight of the bodies
+    /// tells and the number of splits allows: impacts are then struck where and when they happen.
+    ///
+    /// # Errors
+    /// As [`Self::step`]; the states are those at the start of the part that failed.
+    pub(crate) fn advance(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        pairs: &[(usize, usize)],
+        (t, h): (f64, f64),
+    ) -> Result<TimeStepReport, ResponseError> {
+        let mut report = TimeStepReport::new(self.about);
+        let mut done = 0.0;
+        for split in 0..=self.splits {
+            let left = h - done;
+            if left <= 0.0 {
+                break;
+            }
+            let near = near_contacts(world, states, bodies, pairs, t + done, left);
+            let first = if split < self.splits { self.first_impact(world, &near, h, left) } else { None };
+            let part = first.unwrap_or(left);
+            report.append(self.step_by(world, states, bodies, (near, pairs), (t + done, part))?);
+            if first.is_none() {
+                break;
+            }
+            done += part;
+        }
+        Ok(report)
+    }
+
+    /// The point that moments are booked about, m.
+    pub(super) fn about(&self) -> DVec3 {
+        self.about
+    }
+
+    /// How long from now the first impact is away that is not of this instant, s, within what is left of a step.
+    fn first_impact(&self, world: &World, near: &[NearContact], h: f64, left: f64) -> Option<f64> {
+        let times = near.iter().filter(|contact| contact.bounces(world, left)).filter_map(NearContact::closing_time);
+        times.filter(|&time| time > SAME_INSTANT * h).min_by(f64::total_cmp)
+    }
+
+    fn step_by(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        contacts: (Vec<NearContact>, &[(usize, usize)]),
+        interval: (f64, f64),
+    ) -> Result<TimeStepReport, ResponseError> {
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let made = self.make_step(world, states, bodies, contacts, interval);
+        if made.is_err() {
+            for (&body, state) in bodies.iter().zip(start) {
+                states[body] = state;
+            }
+        }
+        made
+    }
+
+    fn make_step(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
+        (t, h): (f64, f64),
+    ) -> Result<TimeStepReport, ResponseError> {
+        let mut report = TimeStepReport::new(self.about);
+        report.steps = 1;
+        self.strike_closing(world, states, bodies, &mut near, (t, h), &mut report)?;
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
+
+        let before = report.books.balance(world, states, bodies);
+        let mut received = self.fly(world, states, bodies, 0.5 * h);
+        received += kick(world, states, bodies, t + 0.5 * h, h, &report.books);
+        let middle = report.books.balance(world, states, bodies);
+        report.books.smooth_stage(before, middle, received);
+
+        let carrying = self.sustain(world, states, bodies, &near, (t + 0.5 * h, h), &mut report)?;
+        let before = report.books.balance(world, states, bodies);
+        let received = self.fly(world, states, bodies, 0.5 * h);
+        let after = report.books.balance(world, states, bodies);
+        report.books.smooth_stage(before, after, received);
+
+        self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
+        self.stop(world, states, bodies, (&start, &speeds), h, &mut report);
+        let mut near_pairs: Vec<_> = near.iter().map(|contact| (contact.id.a, contact.id.b)).collect();
+        near_pairs.dedup();
+        if !report.at_rest {
+            self.project(world, states, bodies, &near_pairs, &mut report)?;
+        }
+        report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
+        report.touching.dedup();
+        Ok(report)
+    }
+
+    /// Free flight of all bodies for `h`, and what gravity gives.
+    fn fly(&self, world: &World, states: &mut [BodyState], bodies: &[usize], h: f64) -> Received {
+        let mut sum = MomentumSum::default();
+        for &body in bodies {
+            let start = states[body];
+            states[body] = drift(world, body, &start, h);
+            if world.carries_momentum(body) {
+                sum.add(given_by_gravity(world, body, &start, h, self.about));
+            }
+        }
+        Received { gravity: sum.value(), ..Received::default() }
+    }
+
+    /// Bodies that neither moved where the step began nor move where it ends stand where they stood.
+    fn stop(
+        &self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        (start, speeds): (&[BodyState], &[f64]),
+        h: f64,
+        report: &mut TimeStepReport,
+    ) {
+        let is_slow = |speed: f64| speed <= REST_RELATIVE * h * world.gravity().length();
+        let rests = |(&body, &speed): (&usize, &f64)| is_slow(speed) && is_slow(point_speed(world, states, body));
+        report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).all(rests);
+        if report.at_rest {
+            let before = report.books.balance(world, states, bodies);
+            for (&body, start) in bodies.iter().zip(start) {
+                states[body] = BodyState::at_rest(start.pose);
+            }
+            let after = report.books.balance(world, states, bodies);
+            report.books.rest(before, after);
+        }
+    }
+}
+
+/// The impulse of a body's weight in a flight of `h` (s) from a state, its moment by the integral of the parabola.
+pub(crate) fn given_by_gravity(world: &World, body: usize, start: &BodyState, h: f64, about: DVec3) -> Momentum {
+    let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+    let linear = world.gravity() * (mass * h);
+    let mean = start.pose.translation + start.linear_velocity * (0.5 * h) + world.gravity() * (h * h / 6.0);
+    Momentum { linear, angular: (mean - about).cross(linear) }
+}
