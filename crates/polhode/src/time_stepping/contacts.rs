@@ -4,7 +4,8 @@ use crate::interaction::assembly::free_acceleration;
 use crate::interaction::contact_set::ContactId;
 use crate::interaction::groups::Group;
 use crate::world::World;
-use polhode_contact::ContactKinematics;
+use super::drift;
+use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -12,6 +13,10 @@ use polhode_spatial::DVec3;
 /// its bodies approach within this many steps: a bounce at that speed lasts less than two steps and cannot be seen. At least
 /// one, so that what has fallen for a step rests; more loses bounces that could be followed.
 pub(super) const RESTING_STEPS: f64 = 2.0;
+
+/// Bodies that go less than this fraction of the smaller size in a step meet by the features that are nearest now: as far as
+/// touch.
+const STANDING_RELATIVE: f64 = 1e-11;
 
 /// How much farther than its bodies can go by themselves contacts are looked for: impulses of others may double a speed.
 const REACH_FACTOR: f64 = 2.0;
@@ -34,11 +39,17 @@ impl NearContact {
         self.kinematics.geometry.separation <= touch_distance.max(self.resting_speed * h)
     }
 
-    /// Whether the contact is struck in a step of `h` (s): it closes before the end, and bounces.
-    pub(super) fn bounces(&self, world: &World, h: f64) -> bool {
-        self.kinematics.separation_rate < -self.resting_speed
-            && self.closing_time().is_some_and(|time| time < h)
-            && world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0
+    /// The time to an impact within a step of `h` (s), s: when the contact closes before its end, faster than one that lasts.
+    pub(super) fn impact_time(&self, h: f64) -> Option<f64> {
+        let is_fast = self.kinematics.separation_rate < -self.resting_speed;
+        self.closing_time().filter(|&time| is_fast && time < h)
+    }
+
+    /// Whether the contact is struck where a step of `h` begins: it closes within `instant` (s), or it closes later in the
+    /// step and bounces. One that does not bounce would be stopped before it lands.
+    pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
+        let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
+        self.impact_time(h).is_some_and(|time| time <= instant || bounces())
     }
 
     /// The time from now at which the gap closes in flight, s, `gap + u s + a s^2/2 = 0`; none when it does not.
@@ -94,8 +105,66 @@ pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f
     velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
 }
 
-/// The contacts of `pairs` that may close within `h` seconds, sorted.
+/// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those by which the bodies
+/// would overlap at the end of their flight. While bodies are apart the features that will meet need not be nearest yet (the
+/// nearest places of two edges may lie beyond their ends).
 pub(super) fn near_contacts(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    pairs: &[(usize, usize)],
+    t: f64,
+    h: f64,
+) -> Vec<NearContact> {
+    let mut near = contacts_within_reach(world, states, bodies, pairs, t, h);
+    let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
+    if pairs.is_empty() {
+        return near;
+    }
+    let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    for (&body, state) in bodies.iter().zip(&start) {
+        states[body] = drift(world, body, state, h);
+    }
+    let mut ahead = Vec::new();
+    for (a, b) in pairs {
+        let reach = world.touch_distance(states, a, b);
+        ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
+    }
+    for (&body, state) in bodies.iter().zip(&start) {
+        states[body] = *state;
+    }
+    ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
+    let free = FreeAccelerations::with_fields(world, t, states, bodies);
+    for id in ahead {
+        let Some(kinematics) = world.kinematics(states, id) else { continue };
+        // Features that overlap already are not those by which the bodies will meet.
+        if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
+            near.push(near_contact(world, states, &free, id, kinematics, h));
+        }
+    }
+    near.sort_by_key(|contact| contact.id);
+    near
+}
+
+/// Whether the features by which two bodies meet may change within a step of `h` (s): the contacts of two spheres do not, nor
+/// those with a half-space, whose vertices are all within reach, nor those of bodies that stand.
+pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
+    let Some((shape_a, shape_b)) = world.shapes(a, b) else { return false };
+    let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
+    let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere(_));
+    let is_polyhedral = |shape: &Shape| matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_));
+    if (is_simple(shape_a) && is_polyhedral(shape_b)) || (is_simple(shape_b) && is_polyhedral(shape_a)) {
+        return false;
+    }
+    if is_sphere(shape_a) && is_sphere(shape_b) {
+        return false;
+    }
+    let way = h * (point_speed(world, states, a) + point_speed(world, states, b));
+    way > STANDING_RELATIVE * world.pair_size(a, b)
+}
+
+/// As [`near_contacts`], those that are within reach now.
+fn contacts_within_reach(
     world: &World,
     states: &[BodyState],
     bodies: &[usize],

@@ -1,14 +1,14 @@
-//! Impacts within a step: what closes fast enough to bounce is struck where the step begins.
+//! Impacts within a step: what closes fast enough is struck where the step begins.
 //!
-//! A contact is struck when it has restitution, approaches faster than a contact that lasts
-//! ([`super::contacts::RESTING_STEPS`]) and closes within the step. With it are struck all contacts that touch and are connected to
+//! A contact is struck when it approaches faster than a contact that lasts ([`super::contacts::RESTING_STEPS`]) and closes
+//! at once, or within the step if it has restitution. With it are struck all contacts that touch and are connected to
 //! it, as at an impact of the accurate tier; then, with the new velocities, whatever closes now, until nothing does.
 //! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
-//! restitution are left to the sustained impulses, which land them exactly.
+//! restitution that close later in the step are left to the sustained impulses, which land them.
 
 use super::contacts::{FreeAccelerations, NearContact, connected};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
-use super::step::TimeStepper;
+use super::step::{Part, TimeStepper};
 use crate::interaction::contact_set::{Hold, Touch};
 use crate::interaction::groups::Group;
 use crate::interaction::impact::{strike, support};
@@ -25,7 +25,7 @@ const MOST_ROUNDS: usize = 128;
 const MOST_IMPULSES: usize = 20_000;
 
 impl TimeStepper {
-    /// Strikes what closes within `h` seconds from `t` fast enough to bounce, and updates velocities and contacts.
+    /// Strikes what hits within a part of a step, and updates velocities and contacts.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -35,23 +35,23 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         near: &mut [NearContact],
-        (t, h): (f64, f64),
+        Part { t, h, instant }: Part,
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
         let mut together = vec![false; near.len()];
         for _ in 0..MOST_ROUNDS {
-            let bounces: Vec<bool> = near.iter().map(|contact| contact.bounces(world, h)).collect();
-            if !bounces.contains(&true) {
+            let hits: Vec<bool> = near.iter().map(|contact| contact.is_struck(world, h, instant)).collect();
+            if !hits.contains(&true) {
                 return Ok(());
             }
             for (index, contact) in near.iter().enumerate() {
                 let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
-                together[index] |= bounces[index] || contact.touches(h, touch_distance);
+                together[index] |= hits[index] || contact.touches(h, touch_distance);
             }
             let members = near.iter().enumerate().filter(|(index, _)| together[*index]);
             let members: Vec<_> = members.map(|(index, contact)| (index, contact.id)).collect();
             for group in connected(bodies, members.iter().copied()) {
-                if group.contacts.iter().any(|&index| bounces[index])
+                if group.contacts.iter().any(|&index| hits[index])
                     && !self.strike_group(world, states, &group, near, t, report)?
                 {
                     return Ok(());

@@ -1,6 +1,6 @@
 //! One time step, and steps that are split at impacts.
 
-use super::contacts::{NearContact, near_contacts, point_speed};
+use super::contacts::{NearContact, may_change_features, near_contacts, point_speed};
 use super::drift;
 use super::kick::kick;
 use super::report::TimeStepReport;
@@ -46,6 +46,17 @@ impl Carried {
     }
 }
 
+/// A step, or a part of one that is split.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    /// Where it begins, s.
+    pub(super) t: f64,
+    /// Its length, s.
+    pub(super) h: f64,
+    /// How close impacts are that count as of one instant, s.
+    pub(super) instant: f64,
+}
+
 /// Makes time steps; keeps its memory, and what carried last, from one to the next.
 #[derive(Debug, Clone)]
 pub(crate) struct TimeStepper {
@@ -80,7 +91,7 @@ impl TimeStepper {
         (t, h): (f64, f64),
     ) -> Result<TimeStepReport, ResponseError> {
         let near = near_contacts(world, states, bodies, pairs, t, h);
-        self.step_by(world, states, bodies, (near, pairs), (t, h))
+        self.step_by(world, states, bodies, (near, pairs), Part { t, h, instant: SAME_INSTANT * h })
     }
 
     /// As [`Self::step`], in parts that end where contacts close fast enough to bounce, as far as the flight of the bodies
@@ -97,16 +108,17 @@ impl TimeStepper {
         (t, h): (f64, f64),
     ) -> Result<TimeStepReport, ResponseError> {
         let mut report = TimeStepReport::new(self.about);
-        let mut done = 0.0;
+        let (mut done, instant) = (0.0, SAME_INSTANT * h);
         for split in 0..=self.splits {
             let left = h - done;
             if left <= 0.0 {
                 break;
             }
             let near = near_contacts(world, states, bodies, pairs, t + done, left);
-            let first = if split < self.splits { self.first_impact(world, &near, h, left) } else { None };
+            let first = if split < self.splits { first_impact(&near, instant, left) } else { None };
             let part = first.unwrap_or(left);
-            report.append(self.step_by(world, states, bodies, (near, pairs), (t + done, part))?);
+            let interval = Part { t: t + done, h: part, instant };
+            report.append(self.step_by(world, states, bodies, (near, pairs), interval)?);
             if first.is_none() {
                 break;
             }
@@ -120,19 +132,13 @@ impl TimeStepper {
         self.about
     }
 
-    /// How long from now the first impact is away that is not of this instant, s, within what is left of a step.
-    fn first_impact(&self, world: &World, near: &[NearContact], h: f64, left: f64) -> Option<f64> {
-        let times = near.iter().filter(|contact| contact.bounces(world, left)).filter_map(NearContact::closing_time);
-        times.filter(|&time| time > SAME_INSTANT * h).min_by(f64::total_cmp)
-    }
-
     fn step_by(
         &mut self,
         world: &World,
         states: &mut [BodyState],
         bodies: &[usize],
         contacts: (Vec<NearContact>, &[(usize, usize)]),
-        interval: (f64, f64),
+        interval: Part,
     ) -> Result<TimeStepReport, ResponseError> {
         let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         let made = self.make_step(world, states, bodies, contacts, interval);
@@ -150,11 +156,12 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
-        (t, h): (f64, f64),
+        part: Part,
     ) -> Result<TimeStepReport, ResponseError> {
+        let Part { t, h, .. } = part;
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
-        self.strike_closing(world, states, bodies, &mut near, (t, h), &mut report)?;
+        self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
         let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
 
@@ -172,9 +179,10 @@ impl TimeStepper {
 
         self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
         self.stop(world, states, bodies, (&start, &speeds), h, &mut report);
-        let mut near_pairs: Vec<_> = near.iter().map(|contact| (contact.id.a, contact.id.b)).collect();
-        near_pairs.dedup();
         if !report.at_rest {
+            let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
+            let may_overlap = |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
+            let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
             self.project(world, states, bodies, &near_pairs, &mut report)?;
         }
         report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
@@ -217,6 +225,12 @@ impl TimeStepper {
             report.books.rest(before, after);
         }
     }
+}
+
+/// How long from now the first impact is away that is not of this instant, s, within what is left of a step.
+fn first_impact(near: &[NearContact], instant: f64, left: f64) -> Option<f64> {
+    let times = near.iter().filter_map(|contact| contact.impact_time(left));
+    times.filter(|&time| time > instant).min_by(f64::total_cmp)
 }
 
 /// The impulse of a body's weight in a flight of `h` (s) from a state, its moment by the integral of the parabola.
