@@ -96,7 +96,8 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if world.free_motion().has_loads() {
         return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
     }
-    let keeps_symmetry = matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
+    let keeps_symmetry =
+        matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
     if settings.tier != Tier::Stepped && !keeps_symmetry {
         return PlanarFinding::off("the integrator asked for is shown as it is, in space");
     }

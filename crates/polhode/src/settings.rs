@@ -38,10 +38,10 @@ impl Settings {
         self.tier == Tier::Stepped
             || self.tier == Tier::Accurate
                 && match self.integrator {
-                // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
-                Integrator::Dop853 => self.asked_integrator.is_none(),
-                integrator => integrator.is_exact_without_loads(),
-            }
+                    // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
+                    Integrator::Dop853 => self.asked_integrator.is_none(),
+                    integrator => integrator.is_exact_without_loads(),
+                }
     }
 
     /// Whether splitting under error control is the plan's choice, not the scene's.

@@ -93,12 +93,10 @@ impl Method {
                 "contact = \"active-set\", or tier = \"thesis\"",
             );
         }
-        if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator)
-            && integrator != Integrator::ExactStrang
-        {
+        if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {
             return refuse(
                 &format!("integrator = \"{}\" with tier = \"stepped\"", integrator.name()),
-                "integrator = \"exact-strang\", which the tier moves by",
+                "no integrator: the tier moves bodies by exact drift with a kick",
             );
         }
         let representation = self.orientation.is_some() || self.rotation_rate.is_some();

@@ -284,9 +284,8 @@ impl SteppedEngine {
         }
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let loads = self.world.loads(self.t, &self.states);
-        let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len())
-            .map(|body| free_acceleration(&self.world, &self.states, &loads, body))
-            .collect();
+        let mut found: Vec<(DVec3, DVec3)> =
+            (0..self.states.len()).map(|body| free_acceleration(&self.world, &self.states, &loads, body)).collect();
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
         for group in groups(&self.world, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
@@ -302,11 +301,7 @@ impl SteppedEngine {
     }
 
     /// What the forces of contacts add to the accelerations of their bodies.
-    fn constrained(
-        &self,
-        bodies: &[usize],
-        contacts: &[Touch],
-    ) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
+    fn constrained(&self, bodies: &[usize], contacts: &[Touch]) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let assembly = Assembly::new(&self.world, &self.states, bodies, rows)?;
         let loads = self.world.loads(self.t, &self.states);

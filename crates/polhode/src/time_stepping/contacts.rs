@@ -1,10 +1,10 @@
 //! The contacts that may act within a step, with what is known of them where it begins, and the groups they form.
 
+use super::drift;
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::contact_set::ContactId;
 use crate::interaction::groups::Group;
 use crate::world::World;
-use super::drift;
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;

@@ -83,10 +83,8 @@ fn received(
             let (Some(slot), Some(rigid)) = (world.slot(body), &world.bodies[body].rigid) else { continue };
             let Some(wrench) = wrenches.get(slot) else { continue };
             let ends = [start, &states[body]].map(|state| rigid.center_of_mass_velocity(state));
-            let mean = Velocity::new(
-                (ends[0].linear + ends[1].linear) * 0.5,
-                (ends[0].angular + ends[1].angular) * 0.5,
-            );
+            let mean =
+                Velocity::new((ends[0].linear + ends[1].linear) * 0.5, (ends[0].angular + ends[1].angular) * 0.5);
             work += h * (wrench.force.dot(mean.linear) + wrench.torque.dot(mean.angular));
             if world.carries_momentum(body) {
                 let linear = wrench.force * h;

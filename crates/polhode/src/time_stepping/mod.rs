@@ -27,11 +27,13 @@ mod kick;
 mod projection;
 mod report;
 mod step;
+#[allow(dead_code, reason = "it is for stretches of tier accurate in which events crowd")]
 mod stretch;
 mod sustained;
 
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
+#[allow(unused_imports, reason = "as above")]
 pub(crate) use stretch::{Stretch, StretchReport};
 
 use crate::world::World;

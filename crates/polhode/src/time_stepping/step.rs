@@ -20,8 +20,8 @@ use std::collections::BTreeMap;
 /// could be told by, and above what the prediction of a time errs by (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
 
-/// Bodies whose speeds where a step begins and ends are below this fraction of what they would gain by falling for the step
-/// are at rest: some thousand roundings.
+/// Bodies whose speeds where a step begins and ends are below this fraction of what gravity and the impulses of the step give
+/// them one by one are at rest: some thousand roundings.
 const REST_RELATIVE: f64 = 1e-12;
 
 /// The contacts that carried an impulse in the last step of their pair: the first guess of the next problem.
@@ -62,7 +62,7 @@ pub(super) struct Part {
 pub(crate) struct TimeStepper {
     pub(super) law: ImpactLaw,
     /// The point that moments are booked about, m.
-    about: DVec3,
+    pub(super) about: DVec3,
     /// Impacts that [`TimeStepper::advance`] splits a step at, at the most.
     splits: u32,
     pub(super) solver: ComplementaritySolver,
@@ -77,28 +77,14 @@ impl TimeStepper {
         Self { law, about, splits, solver, delassus, carried: Carried::default() }
     }
 
-    /// Advances `bodies` (movable, ascending) from `t` by `h` (s) in one step. `pairs` (A < B, ascending) are all that may
-    /// touch within it; one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
+    /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
+    /// one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
+    ///
+    /// The step is split where contacts close fast enough to bounce, as far as the flight of the bodies tells and the number
+    /// of splits allows: impacts are then struck where and when they happen. Without splits it is one step.
     ///
     /// # Errors
-    /// When a number is not finite; the states are unchanged then.
-    pub(crate) fn step(
-        &mut self,
-        world: &World,
-        states: &mut [BodyState],
-        bodies: &[usize],
-        pairs: &[(usize, usize)],
-        (t, h): (f64, f64),
-    ) -> Result<TimeStepReport, ResponseError> {
-        let near = near_contacts(world, states, bodies, pairs, t, h);
-        self.step_by(world, states, bodies, (near, pairs), Part { t, h, instant: SAME_INSTANT * h })
-    }
-
-    /// As [`Self::step`], in parts that end where contacts close fast enough to bounce, as far as the flight of the bodies
-    /// tells and the number of splits allows: impacts are then struck where and when they happen.
-    ///
-    /// # Errors
-    /// As [`Self::step`]; the states are those at the start of the part that failed.
+    /// When a number is not finite; the states are those at the start of the part that failed.
     pub(crate) fn advance(
         &mut self,
         world: &World,
@@ -125,11 +111,6 @@ impl TimeStepper {
             done += part;
         }
         Ok(report)
-    }
-
-    /// The point that moments are booked about, m.
-    pub(super) fn about(&self) -> DVec3 {
-        self.about
     }
 
     fn step_by(
@@ -181,7 +162,8 @@ impl TimeStepper {
         self.stop(world, states, bodies, (&start, &speeds), h, &mut report);
         if !report.at_rest {
             let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
-            let may_overlap = |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
+            let may_overlap =
+                |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
             let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
             self.project(world, states, bodies, &near_pairs, &mut report)?;
         }
@@ -213,9 +195,18 @@ impl TimeStepper {
         h: f64,
         report: &mut TimeStepReport,
     ) {
-        let is_slow = |speed: f64| speed <= REST_RELATIVE * h * world.gravity().length();
-        let rests = |(&body, &speed): (&usize, &f64)| is_slow(speed) && is_slow(point_speed(world, states, body));
-        report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).all(rests);
+        let mut given = vec![h * world.gravity().length(); bodies.len()];
+        for impulse in &report.impulses {
+            for body in [impulse.id.a, impulse.id.b] {
+                if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
+                    given[index] += impulse.impulse / rigid.mass();
+                }
+            }
+        }
+        let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
+            speed.max(point_speed(world, states, body)) <= REST_RELATIVE * given
+        };
+        report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
         if report.at_rest {
             let before = report.books.balance(world, states, bodies);
             for (&body, start) in bodies.iter().zip(start) {

@@ -58,7 +58,7 @@ impl TimeStepper {
     /// displacement between the two, relative to the size of the body.
     ///
     /// # Errors
-    /// As [`TimeStepper::step`]; the states are unchanged then.
+    /// As [`TimeStepper::advance`]; the states are unchanged then.
     pub(crate) fn advance_with_estimate(
         &mut self,
         world: &World,
@@ -93,7 +93,7 @@ impl TimeStepper {
     /// whole stretch.
     ///
     /// # Errors
-    /// As [`TimeStepper::step`]; the states are those that had been reached.
+    /// As [`TimeStepper::advance`]; the states are those that had been reached.
     pub(crate) fn stretch(
         &mut self,
         world: &World,
@@ -103,7 +103,7 @@ impl TimeStepper {
         stretch: &Stretch,
     ) -> Result<StretchReport, ResponseError> {
         let mut report = StretchReport {
-            steps: TimeStepReport::new(self.about()),
+            steps: TimeStepReport::new(self.about),
             error: 0.0,
             worst_rate: 0.0,
             shortest_s: f64::INFINITY,
@@ -148,5 +148,80 @@ impl TimeStepper {
 fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
     for (&body, state) in bodies.iter().zip(saved) {
         states[body] = *state;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! Stretches keep their tolerance where the motion lets them, and always get through.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+    use super::{Stretch, StretchReport};
+    use crate::scene::{ImpactLaw, Material};
+    use crate::time_stepping::TimeStepper;
+    use crate::world::World;
+    use crate::{Body, Scene};
+    use polhode_contact::Shape;
+    use polhode_dynamics::BodyState;
+    use polhode_spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+
+    const STRETCH: Stretch = Stretch { t: 0.0, end: 0.5, first_step_s: 1e-3, floor_s: 1e-7, tolerance: 1e-6 };
+
+    fn ball(name: &str, radius: f64, place: DVec3, velocity: DVec3) -> Body {
+        let inertia = Inertia::from_diagonal(DVec3::splat(0.4 * radius * radius)).unwrap();
+        Body::movable(name, MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia))
+            .geometry(Shape::sphere(radius).unwrap().into())
+            .pose(Pose::from_translation(place))
+            .velocity(Velocity::new(velocity, DVec3::ZERO))
+            .material(Material::new("m", 0.0, 0.5).unwrap())
+    }
+
+    fn plane(name: &str, normal: DVec3) -> Body {
+        Body::fixed(name).geometry(Shape::half_space(UnitVector::new(normal).unwrap()).into())
+    }
+
+    fn go(scene: &Scene, stretch: &Stretch) -> (World, Vec<BodyState>, StretchReport) {
+        let (world, mut states) = World::new(scene).unwrap();
+        let pairs: Vec<_> = scene.colliding_pairs().collect();
+        let mut stepper = TimeStepper::new(ImpactLaw::Reflection, DVec3::ZERO, 4);
+        let report = stepper.stretch(&world, &mut states, &world.movable, &pairs, stretch).unwrap();
+        (world, states, report)
+    }
+
+    /// A ball that slides down a dome: the estimate is an estimate of what the stretch is wrong by, and both are within
+    /// what was asked.
+    #[test]
+    fn sliding_ball_keeps_the_tolerance() {
+        let dome = Body::fixed("dome").geometry(Shape::sphere(1.0).unwrap().into());
+        let start = DVec3::new(0.3_f64.sin(), 0.0, 0.3_f64.cos()) * 1.1;
+        let scene = Scene::builder("dome").body(dome).body(ball("ball", 0.1, start, DVec3::ZERO)).build().unwrap();
+        let stretch = Stretch { end: 0.3, ..STRETCH };
+        let (_, states, report) = go(&scene, &stretch);
+        let fine = go(&scene, &Stretch { tolerance: 1e-8, ..stretch }).1;
+        let error = (states[1].pose.translation - fine[1].pose.translation).length() / 0.2;
+        assert!(error < 1e-6 && report.error <= 1e-6 * 0.3 && report.at_floor == 0, "{error:e} {report:?}");
+    }
+
+    /// A ball whose bounces accumulate in a corner of two planes at once comes to rest in it, in few steps, touching both.
+    #[test]
+    fn bounces_that_accumulate_in_a_corner_end() {
+        let sides = [DVec3::new(1.0, 0.0, 1.3), DVec3::new(-0.7, 0.0, 1.0)];
+        let scene = Scene::builder("corner").body(plane("a", sides[0])).body(plane("b", sides[1]));
+        let scene = scene.body(ball("ball", 0.1, DVec3::new(0.02, 0.0, 0.3), DVec3::ZERO)).build().unwrap();
+        let (world, states, report) = go(&scene, &Stretch { end: 1.5, ..STRETCH });
+        let apart = |plane: usize| world.pair(&states, plane, 2, 1.0).0;
+        assert!(apart(0).abs() < 1e-12 && apart(1).abs() < 1e-12, "{:e} {:e}", apart(0), apart(1));
+        assert!(states[2].linear_velocity.length() < 1e-9, "{:?}", states[2]);
+        assert!(report.steps.steps < 1_000_000 && report.steps.left_penetration_m < 1e-12, "{report:?}");
+    }
+
+    /// At its floor a stretch goes on, and says how wrong it was.
+    #[test]
+    fn floor_is_passed_and_reported() {
+        let scene = Scene::builder("floor").body(plane("floor", DVec3::Z));
+        let scene = scene.body(ball("ball", 0.1, DVec3::Z * 0.2, DVec3::X)).build().unwrap();
+        let stretch = Stretch { floor_s: 1e-3, tolerance: 1e-15, ..STRETCH };
+        let (_, states, report) = go(&scene, &stretch);
+        assert!(report.at_floor > 0 && report.worst_rate > 1e-15 && report.steps.steps <= 6000, "{report:?}");
+        assert!(states[1].is_finite());
     }
 }

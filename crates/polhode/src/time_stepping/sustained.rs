@@ -30,9 +30,9 @@ use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 /// A row that ends approaching by less than this fraction of its own rates is left out: some dozen roundings.
 const ROW_ROUNDING: f64 = 1e-14;
 
-/// The part of the rounding of two poses (eight units in the last place) by which a gap counts as closed: what projection
-/// leaves.
-const CLOSED_ROUNDING: f64 = 0.25;
+/// The part of the rounding of two poses (eight units in the last place) that a separation may be wrong by: what projection
+/// leaves. In a short step it makes a velocity of its own.
+const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
@@ -43,12 +43,14 @@ struct Row {
     bound: f64,
     /// `h/2 a`, m/s.
     half_fall: f64,
+    /// What the rounding of the separation makes of r, m/s.
+    rounding: f64,
 }
 
 impl Row {
     /// Whether the contact would overlap with this rate of separation after the impulses.
     fn closes(&self, rate: f64) -> bool {
-        rate + self.bound < -ROW_ROUNDING * (rate.abs() + self.bound.abs())
+        rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
     }
 }
 
@@ -103,7 +105,9 @@ impl TimeStepper {
     fn is_first_choice(&self, world: &World, states: &[BodyState], near: &[NearContact], row: &Row, h: f64) -> bool {
         let contact = &near[row.contact];
         let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
-        row.closes(row.kinematics.separation_rate) || contact.touches(h, touch_distance) && row.half_fall <= 0.0
+        let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
+        let presses = lasts && row.half_fall <= 0.0 && contact.touches(h, touch_distance);
+        presses || row.closes(row.kinematics.separation_rate)
     }
 
     fn solve_group(
@@ -210,10 +214,12 @@ fn rows(
     let row = |((contact, kinematics), acceleration): ((usize, ContactKinematics), f64)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
-        let gap = kinematics.geometry.separation - CLOSED_ROUNDING * world.rounding(states, id.a, id.b);
-        let landing = 2.0 * gap / h + 0.5 * half_fall;
-        let bound = landing.max(half_fall).max(kinematics.separation_rate);
-        Row { contact, kinematics, bound, half_fall }
+        let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
+        let landing = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
+        // A gap that is a rounding is none.
+        let landing = if landing <= half_fall + rounding { half_fall } else { landing };
+        let bound = landing.max(kinematics.separation_rate);
+        Row { contact, kinematics, bound, half_fall, rounding }
     };
     Ok(here.into_iter().zip(accelerations).map(row).collect())
 }
