@@ -167,6 +167,9 @@ impl TimeStepper {
             let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
             self.project(world, states, bodies, &near_pairs, &mut report)?;
         }
+        if let Some(index) = bodies.iter().position(|&body| !states[body].is_finite()) {
+            return Err(ResponseError::NotFinite { what: "states after a time step", index });
+        }
         report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
         report.touching.dedup();
         Ok(report)

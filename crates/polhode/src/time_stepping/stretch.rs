@@ -18,6 +18,9 @@ const SAFETY: f64 = 0.8;
 /// A step grows by no more than this factor from one to the next.
 const LARGEST_GROWTH: f64 = 4.0;
 
+/// No step is shorter than this fraction of the stretch, whatever the floor: ten million steps end too.
+const SHORTEST_RELATIVE: f64 = 1e-7;
+
 /// A step that was refused shrinks at least and at most by these factors.
 const SHRINKING: (f64, f64) = (0.1, 0.5);
 
@@ -110,8 +113,7 @@ impl TimeStepper {
             at_floor: 0,
             next_step_s: stretch.first_step_s,
         };
-        // Below the resolution of the time itself no step would advance it.
-        let floor = stretch.floor_s.max(f64::EPSILON * stretch.end.abs());
+        let floor = stretch.floor_s.max(SHORTEST_RELATIVE * (stretch.end - stretch.t));
         let mut t = stretch.t;
         let mut h = stretch.first_step_s.max(floor);
         while t < stretch.end {
