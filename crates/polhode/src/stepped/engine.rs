@@ -110,7 +110,9 @@ impl SteppedEngine {
         self.report_pairs(touching, &mut events);
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         self.event_count += events.len() as u64;
-        events.iter().for_each(|event| observer.event(event));
+        for event in &events {
+            observer.event(event);
+        }
         self.audit()?;
         if self.t >= duration {
             self.emit_sample(self.t, &self.states, observer);

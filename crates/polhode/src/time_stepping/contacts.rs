@@ -4,7 +4,7 @@ use super::drift;
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::contact_set::ContactId;
 use crate::interaction::groups::Group;
-use crate::world::World;
+use crate::world::{Loads, World};
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -74,7 +74,7 @@ impl<'a> FreeAccelerations<'a> {
     /// Under gravity and the fields at `t`.
     pub(super) fn with_fields(world: &World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
         let loads =
-            if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Default::default() };
+            if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Loads::default() };
         let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
         Self { bodies, values }
     }

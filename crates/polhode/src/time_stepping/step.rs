@@ -159,7 +159,7 @@ impl TimeStepper {
         report.books.smooth_stage(before, after, received);
 
         self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
-        self.stop(world, states, bodies, (&start, &speeds), h, &mut report);
+        rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
         if !report.at_rest {
             let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
             let may_overlap =
@@ -187,37 +187,36 @@ impl TimeStepper {
         }
         Received { gravity: sum.value(), ..Received::default() }
     }
+}
 
-    /// Bodies that neither moved where the step began nor move where it ends stand where they stood.
-    fn stop(
-        &self,
-        world: &World,
-        states: &mut [BodyState],
-        bodies: &[usize],
-        (start, speeds): (&[BodyState], &[f64]),
-        h: f64,
-        report: &mut TimeStepReport,
-    ) {
-        let mut given = vec![h * world.gravity().length(); bodies.len()];
-        for impulse in &report.impulses {
-            for body in [impulse.id.a, impulse.id.b] {
-                if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
-                    given[index] += impulse.impulse / rigid.mass();
-                }
+/// Bodies that neither moved where the step began nor move where it ends stand where they stood.
+fn rest_exactly(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    (start, speeds): (&[BodyState], &[f64]),
+    h: f64,
+    report: &mut TimeStepReport,
+) {
+    let mut given = vec![h * world.gravity().length(); bodies.len()];
+    for impulse in &report.impulses {
+        for body in [impulse.id.a, impulse.id.b] {
+            if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
+                given[index] += impulse.impulse / rigid.mass();
             }
         }
-        let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
-            speed.max(point_speed(world, states, body)) <= REST_RELATIVE * given
-        };
-        report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
-        if report.at_rest {
-            let before = report.books.balance(world, states, bodies);
-            for (&body, start) in bodies.iter().zip(start) {
-                states[body] = BodyState::at_rest(start.pose);
-            }
-            let after = report.books.balance(world, states, bodies);
-            report.books.rest(before, after);
+    }
+    let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
+        speed.max(point_speed(world, states, body)) <= REST_RELATIVE * given
+    };
+    report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
+    if report.at_rest {
+        let before = report.books.balance(world, states, bodies);
+        for (&body, start) in bodies.iter().zip(start) {
+            states[body] = BodyState::at_rest(start.pose);
         }
+        let after = report.books.balance(world, states, bodies);
+        report.books.rest(before, after);
     }
 }
 

@@ -52,6 +52,14 @@ impl Row {
     fn closes(&self, rate: f64) -> bool {
         rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
     }
+
+    /// Whether the row is in the problem of a step of `h` (s) from the beginning.
+    fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
+        let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
+        let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
+        let presses = lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
+        presses || self.closes(self.kinematics.separation_rate)
+    }
 }
 
 impl TimeStepper {
@@ -70,7 +78,8 @@ impl TimeStepper {
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
         let rows = rows(world, states, bodies, near, h)?;
-        let mut taken: Vec<bool> = rows.iter().map(|row| self.is_first_choice(world, states, near, row, h)).collect();
+        let mut taken: Vec<bool> =
+            rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
         let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
@@ -93,21 +102,12 @@ impl TimeStepper {
             }
             if !added {
                 report.contacts = report.contacts.max(members.len());
-                return Ok(self.note(world, near, &rows, &solved, (t, h), report));
+                return Ok(note(world, near, &rows, &solved, (t, h), report));
             }
             for (&body, state) in bodies.iter().zip(&before) {
                 states[body] = *state;
             }
         }
-    }
-
-    /// Whether a row is in the problem from the beginning.
-    fn is_first_choice(&self, world: &World, states: &[BodyState], near: &[NearContact], row: &Row, h: f64) -> bool {
-        let contact = &near[row.contact];
-        let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
-        let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
-        let presses = lasts && row.half_fall <= 0.0 && contact.touches(h, touch_distance);
-        presses || row.closes(row.kinematics.separation_rate)
     }
 
     fn solve_group(
@@ -150,47 +150,12 @@ impl TimeStepper {
             // An answer that is not exact must not add energy: -2 p.u- / p.G p of it neither adds nor takes any.
             let work: f64 = members.iter().zip(&impulses).map(|(row, &p)| row.kinematics.separation_rate * p).sum();
             let share = (-work / (energy_change_j - work)).clamp(0.0, 1.0);
-            impulses.iter_mut().for_each(|p| *p *= share);
+            for impulse in &mut impulses {
+                *impulse *= share;
+            }
             energy_change_j = change(&impulses)?;
         }
         Ok(SolvedGroup { group, impulses, energy_change_j })
-    }
-
-    /// Books the impulses, lists them and remembers who carried.
-    fn note(
-        &mut self,
-        world: &World,
-        near: &[NearContact],
-        rows: &[Row],
-        solved: &[SolvedGroup],
-        (t, h): (f64, f64),
-        report: &mut TimeStepReport,
-    ) -> Vec<usize> {
-        let mut carrying = Vec::new();
-        for group in solved {
-            let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-            report.books.impact(group.energy_change_j, given);
-            for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
-                if impulse <= 0.0 {
-                    continue;
-                }
-                let row = &rows[index];
-                let contact = &near[row.contact];
-                // How fast it approached where the step began.
-                let approach = -(row.kinematics.separation_rate - row.half_fall);
-                let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
-                    let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
-                    ImpulseKind::Impact { energy_change_j }
-                } else {
-                    ImpulseKind::Sustained
-                };
-                let geometry = row.kinematics.geometry;
-                report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, kind });
-                carrying.push(row.contact);
-            }
-        }
-        carrying.sort_unstable();
-        carrying
     }
 }
 
@@ -222,6 +187,42 @@ fn rows(
         Row { contact, kinematics, bound, half_fall, rounding }
     };
     Ok(here.into_iter().zip(accelerations).map(row).collect())
+}
+
+/// Books the impulses, lists them, and says which contacts carry.
+fn note(
+    world: &World,
+    near: &[NearContact],
+    rows: &[Row],
+    solved: &[SolvedGroup],
+    (t, h): (f64, f64),
+    report: &mut TimeStepReport,
+) -> Vec<usize> {
+    let mut carrying = Vec::new();
+    for group in solved {
+        let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
+        report.books.impact(group.energy_change_j, given);
+        for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
+            if impulse <= 0.0 {
+                continue;
+            }
+            let row = &rows[index];
+            let contact = &near[row.contact];
+            // How fast it approached where the step began.
+            let approach = -(row.kinematics.separation_rate - row.half_fall);
+            let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+                let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
+                ImpulseKind::Impact { energy_change_j }
+            } else {
+                ImpulseKind::Sustained
+            };
+            let geometry = row.kinematics.geometry;
+            report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, kind });
+            carrying.push(row.contact);
+        }
+    }
+    carrying.sort_unstable();
+    carrying
 }
 
 /// The impulses of one group.
