@@ -27,8 +27,10 @@ pub mod report;
 pub mod scene;
 mod settings;
 mod simulation;
+mod stepped;
 mod thesis;
 mod tier;
+mod time_stepping;
 mod world;
 
 pub use actions::ActionError;

@@ -12,6 +12,7 @@ use crate::planar::{self, PlanarFinding};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::scene::Tier as TierName;
 use crate::settings::Settings;
+use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
@@ -111,6 +112,7 @@ impl Simulation {
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
         let tier: Box<dyn Tier> = match settings.tier {
             TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
+            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
         let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });

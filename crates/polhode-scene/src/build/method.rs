@@ -45,6 +45,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
         _ if entry.contact == Some(ContactName::LeastForce) && entry.tier != Some(TierName::Thesis) => {
             path.key("contact")
         }
+        _ if entry.integrator.is_some() && entry.tier == Some(TierName::Stepped) => path.key("integrator"),
         _ if entry.orientation.is_some() => path.key("orientation"),
         _ if entry.rotation_rate.is_some() => path.key("rotation_rate"),
         _ => path,
@@ -54,6 +55,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
 const fn tier(name: TierName) -> Tier {
     match name {
         TierName::Thesis => Tier::Thesis,
+        TierName::Stepped => Tier::Stepped,
         TierName::Accurate => Tier::Accurate,
     }
 }

@@ -11,7 +11,7 @@ use serde::Deserialize;
 pub struct MethodEntry {
     /// A set of methods with one promise.
     pub tier: Option<TierName>,
-    /// Step, s: the fixed step of tier thesis, the upper bound of a step of tier accurate.
+    /// Step, s: the fixed step of the tiers thesis and stepped, the upper bound of a step of tier accurate.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: Option<f64>,
     /// How bodies are integrated that no contact holds.
@@ -42,6 +42,8 @@ pub struct MethodEntry {
 pub enum TierName {
     /// The thesis's section 3.5 to the letter.
     Thesis,
+    /// Fixed steps with all contacts solved together at the level of velocities; it always gets through.
+    Stepped,
     /// Closed-form flight, error-controlled contact phases, located impacts and force events.
     Accurate,
 }

@@ -6,7 +6,10 @@
 pub(crate) mod books;
 mod warnings;
 
+use crate::collision::contact_set::ContactId;
+use crate::event::EventKind;
 use crate::observer::Observer;
+use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
 use crate::{Certificate, Energy, Event, RunReport, SimulationError};
 use books::Books;
@@ -63,6 +66,40 @@ impl Accounts {
             Ok(())
         } else {
             Err(SimulationError::ContactSolve { t, residual: report.residual })
+        }
+    }
+
+    /// Enters what a time step did: its books, its certificate, and its impacts as events.
+    pub(crate) fn note_time_step(&mut self, world: &World, states: &[BodyState], report: &TimeStepReport) {
+        self.books.enter(&report.books);
+        self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
+        self.certificate.fallbacks += report.fallbacks;
+        self.note_penetration(report.max_penetration_m);
+        for given in &report.impulses {
+            let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };
+            let event = Event {
+                t: given.t,
+                kind: EventKind::Impact,
+                body_a: given.id.a,
+                body_b: Some(given.id.b),
+                point: given.geometry.point,
+                normal: given.geometry.normal,
+                impulse: given.impulse,
+                energy_change_j,
+            };
+            self.add_contact_event(world, states, event, given.id);
+        }
+    }
+
+    /// Adds an event at a contact point; one that stands for its mirror image too is reported at both.
+    pub(crate) fn add_contact_event(&mut self, world: &World, states: &[BodyState], event: Event, id: ContactId) {
+        let Some(aside) = world.mirrored(states, id) else {
+            self.add_event(event);
+            return;
+        };
+        let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
+        for point in [event.point - aside, event.point + aside] {
+            self.add_event(Event { point, impulse, energy_change_j, ..event });
         }
     }
 

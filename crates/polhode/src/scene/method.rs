@@ -12,6 +12,8 @@ pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, Rotati
 pub enum Tier {
     /// The thesis's section 3.5 to the letter: RK4, fixed step, propagation, least-force linear programme.
     Thesis,
+    /// Fixed steps at the level of velocities with exact complementarity; always gets through.
+    Stepped,
     /// Flight records, error-controlled contact phases, located impacts and force events, exact contact forces.
     Accurate,
 }
@@ -52,7 +54,7 @@ pub enum ContactMethod {
 pub struct Method {
     /// The tier.
     pub tier: Option<Tier>,
-    /// Step, s: the fixed step of `thesis`, the upper bound of a step of `accurate`.
+    /// Step, s: the fixed step of `thesis` and `stepped`, the upper bound of a step of `accurate`.
     pub step_s: Option<f64>,
     /// Integrator of bodies that no contact holds; contact phases of `accurate` are integrated by DOP853.
     pub integrator: Option<Integrator>,
@@ -95,10 +97,17 @@ impl Method {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
         let tier = self.tier.unwrap_or(Tier::Accurate);
-        if (tier, self.contact) == (Tier::Accurate, Some(ContactMethod::LeastForce)) {
+        if tier != Tier::Thesis && self.contact == Some(ContactMethod::LeastForce) {
+            let tier = if tier == Tier::Stepped { "stepped" } else { "accurate" };
             return refuse(
-                "contact = \"least-force\" with tier = \"accurate\"",
+                &format!("contact = \"least-force\" with tier = \"{tier}\""),
                 "contact = \"active-set\", or tier = \"thesis\"",
+            );
+        }
+        if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {
+            return refuse(
+                &format!("integrator = \"{}\" with tier = \"stepped\"", integrator.name()),
+                "no integrator: the tier moves bodies by exact drift with a kick",
             );
         }
         let representation = self.orientation.is_some() || self.rotation_rate.is_some();

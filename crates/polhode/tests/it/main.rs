@@ -20,5 +20,6 @@ mod planar;
 mod prescribed_motion;
 mod program;
 mod round_bodies;
+mod stepped;
 mod support;
 mod table_edge;
