@@ -43,7 +43,7 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
-pub use report::{Certificate, Energy, Outcome, PlanChange, RunReport};
+pub use report::{Certificate, CrowdedStretch, Energy, Outcome, PlanChange, RunReport};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, Simulation, StepEnd, StepOutcome};
 

@@ -1,6 +1,8 @@
 //! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
 
-use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+use crate::scene::{
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+};
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
 /// Upper bound of a step when none is given, s; the step of tier `thesis`.
@@ -12,6 +14,9 @@ const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 
 /// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
+
+/// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
+const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
 
 /// Events in one step when no cap is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -33,6 +38,9 @@ pub(crate) struct Settings {
     pub(crate) step_is_asked: bool,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
+    pub(crate) crowding: Crowding,
+    /// Error of a stretch of crowded events per longest step, relative to the size of each body.
+    pub(crate) crowding_tolerance: f64,
 }
 
 impl Settings {
@@ -92,6 +100,8 @@ impl Settings {
             step_is_asked: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
+            crowding: method.crowding.unwrap_or_default(),
+            crowding_tolerance: method.crowding_tolerance.unwrap_or(DEFAULT_CROWDING_TOLERANCE),
         }
     }
 }

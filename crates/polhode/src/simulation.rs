@@ -268,6 +268,7 @@ impl Simulation {
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
+            crowded: Vec::new(),
             plan_changes: self.plan_changes.clone(),
             bodies: Vec::new(),
         };

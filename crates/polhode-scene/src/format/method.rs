@@ -34,6 +34,11 @@ pub struct MethodEntry {
     /// Largest number of events within one step.
     #[schemars(range(min = 1))]
     pub max_events_per_step: Option<u64>,
+    /// What happens where the events of some bodies crowd.
+    pub crowding: Option<CrowdingName>,
+    /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub crowding_tolerance: Option<f64>,
 }
 
 /// A set of methods with one promise.
@@ -46,6 +51,16 @@ pub enum TierName {
     Stepped,
     /// Closed-form flight, error-controlled contact phases, located impacts and force events.
     Accurate,
+}
+
+/// What happens where the events of some bodies crowd.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CrowdingName {
+    /// They go on by time steps at the level of velocities until events thin out.
+    Step,
+    /// The run ends with an error.
+    Error,
 }
 
 /// How the integrator rk4 represents orientation.

@@ -11,7 +11,7 @@ use crate::event::EventKind;
 use crate::observer::Observer;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, Energy, Event, RunReport, SimulationError};
+use crate::{Certificate, CrowdedStretch, Energy, Event, RunReport, SimulationError};
 use books::Books;
 use polhode_dynamics::BodyState;
 use polhode_response::{SolverReport, SolverStatus};
@@ -31,6 +31,8 @@ pub(crate) struct Accounts {
     next_sample: u64,
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
+    /// Stretches of crowded events.
+    crowded: Vec<CrowdedStretch>,
 }
 
 impl Accounts {
@@ -45,6 +47,7 @@ impl Accounts {
             steps: 0,
             next_sample: 0,
             last_sample_s: None,
+            crowded: Vec::new(),
         }
     }
 
@@ -100,6 +103,32 @@ impl Accounts {
         let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
         for point in [event.point - aside, event.point + aside] {
             self.add_event(Event { point, impulse, energy_change_j, ..event });
+        }
+    }
+
+    /// A stretch of crowded events of this many bodies begins at `t` (s).
+    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) {
+        self.warn(t, "events crowd: the bodies concerned go on by time steps for a while");
+        match self.crowded.last_mut() {
+            // It goes on where the last one ended.
+            Some(last) if last.to_s == t => last.bodies = last.bodies.max(bodies),
+            _ => self.crowded.push(CrowdedStretch { from_s: t, to_s: t, bodies, steps: 0, error: 0.0 }),
+        }
+    }
+
+    /// A time step of a stretch has been made, which ends at `t` (s), with this estimated error.
+    pub(crate) fn note_crowding(&mut self, t: f64, steps: u64, error: f64) {
+        if let Some(last) = self.crowded.last_mut() {
+            last.steps += steps;
+            last.error += error;
+            last.to_s = last.to_s.max(t);
+        }
+    }
+
+    /// A stretch ends at `t` (s).
+    pub(crate) fn end_crowding(&mut self, t: f64) {
+        if let Some(last) = self.crowded.last_mut() {
+            last.to_s = last.to_s.max(t);
         }
     }
 
@@ -177,6 +206,7 @@ impl Accounts {
         report.warnings = self.warnings.texts();
         report.steps = self.steps;
         report.events = self.event_count;
+        report.crowded.clone_from(&self.crowded);
         report.bodies = world.named_samples(states);
     }
 }

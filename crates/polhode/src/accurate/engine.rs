@@ -2,6 +2,7 @@
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
+use super::crowding::Crowd;
 use super::free_stepping::FreeStep;
 use super::hold::Forces;
 use super::instant::{Instant, free_end};
@@ -40,6 +41,8 @@ pub(super) enum Mode {
     Constrained,
     /// By the integrator of free motion.
     Stepped,
+    /// By time steps, while the events of its island crowd.
+    Crowded(Crowd),
     /// Not at all: its group is in certified equilibrium at zero velocity.
     Rest,
 }
@@ -57,6 +60,8 @@ pub(super) struct Track {
     pub(super) speed_scale: f64,
     /// Up to when its rest has been booked, s.
     rest_booked_s: f64,
+    /// Length of the last stretch of crowded events that it was in, s.
+    pub(super) last_stretch_s: f64,
     /// Whether forces on it have grown too strong for the splitting that the plan has chosen.
     gave_up_splitting: bool,
 }
@@ -71,6 +76,7 @@ impl Track {
             proposed_step_s: core.settings.step_s,
             speed_scale: 0.0,
             rest_booked_s: core.t,
+            last_stretch_s: 0.0,
             gave_up_splitting: false,
         }
     }
@@ -140,6 +146,10 @@ impl Engine {
             Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
+            Due::Island(first) if self.islands.get(&first).is_some_and(Island::is_crowd) => {
+                core.accounts.count_step();
+                self.next_crowd_step(core, first, t).map(|()| Reached::StepEnd)
+            }
             Due::Island(first) => {
                 core.accounts.count_step();
                 self.next_step(core, first, t).map(|()| Reached::StepEnd)
@@ -189,6 +199,11 @@ impl Engine {
     /// The island of a body that moves in one.
     pub(super) fn island_of(&self, body: usize) -> Option<&Island> {
         self.islands.get(&self.tracks[body].island?)
+    }
+
+    /// The island of this first body.
+    pub(super) fn island(&self, first: usize) -> Option<&Island> {
+        self.islands.get(&first)
     }
 
     /// Puts an island in; its first body.
@@ -358,6 +373,11 @@ fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyStat
                 states[body] = state;
             }
         }
+        Step::Crowd(step) => {
+            for (&body, state) in island.bodies.iter().zip(step.states_at(t)) {
+                states[body] = state;
+            }
+        }
         Step::Waiting(_) => {}
     }
     Ok(())
@@ -432,6 +452,11 @@ impl Tier for Engine {
                         states[body] = *state;
                     }
                 }
+                Step::Crowd(step) => {
+                    for (&body, state) in island.bodies.iter().zip(step.states_at(core.t)) {
+                        states[body] = state;
+                    }
+                }
                 Step::Waiting(_) => {}
             }
         }
@@ -446,10 +471,23 @@ impl Tier for Engine {
             match &track.mode {
                 Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
                 Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
-                Mode::Fixed | Mode::Constrained | Mode::Stepped => {}
+                Mode::Fixed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
             }
         }
-        for island in self.islands.values_mut().filter(|island| island.t != t) {
+        let crowds: Vec<usize> =
+            self.islands.iter().filter(|(_, own)| own.is_crowd()).map(|(&first, _)| first).collect();
+        for first in crowds {
+            let Some(island) = self.islands.remove(&first) else { continue };
+            if let Step::Crowd(step) = &island.step
+                && island.t != t
+            {
+                let (_, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                books.enter(&report.books);
+            }
+            self.islands.insert(first, island);
+        }
+        let smooth = |island: &&mut Island| island.t != t && !island.is_crowd();
+        for island in self.islands.values_mut().filter(smooth) {
             let before = books.balance(world, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
@@ -464,7 +502,7 @@ impl Tier for Engine {
                     }
                     received
                 }
-                Step::Waiting(_) => Received::default(),
+                Step::Crowd(_) | Step::Waiting(_) => Received::default(),
             };
             let after = books.balance(world, &states, &island.bodies);
             books.smooth_stage(before, after, received);
@@ -526,7 +564,7 @@ impl Tier for Engine {
         let kind = |track: &Track| match track.mode {
             Mode::Fixed => MotionKind::Given,
             Mode::Flight(_) => MotionKind::Flight,
-            Mode::Constrained | Mode::Stepped => MotionKind::Integrated,
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
             Mode::Rest => MotionKind::Rest,
         };
         self.tracks.iter().map(kind).collect()

@@ -28,6 +28,10 @@ pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
     dt <= INSTANT_RELATIVE * longest_step_s
 }
 
+/// The same of bodies that have been through a stretch of crowded events: what crowds there again need not be found out
+/// at length.
+const MOST_STEPS_AGAIN: u64 = 128;
+
 /// The pace of one body, or of an island: that of its slowest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Pace {
@@ -43,6 +47,8 @@ pub(super) struct Pace {
     steps: u64,
     /// How often something wrong has been tolerated since then.
     backoffs: u32,
+    /// Whether events have crowded before.
+    has_crowded: bool,
 }
 
 /// Time no longer advances.
@@ -58,6 +64,11 @@ impl Pace {
     /// At the start of a run or of a body's life, `t` (s).
     pub(super) fn starting_at(t: f64) -> Self {
         Self { since: t, advanced_at: t, ..Self::default() }
+    }
+
+    /// After a time step of a stretch of crowded events that ends at `t` (s).
+    pub(super) fn after_stretch(t: f64) -> Self {
+        Self { has_crowded: true, ..Self::starting_at(t) }
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until
@@ -108,7 +119,8 @@ impl Pace {
             return Ok(());
         }
         self.steps += 1;
-        if self.steps < MOST_STEPS { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
+        let most = if self.has_crowded { MOST_STEPS_AGAIN } else { MOST_STEPS };
+        if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
     }
 
     /// Events since a whole step was made.
@@ -124,6 +136,7 @@ impl Pace {
             stalls: self.stalls.max(other.stalls),
             events: self.events.max(other.events),
             backoffs: self.backoffs.max(other.backoffs),
+            has_crowded: self.has_crowded || other.has_crowded,
             ..slowest
         }
     }

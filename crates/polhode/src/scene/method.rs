@@ -49,6 +49,23 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
+/// What happens where the events of an island crowd.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Crowding {
+    /// It goes on by time steps at the level of velocities until they thin out.
+    #[default]
+    Step,
+    /// The run ends with an error.
+    Error,
+}
+
+impl Crowding {
+    /// Whether time steps carry a run on.
+    pub(crate) fn steps(self) -> bool {
+        self == Self::Step
+    }
+}
+
 /// What a scene asks for; `None` leaves the choice to the plan.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Method {
@@ -72,6 +89,10 @@ pub struct Method {
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,
+    /// What happens where events crowd.
+    pub crowding: Option<Crowding>,
+    /// Error allowed in a stretch of crowded events for each longest step, relative to the size of each body.
+    pub crowding_tolerance: Option<f64>,
 }
 
 impl Method {
@@ -82,6 +103,9 @@ impl Method {
     pub fn validate(&self) -> Result<(), SceneError> {
         if let Some(step) = self.step_s {
             super::builder::positive("method.step", step)?;
+        }
+        if let Some(tolerance) = self.crowding_tolerance {
+            super::builder::positive("method.crowding_tolerance", tolerance)?;
         }
         if let Some(tolerance) = self.tolerance {
             super::builder::positive("method.tolerance", tolerance)?;

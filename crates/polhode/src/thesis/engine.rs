@@ -329,7 +329,7 @@ impl Tier for ThesisEngine {
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.boxes.clear(body);
+        self.boxes.put(body, None);
         self.moves[body] = false;
     }
 
