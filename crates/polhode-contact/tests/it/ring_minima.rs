@@ -16,6 +16,9 @@ const SHALLOW: f64 = 1e-10;
 /// A separation of the manifold agrees with the oracle's within this, relative to the size.
 const AGREES: f64 = 1e-12;
 
+/// A contact stands at a dip when it is this near, relative to the size: where a dip is shallow its place is hardly known.
+const NEAR: f64 = 1e-2;
+
 /// Distance of a point from a rectangle or triangle with these corners in order, anticlockwise; negative inside.
 fn from_polygon(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     let mut outside = f64::INFINITY;
@@ -148,7 +151,12 @@ impl Case<'_> {
             return Some(format!("separation alone {alone:?}, not {least:e}"));
         }
         for dip in dips.iter().filter(|dip| dip.separation <= reach - tolerance) {
-            let stands_for = |contact: &Contact| (contact.geometry.separation - dip.separation).abs() <= tolerance;
+            let stands_for = |contact: &Contact| {
+                let Contact { geometry, .. } = contact;
+                let from_middle_line = geometry.point.distance(world.transform_point(dip.place));
+                (geometry.separation - dip.separation).abs() <= tolerance
+                    && (from_middle_line - (self.minor + 0.5 * geometry.separation).abs()).abs() <= NEAR * size
+            };
             if !found.contacts.iter().any(stands_for) {
                 return Some(format!("no contact at {dip:?}: {found:?}"));
             }
