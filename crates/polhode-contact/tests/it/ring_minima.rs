@@ -125,9 +125,9 @@ impl Case<'_> {
         for _ in 0..60 {
             let part = golden * (right - left);
             if self.distance(right - part) < self.distance(left + part) {
-                right = left + part
+                right = left + part;
             } else {
-                left = right - part
+                left = right - part;
             }
         }
         let middle = 0.5 * (left + right);
