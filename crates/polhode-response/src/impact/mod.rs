@@ -144,6 +144,7 @@ fn check(
     settings: &ImpactSettings,
 ) -> Result<f64, ResponseError> {
     let rows = problem.len();
+    problem.check_unilateral("an impact law")?;
     check_length("Delassus matrix", rows, delassus.len())?;
     check_length("row velocities", rows, u_before.len())?;
     check_length("restitution", rows, restitution.len())?;
