@@ -43,14 +43,6 @@ pub enum ResponseError {
         /// Number of bodies.
         bodies: usize,
     },
-    /// A method was asked that handles contacts only.
-    #[error("row {row} is bilateral, which {method} does not handle yet; use the active set")]
-    BilateralRow {
-        /// The method.
-        method: &'static str,
-        /// The first bilateral row.
-        row: usize,
-    },
     /// A row names one body twice.
     #[error("a row names body {body} twice; add the two blocks first")]
     RepeatedBody {

@@ -7,6 +7,8 @@
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
 //! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
 //!
+//! Rows are of a [`RowKind`]: contacts push (unilateral), joints hold with a force of either sign (bilateral).
+//!
 //! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
 //! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
 
@@ -135,12 +137,6 @@ impl ContactProblem {
             Some(rows) => rows.iter().map(|&row| self.is_bilateral(row)).collect(),
             None => (0..self.len()).map(|row| self.is_bilateral(row)).collect(),
         }
-    }
-
-    /// Refuses bilateral rows, for what does not handle them yet.
-    pub(crate) fn check_unilateral(&self, method: &'static str) -> Result<(), ResponseError> {
-        let bilateral = self.kinds.iter().position(|kind| *kind == RowKind::Bilateral);
-        bilateral.map_or(Ok(()), |row| Err(ResponseError::BilateralRow { method, row }))
     }
 
     fn push_row_of_kind(&mut self, kind: RowKind, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
