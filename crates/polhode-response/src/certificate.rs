@@ -67,12 +67,17 @@ pub fn energy_norm_bound(forces: &[f64], w: &[f64]) -> Result<f64, ResponseError
 
 /// [`energy_norm_bound`] without the check.
 pub(crate) fn power_bound(forces: &[f64], w: &[f64]) -> f64 {
-    forces.iter().zip(w).map(|(f, w)| f * w.abs()).sum::<f64>().max(0.0).sqrt()
+    forces.iter().zip(w).map(|(f, w)| f.abs() * w.abs()).sum::<f64>().max(0.0).sqrt()
 }
 
 /// The natural map of one row, relative to its scale; 0 where every term is zero.
 pub(crate) fn row_residual(diagonal: f64, force: f64, w: f64, scale: f64) -> f64 {
     if scale == 0.0 { 0.0 } else { (diagonal * force).min(w).abs() / scale }
+}
+
+/// `|w|` of a bilateral row, relative to its scale; 0 where every term is zero.
+pub(crate) fn bilateral_residual(w: f64, scale: f64) -> f64 {
+    if scale == 0.0 { 0.0 } else { w.abs() / scale }
 }
 
 /// `W_i = |b_i| + sum_k |G_ik| |f_k|` of a row-major `G`.

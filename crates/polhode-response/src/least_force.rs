@@ -61,6 +61,8 @@ pub struct LeastForceSolution {
 
 /// Contact forces by the method of the thesis.
 ///
+/// All rows are taken for contacts: the matrix does not tell joints.
+///
 /// # Errors
 /// When lengths differ, a number is not finite, or a setting is out of range.
 pub fn least_force(

@@ -62,7 +62,7 @@ pub use impact::{Application, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactSt
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
 pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
-pub use problem::ContactProblem;
+pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::{FallbackPolicy, SolverSettings};
 

@@ -10,6 +10,7 @@ mod exact;
 mod forces;
 mod held_rows;
 mod impacts;
+mod joints;
 mod least_force;
 mod mass_ratios;
 mod oracle;
