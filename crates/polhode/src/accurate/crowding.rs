@@ -229,6 +229,7 @@ impl Engine {
             step: Step::Crowd(step),
             due: f64::INFINITY,
             changes: false,
+            is_unsolved: false,
             departing: BTreeSet::new(),
         };
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();

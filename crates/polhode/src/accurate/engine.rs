@@ -146,6 +146,9 @@ impl Engine {
             Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
+            Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.is_unsolved) => {
+                self.stretch_of_island(core, first, t).map(|()| Reached::Event)
+            }
             Due::Island(first) if self.islands.get(&first).is_some_and(Island::is_crowd) => {
                 core.accounts.count_step();
                 self.next_crowd_step(core, first, t).map(|()| Reached::StepEnd)

@@ -98,11 +98,42 @@ impl Engine {
                 }
                 self.begin_stretch(core, instant, stuck)
             }
-            None => {
-                self.resolve(core, &mut instant)?;
-                self.go_on(core, instant)
-            }
+            None => match self.resolve(core, &mut instant) {
+                Ok(()) => self.go_on(core, instant),
+                Err(error) => self.stretch_instead(core, instant, error),
+            },
         }
+    }
+
+    /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
+    fn stretch_instead(
+        &mut self,
+        core: &mut Core,
+        instant: Instant,
+        error: SimulationError,
+    ) -> Result<(), SimulationError> {
+        if !(matches!(error, SimulationError::ContactSolve { .. }) && core.settings.crowding.steps()) {
+            return Err(error);
+        }
+        core.accounts.certificate.fallbacks += 1;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
+    }
+
+    /// The forces of an island's contacts cannot be found: time steps carry it on from `t`.
+    ///
+    /// # Errors
+    /// When a time step is not possible.
+    pub(super) fn stretch_of_island(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let instant = self.end_islands(core, t, bodies)?;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        core.accounts.certificate.fallbacks += 1;
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
     }
 
     /// Movable bodies that an event at `t` concerns, ascending.
@@ -340,6 +371,7 @@ impl Engine {
             t,
             step,
             changes: false,
+            is_unsolved: false,
             departing: BTreeSet::new(),
         }))
     }
@@ -404,7 +436,16 @@ impl Engine {
             _ => self.first_step(core, &bodies, &held, t)?,
         };
         let of_island = bodies.clone();
-        let island = Island { due: f64::INFINITY, bodies, held, t, step, changes: false, departing: BTreeSet::new() };
+        let island = Island {
+            due: f64::INFINITY,
+            bodies,
+            held,
+            t,
+            step,
+            changes: false,
+            is_unsolved: false,
+            departing: BTreeSet::new(),
+        };
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &of_island, &firsts, t)
     }
@@ -426,8 +467,15 @@ impl Engine {
             island.due = if let Step::Waiting(_) = island.step { f64::INFINITY } else { island.end() };
             if let Step::Constrained(step) = &island.step {
                 let pace = self.pace_of(core, &island.bodies);
-                if let Some(change) = self.locate_contact_change(core, step, step.end, &pace)? {
-                    (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                match self.locate_contact_change(core, step, step.end, &pace) {
+                    Ok(Some(change)) => {
+                        (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                    }
+                    Ok(None) => {}
+                    Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {
+                        (island.due, island.is_unsolved) = (t, true);
+                    }
+                    Err(error) => return Err(error),
                 }
             }
             self.agenda.add(island.due, Due::Island(first));

@@ -25,6 +25,8 @@ pub(super) struct Island {
     pub(super) due: f64,
     /// Whether the contacts change then.
     pub(super) changes: bool,
+    /// Whether the forces of the contacts could not be found.
+    pub(super) is_unsolved: bool,
     /// Contacts whose forces have been found to reach zero then.
     pub(super) departing: BTreeSet<ContactId>,
 }
