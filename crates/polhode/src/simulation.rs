@@ -63,7 +63,7 @@ impl Simulation {
         let tier = match settings.tier {
             Tier::Accurate => TierEngine::Accurate(Box::new(engine)),
             Tier::Thesis => TierEngine::Thesis(Box::new(ThesisEngine::new(world, states, settings))),
-            Tier::Stepped => TierEngine::Stepped(Box::new(SteppedEngine::new(world, states, settings))),
+            Tier::Stepped => TierEngine::Stepped(Box::new(SteppedEngine::new(world, states, settings, effects))),
         };
         Ok(Self { scene: scene.clone(), plan, tier })
     }

@@ -10,11 +10,11 @@ use crate::observer::Observer;
 use crate::settings::Settings;
 use crate::time_stepping::{ImpulseKind, TimeStepReport, TimeStepper, given_by_gravity};
 use crate::world::World;
-use crate::{Acceleration, Certificate, RunReport, SimulationError};
+use crate::{Acceleration, Certificate, Effects, RunReport, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen, further
 /// ones of a crowd where the last part begins.
@@ -24,17 +24,35 @@ const MOST_SPLITS: u32 = 4;
 /// accelerations are asked for.
 const RESTING_STEPS: f64 = 2.0;
 
+/// An island whose bodies stand, to the last bit, where they stood before their last steps, and what the last one did.
+#[derive(Debug)]
+struct Resting {
+    island: Island,
+    /// s.
+    h: f64,
+    report: TimeStepReport,
+    /// How many such steps there have been, up to [`STEPS_OF_REST`].
+    steps: u32,
+}
+
+/// Steps after which what rests is not computed again: the first finds the contacts that carry, the second starts from
+/// them, and every further one would be that again.
+const STEPS_OF_REST: u32 = 2;
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
     world: World,
     settings: Settings,
+    effects: Effects,
     t: f64,
     states: Vec<BodyState>,
     /// Records of the bodies that have met nothing since their last step in an island.
     flights: Vec<Option<Box<Flight>>>,
     stepper: TimeStepper,
     search: IslandSearch,
+    /// Islands that the last step has left at rest, by their first bodies.
+    resting: BTreeMap<usize, Resting>,
     /// Pairs in contact after the last step.
     touching: BTreeSet<(usize, usize)>,
     books: Books,
@@ -46,7 +64,7 @@ pub(crate) struct SteppedEngine {
 }
 
 impl SteppedEngine {
-    pub(crate) fn new(world: World, states: Vec<BodyState>, settings: Settings) -> Self {
+    pub(crate) fn new(world: World, states: Vec<BodyState>, settings: Settings, effects: Effects) -> Self {
         let books = Books::open(&world, &states);
         let stepper = TimeStepper::new(settings.impact, books.ledger.momentum.about, MOST_SPLITS);
         let search = IslandSearch::new(&world, settings.broad_phase.build());
@@ -54,10 +72,12 @@ impl SteppedEngine {
             flights: vec![None; world.bodies.len()],
             world,
             settings,
+            effects,
             t: 0.0,
             states,
             stepper,
             search,
+            resting: BTreeMap::new(),
             touching: BTreeSet::new(),
             books,
             certificate: Certificate::default(),
@@ -87,7 +107,8 @@ impl SteppedEngine {
         // Times are multiples of the step, so that rounding does not add up.
         let next = (self.steps + 1) as f64 * self.settings.step_s;
         let t_next = if next >= duration { duration } else { next };
-        let h = t_next - self.t;
+        // Steps of the same bits, so that rest lasts.
+        let h = if next >= duration { duration - self.t } else { self.settings.step_s };
         if self.steps == 0 {
             self.emit_sample(0.0, &self.states, observer);
             self.next_sample = 1;
@@ -98,12 +119,11 @@ impl SteppedEngine {
         self.fly(&islands, t_next);
         let mut events = Vec::new();
         let mut touching = BTreeSet::new();
-        for island in &islands {
-            let interval = (self.t, h);
-            let report = self.stepper.advance(&self.world, &mut self.states, &island.bodies, &island.pairs, interval);
-            let report = report.map_err(|source| SimulationError::ContactProblem { t: self.t, source })?;
+        let mut resting = std::mem::take(&mut self.resting);
+        for island in islands {
+            let report = self.advance(island, h, &mut resting)?;
             self.note(&report, &mut events);
-            touching.extend(report.touching.iter().copied());
+            touching.extend(report.touching);
         }
         self.t = t_next;
         self.steps += 1;
@@ -118,6 +138,40 @@ impl SteppedEngine {
             self.emit_sample(self.t, &self.states, observer);
         }
         Ok(())
+    }
+
+    /// Advances an island by `h`. One that stands where it stood before its last steps, with nothing else near it, does again
+    /// what it did then.
+    fn advance(
+        &mut self,
+        island: Island,
+        h: f64,
+        resting: &mut BTreeMap<usize, Resting>,
+    ) -> Result<TimeStepReport, SimulationError> {
+        let Some(&first) = island.bodies.first() else { return Ok(TimeStepReport::new(DVec3::ZERO)) };
+        let last = resting.remove(&first).filter(|last| last.island == island && last.h == h);
+        let steps = last.as_ref().map_or(0, |last| last.steps);
+        if let Some(last) = last.filter(|last| last.steps == STEPS_OF_REST && self.effects == Effects::Planned) {
+            let report = last.report.clone();
+            self.resting.insert(first, last);
+            return Ok(report);
+        }
+        let before: Vec<BodyState> = island.bodies.iter().map(|&body| self.states[body]).collect();
+        let report = self
+            .stepper
+            .advance(&self.world, &mut self.states, &island.bodies, &island.pairs, (self.t, h))
+            .map_err(|source| SimulationError::ContactProblem { t: self.t, source })?;
+        let unmoved = island.bodies.iter().zip(&before).all(|(&body, before)| self.states[body] == *before);
+        if unmoved && report.at_rest && self.forces_last(&island) {
+            let (report, steps) = (report.clone(), STEPS_OF_REST.min(steps + 1));
+            self.resting.insert(first, Resting { island, h, report, steps });
+        }
+        Ok(report)
+    }
+
+    /// Whether the forces on an island stay as they are while it rests.
+    fn forces_last(&self, island: &Island) -> bool {
+        !island.bodies.iter().any(|&body| self.world.is_driven(body))
     }
 
     /// Moves all bodies that are in no island along their flights to `t_next`.
