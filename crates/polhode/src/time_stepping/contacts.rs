@@ -99,6 +99,27 @@ impl<'a> FreeAccelerations<'a> {
     }
 }
 
+/// A contact at the present states as impulses see it: its rate is that of the velocities of the bodies at its point,
+/// `n.(v_A - v_B)`, from which the rate of the separation differs where a place is all but at the end of a rim or an edge. What
+/// impulses do to the energy is exact in that rate alone.
+pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
+}
+
+fn with_rate_at_point(
+    world: &World,
+    states: &[BodyState],
+    id: ContactId,
+    kinematics: ContactKinematics,
+) -> ContactKinematics {
+    let point = kinematics.geometry.point;
+    let [a, b] = [id.a, id.b].map(|body| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
+    });
+    ContactKinematics { separation_rate: kinematics.geometry.normal.dot(a - b), ..kinematics }
+}
+
 /// Largest speed of any point of a body, m/s, bounded by its size.
 pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f64 {
     let velocity = world.velocity(body, &states[body]);
@@ -136,7 +157,7 @@ pub(super) fn near_contacts(
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for id in ahead {
-        let Some(kinematics) = world.kinematics(states, id) else { continue };
+        let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
         // Features that overlap already are not those by which the bodies will meet.
         if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
             near.push(near_contact(world, states, &free, id, kinematics, h));
@@ -179,7 +200,8 @@ fn contacts_within_reach(
     for &(a, b) in pairs {
         let reach = reach + world.touch_distance(states, a, b);
         for touch in world.contacts_of_pair(states, a, b, reach) {
-            near.push(near_contact(world, states, &free, touch.id, touch.kinematics, h));
+            let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
+            near.push(near_contact(world, states, &free, touch.id, kinematics, h));
         }
     }
     near.sort_by_key(|contact| contact.id);

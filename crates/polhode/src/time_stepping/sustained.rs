@@ -16,7 +16,7 @@
 //! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
 //! there are none.
 
-use super::contacts::{NearContact, connected};
+use super::contacts::{NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
 use crate::interaction::assembly::{Assembly, apply_impulses};
@@ -97,7 +97,7 @@ impl TimeStepper {
             }
             let mut added = false;
             for (row, taken) in rows.iter().zip(&mut taken).filter(|(_, taken)| !**taken) {
-                let now = world.kinematics(states, near[row.contact].id);
+                let now = kinematics_at_point(world, states, near[row.contact].id);
                 *taken = now.is_some_and(|now| row.closes(now.separation_rate));
                 added |= *taken;
             }
@@ -158,7 +158,7 @@ fn rows(
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
-        .filter_map(|(contact, near)| Some((contact, world.kinematics(states, near.id)?)))
+        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
     let assembly = Assembly::new(world, states, bodies, geometries)?;
@@ -227,7 +227,8 @@ impl SolvedGroup {
         let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
             let row = &rows[index];
-            let after = world.kinematics(states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
+            let after =
+                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
             0.5 * p * (row.kinematics.separation_rate + after)
         };
         parts.map(change).collect::<CompensatedSum>().value()
