@@ -35,6 +35,9 @@ struct Resting {
     steps: u32,
 }
 
+/// Overlap that may be left after it has been moved out, relative to the size of a body: as far as touch. More is told.
+const LEFT_RELATIVE: f64 = 1e-11;
+
 /// Steps after which what rests is not computed again: the first finds the contacts that carry, the second starts from
 /// them, and every further one would be that again.
 const STEPS_OF_REST: u32 = 2;
@@ -57,7 +60,8 @@ pub(crate) struct SteppedEngine {
     touching: BTreeSet<(usize, usize)>,
     books: Books,
     certificate: Certificate,
-    warnings: Vec<String>,
+    /// Largest overlap that was left after it had been moved out, m, when (s), and a body of the island.
+    left: Option<(f64, f64, usize)>,
     event_count: u64,
     steps: u64,
     next_sample: u64,
@@ -81,7 +85,7 @@ impl SteppedEngine {
             touching: BTreeSet::new(),
             books,
             certificate: Certificate::default(),
-            warnings: Vec::new(),
+            left: None,
             event_count: 0,
             steps: 0,
             next_sample: 0,
@@ -121,8 +125,9 @@ impl SteppedEngine {
         let mut touching = BTreeSet::new();
         let mut resting = std::mem::take(&mut self.resting);
         for island in islands {
-            let report = self.advance(island, h, &mut resting)?;
-            self.note(&report, &mut events);
+            let Some(&first) = island.bodies.first() else { continue };
+            let report = self.advance(island, first, h, &mut resting)?;
+            self.note(&report, first, &mut events);
             touching.extend(report.touching);
         }
         self.t = t_next;
@@ -145,10 +150,10 @@ impl SteppedEngine {
     fn advance(
         &mut self,
         island: Island,
+        first: usize,
         h: f64,
         resting: &mut BTreeMap<usize, Resting>,
     ) -> Result<TimeStepReport, SimulationError> {
-        let Some(&first) = island.bodies.first() else { return Ok(TimeStepReport::new(DVec3::ZERO)) };
         let last = resting.remove(&first).filter(|last| last.island == island && last.h == h);
         let steps = last.as_ref().map_or(0, |last| last.steps);
         if let Some(last) = last.filter(|last| last.steps == STEPS_OF_REST && self.effects == Effects::Planned) {
@@ -208,9 +213,13 @@ impl SteppedEngine {
         Some(self.flights[body].get_or_insert_with(|| Box::new(record(rigid, t, state, acceleration))))
     }
 
-    /// Takes note of what an island's step did.
-    fn note(&mut self, report: &TimeStepReport, events: &mut Vec<Event>) {
+    /// Takes note of what the step of an island with this first body did.
+    fn note(&mut self, report: &TimeStepReport, first: usize, events: &mut Vec<Event>) {
         self.books.enter(&report.books);
+        let most = self.left.map_or(0.0, |(most, ..)| most);
+        if report.left_penetration_m > most.max(LEFT_RELATIVE * self.world.bodies[first].size) {
+            self.left = Some((report.left_penetration_m, self.t, first));
+        }
         let certificate = &mut self.certificate;
         certificate.max_penetration_m = certificate.max_penetration_m.max(report.max_penetration_m);
         certificate.max_residual = certificate.max_residual.max(report.residual);
@@ -369,12 +378,19 @@ impl SteppedEngine {
         Ok(assembly.split(&assembly.problem.response(&solution.forces)?).collect())
     }
 
+    fn warning(&self, &(depth, t, body): &(f64, f64, usize)) -> String {
+        let name = &self.world.bodies[body].name;
+        format!(
+            "t = {t} s: bodies about {name} could not be moved out of each other: they overlap by up to {depth:e} m"
+        )
+    }
+
     /// Writes the results of the run into its report.
     pub(crate) fn fill(&mut self, report: &mut RunReport) {
         report.energy = self.books.observe(&self.world, &self.states);
         report.ledger = self.books.ledger;
         report.certificate = self.certificate;
-        report.warnings.clone_from(&self.warnings);
+        report.warnings = self.left.iter().map(|left| self.warning(left)).collect();
         report.steps = self.steps;
         report.events = self.event_count;
         report.bodies = self.world.named_samples(&self.states);
