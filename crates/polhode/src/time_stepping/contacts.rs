@@ -21,6 +21,16 @@ const STANDING_RELATIVE: f64 = 1e-11;
 /// How much farther than its bodies can go by themselves contacts are looked for: impulses of others may double a speed.
 const REACH_FACTOR: f64 = 2.0;
 
+/// A step, and what may be lost in it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    /// Its length, s.
+    pub(super) h: f64,
+    /// Height of a bounce that may be lost even though the step could follow it, relative to the size of the smaller body;
+    /// infinite where the step alone decides.
+    pub(super) unseen_bounce: f64,
+}
+
 /// A contact within reach of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearContact {
@@ -135,9 +145,10 @@ pub(super) fn near_contacts(
     bodies: &[usize],
     pairs: &[(usize, usize)],
     t: f64,
-    h: f64,
+    span: Span,
 ) -> Vec<NearContact> {
-    let mut near = contacts_within_reach(world, states, bodies, pairs, t, h);
+    let h = span.h;
+    let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
         return near;
@@ -160,7 +171,7 @@ pub(super) fn near_contacts(
         let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
         // Features that overlap already are not those by which the bodies will meet.
         if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
-            near.push(near_contact(world, states, &free, id, kinematics, h));
+            near.push(near_contact(world, states, &free, id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
@@ -191,8 +202,9 @@ fn contacts_within_reach(
     bodies: &[usize],
     pairs: &[(usize, usize)],
     t: f64,
-    h: f64,
+    span: Span,
 ) -> Vec<NearContact> {
+    let h = span.h;
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     let speed = bodies.iter().fold(0.0, |most, &body| point_speed(world, states, body).max(most));
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
@@ -201,7 +213,7 @@ fn contacts_within_reach(
         let reach = reach + world.touch_distance(states, a, b);
         for touch in world.contacts_of_pair(states, a, b, reach) {
             let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
-            near.push(near_contact(world, states, &free, touch.id, kinematics, h));
+            near.push(near_contact(world, states, &free, touch.id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
@@ -214,14 +226,17 @@ fn near_contact(
     free: &FreeAccelerations<'_>,
     id: ContactId,
     kinematics: ContactKinematics,
-    h: f64,
+    span: Span,
 ) -> NearContact {
     let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
+    let pressing = pressing[0].max(pressing[1]);
+    // The speed of a fall from the height of a bounce that may be lost.
+    let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
     NearContact {
         id,
         kinematics,
         acceleration: free.relative(states, id, &kinematics),
-        resting_speed: RESTING_STEPS * h * pressing[0].max(pressing[1]),
+        resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
     }
 }
 
