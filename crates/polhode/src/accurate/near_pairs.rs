@@ -124,10 +124,11 @@ impl Engine {
         }
     }
 
-    /// The first time on the grid of the flights' boxes after `t`, s.
+    /// The first time on the grid of the flights' boxes at least half a step after `t`, s: a search over a shorter time would
+    /// soon be made again.
     fn next_flight_end(core: &Core, t: f64) -> f64 {
         let step = core.settings.step_s;
-        let next = ((t / step).floor() + 1.0) * step;
+        let next = ((t / step + 0.5).floor() + 1.0) * step;
         // The quotient may round to the cell below.
         if next > t { next } else { next + step }
     }

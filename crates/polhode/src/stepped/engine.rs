@@ -27,6 +27,9 @@ const MOST_SPLITS: u32 = 4;
 /// accelerations are asked for.
 const RESTING_STEPS: f64 = 2.0;
 
+/// Overlap that may be left after it has been moved out, relative to the size of a body: as far as touch. More is told.
+const LEFT_RELATIVE: f64 = 1e-11;
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
@@ -81,6 +84,13 @@ impl SteppedEngine {
             let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
             let report = report.map_err(|source| Core::response_error(core.t, source))?;
             self.note(core, &report, h);
+            if let Some(&first) = island.bodies.first()
+                && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
+            {
+                let name = &core.world.bodies[first].name;
+                let what = format!("bodies about {name} could not be moved out of each other by more than touch");
+                core.accounts.warn(core.t, what);
+            }
             touching.extend(report.touching.iter().copied());
         }
         self.islands = islands.into_iter().map(|island| island.bodies).collect();

@@ -21,6 +21,16 @@ const STANDING_RELATIVE: f64 = 1e-11;
 /// How much farther than its bodies can go by themselves contacts are looked for: impulses of others may double a speed.
 const REACH_FACTOR: f64 = 2.0;
 
+/// A step, and what may be lost in it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    /// Its length, s.
+    pub(super) h: f64,
+    /// Height of a bounce that may be lost even though the step could follow it, relative to the size of the smaller body;
+    /// infinite where the step alone decides.
+    pub(super) unseen_bounce: f64,
+}
+
 /// A contact within reach of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearContact {
@@ -99,6 +109,27 @@ impl<'a> FreeAccelerations<'a> {
     }
 }
 
+/// A contact at the present states as impulses see it: its rate is that of the velocities of the bodies at its point,
+/// `n.(v_A - v_B)`, from which the rate of the separation differs where a place is all but at the end of a rim or an edge. What
+/// impulses do to the energy is exact in that rate alone.
+pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
+}
+
+fn with_rate_at_point(
+    world: &World,
+    states: &[BodyState],
+    id: ContactId,
+    kinematics: ContactKinematics,
+) -> ContactKinematics {
+    let point = kinematics.geometry.point;
+    let [a, b] = [id.a, id.b].map(|body| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
+    });
+    ContactKinematics { separation_rate: kinematics.geometry.normal.dot(a - b), ..kinematics }
+}
+
 /// Largest speed of any point of a body, m/s, bounded by its size.
 pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f64 {
     let velocity = world.velocity(body, &states[body]);
@@ -114,9 +145,10 @@ pub(super) fn near_contacts(
     bodies: &[usize],
     pairs: &[(usize, usize)],
     t: f64,
-    h: f64,
+    span: Span,
 ) -> Vec<NearContact> {
-    let mut near = contacts_within_reach(world, states, bodies, pairs, t, h);
+    let h = span.h;
+    let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
         return near;
@@ -136,10 +168,10 @@ pub(super) fn near_contacts(
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for id in ahead {
-        let Some(kinematics) = world.kinematics(states, id) else { continue };
+        let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
         // Features that overlap already are not those by which the bodies will meet.
         if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
-            near.push(near_contact(world, states, &free, id, kinematics, h));
+            near.push(near_contact(world, states, &free, id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
@@ -170,8 +202,9 @@ fn contacts_within_reach(
     bodies: &[usize],
     pairs: &[(usize, usize)],
     t: f64,
-    h: f64,
+    span: Span,
 ) -> Vec<NearContact> {
+    let h = span.h;
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     let speed = bodies.iter().fold(0.0, |most, &body| point_speed(world, states, body).max(most));
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
@@ -179,7 +212,8 @@ fn contacts_within_reach(
     for &(a, b) in pairs {
         let reach = reach + world.touch_distance(states, a, b);
         for touch in world.contacts_of_pair(states, a, b, reach) {
-            near.push(near_contact(world, states, &free, touch.id, touch.kinematics, h));
+            let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
+            near.push(near_contact(world, states, &free, touch.id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
@@ -192,14 +226,17 @@ fn near_contact(
     free: &FreeAccelerations<'_>,
     id: ContactId,
     kinematics: ContactKinematics,
-    h: f64,
+    span: Span,
 ) -> NearContact {
     let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
+    let pressing = pressing[0].max(pressing[1]);
+    // The speed of a fall from the height of a bounce that may be lost.
+    let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
     NearContact {
         id,
         kinematics,
         acceleration: free.relative(states, id, &kinematics),
-        resting_speed: RESTING_STEPS * h * pressing[0].max(pressing[1]),
+        resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
     }
 }
 

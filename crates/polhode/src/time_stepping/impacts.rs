@@ -6,7 +6,7 @@
 //! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
 //! restitution that close later in the step are left to the sustained impulses, which land them.
 
-use super::contacts::{FreeAccelerations, NearContact, connected};
+use super::contacts::{FreeAccelerations, NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Part, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
@@ -120,7 +120,7 @@ fn note(world: &World, touches: &[Touch], outcome: &ImpactOutcome, t: f64, repor
 fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for contact in near {
-        if let Some(kinematics) = world.kinematics(states, contact.id) {
+        if let Some(kinematics) = kinematics_at_point(world, states, contact.id) {
             contact.kinematics = kinematics;
             contact.acceleration = free.relative(states, contact.id, &kinematics);
         }

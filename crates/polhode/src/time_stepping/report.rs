@@ -77,6 +77,7 @@ impl TimeStepReport {
 
     /// Adds what a later step did.
     pub(crate) fn append(&mut self, later: Self) {
+        self.at_rest = later.at_rest && (self.steps == 0 || self.at_rest);
         self.impulses.extend(later.impulses);
         self.books.enter(&later.books);
         self.touching = later.touching;
@@ -87,6 +88,5 @@ impl TimeStepReport {
         self.fallbacks += later.fallbacks;
         self.contacts = self.contacts.max(later.contacts);
         self.steps += later.steps;
-        self.at_rest = later.at_rest;
     }
 }

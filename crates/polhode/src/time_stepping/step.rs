@@ -1,6 +1,6 @@
 //! One time step, and steps that are split at impacts.
 
-use super::contacts::{NearContact, may_change_features, near_contacts, point_speed};
+use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed};
 use super::drift;
 use super::kick::kick;
 use super::report::TimeStepReport;
@@ -65,6 +65,8 @@ pub(crate) struct TimeStepper {
     pub(super) about: DVec3,
     /// Impacts that [`TimeStepper::advance`] splits a step at, at the most.
     splits: u32,
+    /// See [`Span`].
+    pub(super) unseen_bounce: f64,
     pub(super) solver: ComplementaritySolver,
     pub(super) delassus: Delassus,
     pub(super) carried: Carried,
@@ -74,7 +76,7 @@ impl TimeStepper {
     /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
     pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
         let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
-        Self { law, about, splits, solver, delassus, carried: Carried::default() }
+        Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried: Carried::default() }
     }
 
     /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
@@ -100,7 +102,14 @@ impl TimeStepper {
             if left <= 0.0 {
                 break;
             }
-            let near = near_contacts(world, states, bodies, pairs, t + done, left);
+            let near = near_contacts(
+                world,
+                states,
+                bodies,
+                pairs,
+                t + done,
+                Span { h: left, unseen_bounce: self.unseen_bounce },
+            );
             let first = if split < self.splits { first_impact(&near, instant, left) } else { None };
             let part = first.unwrap_or(left);
             let interval = Part { t: t + done, h: part, instant };

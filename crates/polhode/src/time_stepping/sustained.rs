@@ -16,7 +16,7 @@
 //! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
 //! there are none.
 
-use super::contacts::{NearContact, connected};
+use super::contacts::{NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
 use crate::interaction::assembly::{Assembly, apply_impulses};
@@ -26,6 +26,7 @@ use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
+use polhode_spatial::CompensatedSum;
 
 /// A row that ends approaching by less than this fraction of its own rates is left out: some dozen roundings.
 const ROW_ROUNDING: f64 = 1e-14;
@@ -96,13 +97,13 @@ impl TimeStepper {
             }
             let mut added = false;
             for (row, taken) in rows.iter().zip(&mut taken).filter(|(_, taken)| !**taken) {
-                let now = world.kinematics(states, near[row.contact].id);
+                let now = kinematics_at_point(world, states, near[row.contact].id);
                 *taken = now.is_some_and(|now| row.closes(now.separation_rate));
                 added |= *taken;
             }
             if !added {
                 report.contacts = report.contacts.max(members.len());
-                return Ok(note(world, near, &rows, &solved, (t, h), report));
+                return Ok(note(world, states, near, &rows, &solved, (t, h), report));
             }
             for (&body, state) in bodies.iter().zip(&before) {
                 states[body] = *state;
@@ -132,30 +133,17 @@ impl TimeStepper {
         let solved = solution.report.status == SolverStatus::Solved;
         report.fallbacks += u64::from(!solved);
         let mut impulses = solution.forces.clone();
-        let change = |impulses: &[f64]| {
-            let after = members.iter().zip(&solution.held).zip(self.delassus.times(impulses)?);
-            Ok::<f64, ResponseError>(
-                after
-                    .zip(impulses)
-                    .map(|(((row, &held), change), &p)| {
-                        let before = row.kinematics.separation_rate;
-                        let rate = if held && solved { -row.bound } else { before + change };
-                        0.5 * p * (before + rate)
-                    })
-                    .sum(),
-            )
-        };
-        let mut energy_change_j = change(&impulses)?;
-        if energy_change_j > 0.0 && !solved {
-            // An answer that is not exact must not add energy: -2 p.u- / p.G p of it neither adds nor takes any.
-            let work: f64 = members.iter().zip(&impulses).map(|(row, &p)| row.kinematics.separation_rate * p).sum();
-            let share = (-work / (energy_change_j - work)).clamp(0.0, 1.0);
+        if !solved {
+            // An answer that is not exact must not add energy: with p.u- + s p.G p/2 <= 0 the share s of it does not.
+            let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
+            let rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
+            let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
+            let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
                 *impulse *= share;
             }
-            energy_change_j = change(&impulses)?;
         }
-        Ok(SolvedGroup { group, impulses, energy_change_j })
+        Ok(SolvedGroup { group, impulses })
     }
 }
 
@@ -170,7 +158,7 @@ fn rows(
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
-        .filter_map(|(contact, near)| Some((contact, world.kinematics(states, near.id)?)))
+        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
     let assembly = Assembly::new(world, states, bodies, geometries)?;
@@ -192,6 +180,7 @@ fn rows(
 /// Books the impulses, lists them, and says which contacts carry.
 fn note(
     world: &World,
+    states: &[BodyState],
     near: &[NearContact],
     rows: &[Row],
     solved: &[SolvedGroup],
@@ -201,7 +190,7 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change_j, given);
+        report.books.impact(group.energy_change(world, states, rows, near), given);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
@@ -229,11 +218,22 @@ fn note(
 struct SolvedGroup {
     group: Group,
     impulses: Vec<f64>,
-    /// Change of kinetic energy, J.
-    energy_change_j: f64,
 }
 
 impl SolvedGroup {
+    /// Change of kinetic energy, J, `sum p.(u- + u+)/2` with the rates that the bodies now have: where impulses are large and
+    /// cancel, those are not to the last bit what the problem asked for.
+    fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
+        let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
+        let change = |(&index, &p): (&usize, &f64)| {
+            let row = &rows[index];
+            let after =
+                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
+            0.5 * p * (row.kinematics.separation_rate + after)
+        };
+        parts.map(change).collect::<CompensatedSum>().value()
+    }
+
     fn impulses_of<'a>(
         &'a self,
         rows: &'a [Row],

@@ -264,6 +264,15 @@ fn piles_come_to_the_end_without_a_gain_of_energy() {
     }
 }
 
+/// The same bodies in another order.
+fn in_order(scene: &SceneBuilder, order: impl Fn(&mut Vec<Body>)) -> SceneBuilder {
+    let built = scene.clone().build().unwrap();
+    let mut bodies = built.bodies().to_vec();
+    order(&mut bodies);
+    let start = Scene::builder("in order").duration_s(built.duration_s()).output_interval_s(built.output_interval_s());
+    bodies.into_iter().fold(start, SceneBuilder::body)
+}
+
 /// The mirror image of a fall is the fall of the mirror image, and neither the order of the bodies nor a body that has nothing
 /// to do with them changes anything.
 #[test]
@@ -280,9 +289,31 @@ fn falls_keep_their_symmetries() {
     for (a, b) in home.iter().zip(&image) {
         assert!((a.1 - b.1 * DVec3::new(1.0, -1.0, 1.0)).length() < 1e-9, "{a:?} {b:?}");
     }
+    let reversed = places(&run(&in_order(&scene(4, 1.0), |bodies| bodies.reverse()), 1e-3).0);
+    for (a, b) in home.iter().zip(&reversed) {
+        assert!(a.0 == b.0 && (a.1 - b.1).length() < 1e-9, "{a:?} {b:?}");
+    }
     let apart = brick("stranger", DVec3::splat(0.1), DVec3::new(0.0, 0.0, 900.0));
     let with = places(&run(&scene(4, 1.0).body(apart), 1e-3).0);
     assert_eq!(home, with, "the same bits with a stranger");
+}
+
+/// Skipping rest and computing it at every step give the same bits, while a box lands, rattles and comes to rest.
+#[test]
+fn skipping_rest_gives_the_same_bits() {
+    let turn = Rotation::from_rotation_vector(DVec3::new(0.02, 0.03, 0.4));
+    let body = brick("box", DVec3::new(0.5, 0.4, 0.2), DVec3::ZERO).pose(Pose::new(turn, DVec3::Z * 0.2));
+    let scene = Scene::builder("rest").duration_s(3.0).output_interval_s(0.1).body(floor()).body(body);
+    let scene = scene.method(stepped(1e-3)).build().unwrap();
+    let by = |effects| {
+        let mut recorder = Recorder::default();
+        let report = Simulation::new(&scene, effects).unwrap().run(&mut recorder).unwrap();
+        (report.ledger, report.certificate, recorder.samples, recorder.events)
+    };
+    let (planned, all) = (by(Effects::Planned), by(Effects::All));
+    assert!(planned == all);
+    let last = planned.2.last().unwrap();
+    assert!(planned.2[25] == *last, "it has come to rest");
 }
 
 /// A box falls flat and rests: the pair begins to touch once and does not rattle, and nothing is left of its velocity.
