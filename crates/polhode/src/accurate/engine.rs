@@ -33,6 +33,8 @@ const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
 pub(super) enum Mode {
     /// Never.
     Fixed,
+    /// As prescribed, whatever acts on it.
+    Prescribed,
     /// Freely, by its flight record.
     Flight(Box<Flight>),
     /// With held contacts, or under forces, integrated by DOP853.
@@ -61,10 +63,10 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Of a body at the present that has not moved yet.
-    pub(super) fn new(core: &Core) -> Self {
+    /// Of a body at the present that no force has moved yet.
+    pub(super) fn new(core: &Core, body: usize) -> Self {
         Self {
-            mode: Mode::Fixed,
+            mode: if core.world.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
             island: None,
             pace: Pace::starting_at(core.t),
             proposed_step_s: core.settings.step_s,
@@ -78,7 +80,8 @@ impl Track {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event.
+    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event, of kinematic
+    /// bodies at the event or start of a step that is being worked on.
     pub(super) states: Vec<BodyState>,
     /// A copy of `states` to evaluate other times in.
     pub(super) scratch: Vec<BodyState>,
@@ -109,7 +112,7 @@ impl Engine {
         let mut engine = Self {
             scratch: states.clone(),
             states,
-            tracks: vec![Track::new(core); count],
+            tracks: (0..count).map(|body| Track::new(core, body)).collect(),
             islands: BTreeMap::new(),
             contacts: Contacts::new(count),
             near: NearPairs::new(core, count),
@@ -136,7 +139,9 @@ impl Engine {
         match due {
             Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
             Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| Reached::Event),
-            Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
+            Due::Island(first)
+                if self.islands.get(&first).is_some_and(|island| island.changes || comes_to_stand(core, island, t)) =>
+            {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
             Due::Island(first) => {
@@ -218,9 +223,9 @@ impl Engine {
         Some(island)
     }
 
-    /// Puts the copy of the states back after it has served for these bodies.
-    pub(super) fn restore_scratch(&mut self, mut scratch: Vec<BodyState>, bodies: &[usize]) {
-        for &body in bodies {
+    /// Puts the copy of the states back after it has served for these bodies and for kinematic ones.
+    pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
+        for &body in bodies.iter().chain(core.world.prescribed()) {
             scratch[body] = self.states[body];
         }
         self.scratch = scratch;
@@ -234,12 +239,15 @@ impl Engine {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return Ok(flight.state(t));
         }
+        if let Some(state) = core.world.prescribed_state(body, t) {
+            return Ok(state);
+        }
         let Some(first) = self.tracks[body].island else { return Ok(self.states[body]) };
         let Some(mut island) = self.islands.remove(&first) else { return Ok(self.states[body]) };
         let mut states = std::mem::take(&mut self.scratch);
         let written = write_states(core, &mut island, t, &mut states);
         let state = states[body];
-        self.restore_scratch(states, &island.bodies);
+        self.restore_scratch(core, states, &island.bodies);
         self.islands.insert(first, island);
         written.map(|()| state)
     }
@@ -249,16 +257,17 @@ impl Engine {
     /// # Errors
     /// When an integrator cannot evaluate them.
     fn states_at(&mut self, core: &Core, t: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let mut states = self.flying_states(t);
+        let mut states = self.flying_states(core, t);
         for island in self.islands.values_mut().filter(|island| island.t != t) {
             write_states(core, island, t, &mut states)?;
         }
         Ok(states)
     }
 
-    /// States of all bodies, those in flight at `t`, the others at the start of their steps.
-    fn flying_states(&self, t: f64) -> Vec<BodyState> {
+    /// States of all bodies, those in flight and kinematic ones at `t`, the others at the start of their steps.
+    fn flying_states(&self, core: &Core, t: f64) -> Vec<BodyState> {
         let mut states = self.states.clone();
+        core.world.prescribe(t, &mut states);
         for (state, track) in states.iter_mut().zip(&self.tracks) {
             if let Mode::Flight(flight) = &track.mode {
                 *state = flight.state(t);
@@ -335,6 +344,13 @@ impl Engine {
     }
 }
 
+/// Whether a kinematic body that an island touches comes to stand for good at `t`, where its step ends: then the island may
+/// come to rest.
+fn comes_to_stand(core: &Core, island: &Island, t: f64) -> bool {
+    let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
+    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.stands_still(body, t, f64::INFINITY))
+}
+
 /// Books a flight up to `t`: what its record has lost or gained in energy. The body's state is then that of `t`.
 fn book_flight(world: &World, books: &mut Books, (body, flight): (usize, &Flight), t: f64, states: &mut [BodyState]) {
     let (start, dt) = (*flight.start(), t - flight.t0());
@@ -351,7 +367,7 @@ fn book_flight(world: &World, books: &mut Books, (body, flight): (usize, &Flight
 /// Writes the states of an island's bodies at a time within its step over `states`.
 fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyState]) -> Result<(), SimulationError> {
     match &mut island.step {
-        Step::Constrained(step) => step.states_at(t, states),
+        Step::Constrained(step) => step.states_at(&core.world, t, states),
         Step::Free(step) => {
             for (&body, state) in island.bodies.iter().zip(step.states_at(&core.world, t)?) {
                 states[body] = state;
@@ -411,7 +427,9 @@ impl Tier for Engine {
             core.settings.step_s
         } else if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
             f64::INFINITY
-        } else if !core.world.may_collide_at_all() && is(|mode| matches!(mode, Mode::Fixed | Mode::Flight(_))) {
+        } else if !core.world.may_collide_at_all()
+            && is(|mode| matches!(mode, Mode::Fixed | Mode::Prescribed | Mode::Flight(_)))
+        {
             core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
         } else {
             core.settings.step_s
@@ -419,10 +437,10 @@ impl Tier for Engine {
     }
 
     fn states(&self, core: &Core) -> Vec<BodyState> {
-        let mut states = self.flying_states(core.t);
+        let mut states = self.flying_states(core, core.t);
         for island in self.islands.values().filter(|island| island.t != core.t) {
             match &island.step {
-                Step::Constrained(step) => step.states_at(core.t, &mut states),
+                Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
                 Step::Free(step) => {
                     for (&body, state) in island.bodies.iter().zip(step.present()) {
                         states[body] = *state;
@@ -442,14 +460,14 @@ impl Tier for Engine {
             match &track.mode {
                 Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
                 Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
-                Mode::Fixed | Mode::Constrained | Mode::Stepped => {}
+                Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped => {}
             }
         }
         for island in self.islands.values_mut().filter(|island| island.t != t) {
             let before = books.balance(world, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
-                    step.states_at(t, &mut states);
+                    step.states_at(world, t, &mut states);
                     step.received_until(t)
                 }
                 Step::Free(step) => {
@@ -474,7 +492,11 @@ impl Tier for Engine {
         let loads = world.loads(core.t, &states);
         let mut out: Vec<_> = (0..world.bodies.len())
             .map(|body| {
-                let (linear, angular) = free_acceleration(world, &states, &loads, body);
+                let (linear, angular) = if world.trajectory(body).is_some() {
+                    world.prescribed_acceleration(body, core.t)
+                } else {
+                    free_acceleration(world, &states, &loads, body)
+                };
                 world.reported_acceleration(body, &states[body], linear, angular)
             })
             .collect();

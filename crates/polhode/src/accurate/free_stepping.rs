@@ -106,7 +106,7 @@ impl FreeStep {
 
     fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         let failed = |source| SimulationError::Integration { t: self.t, source };
-        self.end = end_of(core, self.t, step_limit(core, self.t));
+        self.end = end_of(core, &[], self.t, step_limit(core, &[], self.t));
         self.from = self.integrator.time();
         let motion = Self::motion(&self.rigid, &self.fields, &core.world);
         self.integrator.step(&motion, self.end - self.t).map_err(failed)?;
