@@ -78,6 +78,18 @@ impl World {
         })
     }
 
+    /// The first time after `t` (s) at which the motion of a kinematic body is not smooth; infinite when there is none.
+    pub(crate) fn next_corner(&self, body: usize, t: f64) -> f64 {
+        let corner = self.trajectory(body).and_then(|trajectory| trajectory.corner_between(t, f64::INFINITY));
+        corner.unwrap_or(f64::INFINITY)
+    }
+
+    /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on such a
+    /// body can others rest. Other bodies are in nobody's way.
+    pub(crate) fn lets_rest(&self, body: usize, t: f64) -> bool {
+        self.stands_still(body, t, self.next_corner(body, t).next_down())
+    }
+
     /// What prescribed velocities add to the rate of a contact's separation, m/s.
     pub(crate) fn prescribed_rate_of(&self, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
         self.prescribed_term(states, id, geometry, |body| {

@@ -138,6 +138,7 @@ impl Engine {
     fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
         match due {
             Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
+            Due::Corner(body) => self.pass_corner(core, body, t),
             Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| Reached::Event),
             Due::Island(first)
                 if self.islands.get(&first).is_some_and(|island| island.changes || comes_to_stand(core, island, t)) =>
@@ -149,6 +150,22 @@ impl Engine {
                 self.next_step(core, first, t).map(|()| Reached::StepEnd)
             }
         }
+    }
+
+    /// Puts the next time at which the motion of a kinematic body is not smooth on the agenda.
+    pub(super) fn expect_corner(&mut self, core: &Core, body: usize, t: f64) {
+        self.agenda.add(core.world.next_corner(body, t), Due::Corner(body));
+    }
+
+    /// The motion of a kinematic body passes a corner: what rests on it wakes if it begins to move.
+    fn pass_corner(&mut self, core: &mut Core, body: usize, t: f64) -> Result<Reached, SimulationError> {
+        self.expect_corner(core, body, t);
+        let rests = |body: &usize| matches!(self.tracks[*body].mode, Mode::Rest);
+        let resting: Vec<usize> = self.contacts.partners(body).filter(rests).collect();
+        if resting.is_empty() || core.world.lets_rest(body, t) {
+            return Ok(Reached::Limit);
+        }
+        self.resolve_event(core, t, &resting).map(|()| Reached::Event)
     }
 
     /// Evaluates the states of the present that cannot be evaluated without changing an integrator.
@@ -344,11 +361,11 @@ impl Engine {
     }
 }
 
-/// Whether a kinematic body that an island touches comes to stand for good at `t`, where its step ends: then the island may
-/// come to rest.
+/// Whether a kinematic body that an island touches comes to stand at `t`, where its step ends: then the island may come to
+/// rest.
 fn comes_to_stand(core: &Core, island: &Island, t: f64) -> bool {
     let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
-    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.stands_still(body, t, f64::INFINITY))
+    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.lets_rest(body, t))
 }
 
 /// Books a flight up to `t`: what its record has lost or gained in energy. The body's state is then that of `t`.

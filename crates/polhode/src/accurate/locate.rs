@@ -121,7 +121,7 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
         let start = step.t;
-        let (mut right, mut wrong) = match self.first_dip(core, step, start, limit, tolerated, states) {
+        let (mut right, mut wrong) = match self.first_dip(core, step, start, limit, tolerated, states)? {
             Some(interval) => interval,
             None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
             None => (start, limit),
@@ -152,16 +152,19 @@ impl Engine {
     }
 
     /// The first of some intervals of the step at whose end a contact that is not held has sunk in: bodies that rock on
-    /// each other may sink and rise again within a step, and its end would not show it.
+    /// each other may sink and rise again within a step, and its end would not show it. Nor would it show that a kinematic
+    /// body has left what it carries for a moment: where one moves, forces are looked at too.
     fn first_dip(
         &self,
-        core: &Core,
+        core: &mut Core,
         step: &ConstrainedStep,
         start: f64,
         limit: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
-    ) -> Option<(f64, f64)> {
+    ) -> Result<Option<(f64, f64)>, SimulationError> {
+        let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
+        let driven = members.any(|body| !core.world.stands_still(body, start, limit));
         let mut before = start;
         for k in 1..=DIP_SAMPLES {
             let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
@@ -169,15 +172,18 @@ impl Engine {
             let sunk = self.first_sunk(core, step, states, tolerated);
             // What is wrong at the end is looked for there, with all else.
             if sunk.contact.is_some() && k < DIP_SAMPLES {
-                return Some((before, t));
+                return Ok(Some((before, t)));
             }
             let unseen = sunk.contact.is_none() && sunk.is_unseen();
             if unseen && let Some(t) = self.first_seen_sinking(core, step, (before, t), tolerated, states) {
-                return Some((before, t));
+                return Ok(Some((before, t)));
+            }
+            if driven && k < DIP_SAMPLES && !self.violations(core, step, t, tolerated, states)?.is_empty() {
+                return Ok(Some((before, t)));
             }
             before = t;
         }
-        None
+        Ok(None)
     }
 
     /// What is wrong with the held contacts of a group at time `t` of its trial: the contacts of the first kind of

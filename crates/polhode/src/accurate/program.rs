@@ -65,6 +65,9 @@ impl Engine {
         self.go_on(core, instant)?;
         // No step begins for a body that no force moves; its box is new all the same.
         let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
+        for &body in &unmoved {
+            self.expect_corner(core, body, t);
+        }
         if !unmoved.is_empty() {
             self.begin_flight_boxes(core, t);
             self.renew_boxes(core, &unmoved, t)?;

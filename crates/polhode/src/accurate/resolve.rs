@@ -134,13 +134,13 @@ impl Engine {
         Ok(())
     }
 
-    /// Groups with a body that is not at rest, or that touches a kinematic body which will not stay where it is.
+    /// Groups with a body that is not at rest, or that touches a kinematic body which does not stand still.
     fn groups_in_motion(&self, core: &Core, instant: &Instant) -> Vec<Group> {
         let mut moving = groups(&core.world, instant.numbered());
         moving.retain(|group| {
             let ids: Vec<ContactId> = group.contacts.iter().map(|&i| instant.touches[i].id).collect();
             group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest))
-                || !stand_still(core, instant.t, &ids)
+                || !let_rest(core, instant.t, &ids)
         });
         moving
     }
@@ -283,7 +283,7 @@ impl Engine {
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
             core.accounts.books.projection(before, after, work);
             let scale = instant.speed_scale;
-            let rests = stand_still(core, instant.t, &ids)
+            let rests = let_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
                 });
@@ -442,9 +442,9 @@ impl Engine {
     }
 }
 
-/// Whether all kinematic members of contacts stand still from `t` (s) on: only on such a body can others rest.
-fn stand_still(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
-    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.stands_still(body, t, f64::INFINITY))
+/// Whether all kinematic members of contacts let others rest on them from `t` (s).
+fn let_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
+    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.lets_rest(body, t))
 }
 
 /// Whether a candidate holds: it carries force, or it neither opens nor has been open.

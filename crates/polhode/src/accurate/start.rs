@@ -64,6 +64,9 @@ impl Engine {
         if !core.world.prescribed().is_empty() {
             self.begin_flight_boxes(core, core.t);
         }
+        for &body in core.world.prescribed() {
+            self.expect_corner(core, body, core.t);
+        }
         let unmoved = |body: &usize| matches!(self.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
         let unmoved: Vec<usize> = (0..self.tracks.len()).filter(unmoved).collect();
         self.renew_boxes(core, &unmoved, core.t)?;

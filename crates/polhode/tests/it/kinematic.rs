@@ -182,7 +182,7 @@ fn ball_follows_a_lift_with_corners() {
     assert_closes(&report);
 }
 
-/// A stack on a platform stays until the platform begins to move, follows it, and stays again when it stands.
+/// A stack on a platform sleeps until the platform begins to move, wakes then, follows it, and sleeps again when it stands.
 #[test]
 fn stack_follows_a_platform_that_starts_late() {
     let platform = lifted(&[1.0, 1.5], &[0.0, 0.1]);
@@ -199,9 +199,18 @@ fn stack_follows_a_platform_that_starts_late() {
         let worst = worst_place(&recorder, 1 + k as usize, |t| trajectory.pose(t).translation + above);
         assert!(worst < 1e-11, "{k} {worst:e}");
     }
+    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    for (t, islands) in [(0.5, 0), (1.2, 1), (1.8, 0)] {
+        simulation.advance_to(t, &mut Unobserved).unwrap();
+        assert_eq!(simulation.islands().len(), islands, "{t}");
+    }
+    for (kind, t) in [(EventKind::Wake, 1.0), (EventKind::Rest, 1.5)] {
+        assert_eq!(times_of(&recorder, kind), [t; 3], "{kind:?}");
+    }
     assert!((report.ledger.external.value() / (3.0 * G * 0.1) - 1.0).abs() < 1e-9);
     assert!(report.certificate.max_penetration_m < 1e-12);
     assert_closes(&report);
+    assert_eq!(run(&scene, Effects::All).0.bodies, report.bodies);
 }
 
 /// What happens on a fixed floor happens, seen from a frame that moves steadily, on one that moves steadily: bounces, their
@@ -335,4 +344,87 @@ fn thesis_follows_a_lift() {
         worst_place(&recorder, 1, |t| DVec3::Z * (RADIUS + top(t)))
     });
     assert!(errors[1] < 0.7 * errors[0] && errors[1] < 1e-2, "{errors:?}");
+}
+
+/// A shaker that exceeds g by little throws a ball off although it has it back within a step: the ball leaves it when
+/// `a = -g`, at every such time that it is in contact.
+#[test]
+fn short_pulls_are_not_missed() {
+    let (amplitude, frequency) = (0.01, 5.0);
+    let rate = TAU * frequency;
+    // Gravity that the shaker exceeds by one part in two thousand.
+    let g = amplitude * rate * rate / 1.0005;
+    let off = ((1.0 / 1.0005f64).asin() + FRAC_PI_2) / rate;
+    let ball = ball("ball", 0.6, RADIUS, DVec3::Z * (RADIUS - amplitude), DVec3::ZERO);
+    let scene = scene("short", 0.15).gravity(DVec3::Z * -g).body(shaken(amplitude, frequency, -FRAC_PI_2)).body(ball);
+    let (report, recorder) = run(&scene.build().unwrap(), Effects::Planned);
+    let detached = times_of(&recorder, EventKind::Detach);
+    assert!(detached.len() == 1 && (detached[0] - off).abs() < 1e-9, "{detached:?} {off}");
+    assert_closes(&report);
+}
+
+/// A ball that bounces on a shaker follows the map from impact to impact: flight from each to the next root of a closed
+/// form, and `v' = V + e (V - v)` there.
+#[test]
+fn ball_bounces_on_a_shaker_by_the_map() {
+    let (amplitude, frequency, phase, e) = (0.03, 3.0, 0.7, 0.8);
+    let rate = TAU * frequency;
+    let top = |t: f64| amplitude * (rate * t + phase).sin();
+    let speed = |t: f64| amplitude * rate * (rate * t + phase).cos();
+    let start = 0.5;
+    let ball = ball("ball", 0.6, RADIUS, DVec3::Z * (RADIUS + start), DVec3::ZERO).material(elastic(e));
+    let scene = scene("map", 7.0).body(shaken(amplitude, frequency, phase).material(elastic(e))).body(ball);
+    let (report, recorder) = run(&scene.build().unwrap(), Effects::Planned);
+    let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
+    let (mut t0, mut z, mut v) = (0.0, start, 0.0);
+    for impact in impacts.iter().take(8) {
+        let gap = |dt: f64| z + v * dt - 0.5 * G * dt * dt - top(t0 + dt);
+        let first = (1..).map(|k| 1e-3 * f64::from(k)).find(|&dt| gap(dt) < 0.0).unwrap();
+        let dt = root(first - 1e-3, first, gap);
+        let (landing, under) = (v - G * dt, speed(t0 + dt));
+        let impulse = 0.6 * (1.0 + e) * (under - landing);
+        (t0, z, v) = (t0 + dt, top(t0 + dt), under + e * (under - landing));
+        assert!((impact.t - t0).abs() < 1e-8 && (impact.impulse / impulse - 1.0).abs() < 1e-7, "{impact:?} {t0}");
+    }
+    assert!(impacts.len() >= 8, "{}", impacts.len());
+    assert_closes(&report);
+    assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
+}
+
+/// A press that comes down on a ball on the floor asks for what no force can do: that is said, and nothing hangs or passes
+/// through.
+#[test]
+fn press_on_a_body_without_a_way_out() {
+    let press = Body::kinematic("press", steady(DVec3::Z * -0.5, DVec3::ZERO))
+        .geometry(Geometry::Shape(Shape::cuboid(DVec3::ONE).unwrap()))
+        .pose(Pose::from_translation(DVec3::Z * 1.2));
+    let ball = ball("ball", 1.0, RADIUS, DVec3::Z * RADIUS, DVec3::ZERO);
+    let scene = scene("press", 1.0).body(floor()).body(press).body(ball).build().unwrap();
+    let refused = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved);
+    assert!(refused.is_err(), "{refused:?}");
+}
+
+/// A pusher that stands by a box on the floor wakes it when it begins to move, drives it, and lets it go when it slows down.
+#[test]
+fn pusher_that_touches_from_the_start() {
+    let table = MotionTable {
+        times_s: vec![0.5, 1.0, 1.5],
+        positions_m: Some(vec![DVec3::new(-0.5, 0.0, 0.5), DVec3::new(-0.4, 0.0, 0.5), DVec3::new(-0.3, 0.0, 0.5)]),
+        orientations: None,
+    };
+    let pusher = Body::kinematic("pusher", PrescribedMotion::table(&table).unwrap())
+        .geometry(Geometry::Shape(Shape::cuboid(DVec3::new(1.0, 1.0, 0.6)).unwrap()));
+    let trajectory = pusher.trajectory().unwrap();
+    let fastest = root(0.5001, 0.95, |t| trajectory.acceleration(t).linear.x);
+    let pushed = heavy_brick("box", 2.0, DVec3::new(0.4, 0.4, 1.0), DVec3::new(0.2, 0.0, 0.5));
+    let scene = scene("pusher", 1.5).body(floor()).body(pusher).body(pushed).build().unwrap();
+    let (report, recorder) = run(&scene, Effects::Planned);
+    let at = |t: f64| (trajectory.pose(t).translation.x + 0.7, trajectory.velocity(t).linear.x);
+    let x = |t: f64| at(t.min(fastest)).0 + at(fastest).1 * (t - fastest).max(0.0);
+    let worst = worst_place(&recorder, 2, |t| DVec3::new(x(t), 0.0, 0.5));
+    assert!(worst < 1e-9, "{worst:e} {:?}", recorder.events);
+    assert_eq!(times_of(&recorder, EventKind::Wake), [0.5]);
+    let gained = at(fastest).1 * at(fastest).1;
+    assert!((report.ledger.external.value() / gained - 1.0).abs() < 1e-9);
+    assert_closes(&report);
 }
