@@ -139,12 +139,12 @@ impl Simulation {
         let taken = world.bodies.iter().any(|other| !other.removed && other.name == body.name);
         Scene::check_added_body(world.bodies.len(), &body, taken)?;
         let mut probe = world.clone();
-        let (index, state) = probe.add_body(body.clone())?;
+        let (index, state) = probe.add_body(body.clone(), self.core.t)?;
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;
         self.act(&[], &[index], "add_body", |simulation| {
-            let (added, state) = simulation.core.world.add_body(body)?;
+            let (added, state) = simulation.core.world.add_body(body, simulation.core.t)?;
             simulation.tier.add_body(&simulation.core, state);
             let states = simulation.tier.states_mut().to_vec();
             simulation.core.accounts.books.added(&simulation.core.world, &states, added);

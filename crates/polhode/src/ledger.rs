@@ -12,7 +12,7 @@ use polhode_spatial::CompensatedSum;
 /// Energy booked by source, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ledger {
-    /// Lost in impacts, from impulses: `-p.(u- + u+)/2`.
+    /// Lost in impacts, from impulses: `-p.(u- + u+)/2` with the relative velocities u, also where a kinematic body strikes.
     pub impact: CompensatedSum,
     /// Lost to friction.
     pub friction: CompensatedSum,
@@ -20,7 +20,7 @@ pub struct Ledger {
     pub rest: CompensatedSum,
     /// Lost to drag and dampers.
     pub damping: CompensatedSum,
-    /// Work done by forces without a potential.
+    /// Work done by forces without a potential, by kinematic bodies and by a program.
     pub external: CompensatedSum,
     /// Lost (or, when negative, gained) by moving bodies out of each other and off inconsistent velocities.
     pub projection: CompensatedSum,

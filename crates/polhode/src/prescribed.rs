@@ -25,8 +25,6 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Motion, Velocity};
 
-// The engine does not call these yet; the tests do.
-#[cfg_attr(not(test), expect(dead_code, reason = "the engine does not move kinematic bodies yet"))]
 impl World {
     /// The kinematic bodies, ascending.
     pub(crate) fn prescribed(&self) -> &[usize] {
@@ -61,11 +59,14 @@ impl World {
         })
     }
 
-    /// The first time strictly between `from` and `to` (s), on the way from one to the other, at which a prescribed motion
+    /// The first time strictly between `from` and `to` (s, rising) at which the motion of a kinematic member of these contacts
     /// is not smooth.
-    pub(crate) fn prescribed_corner_between(&self, from: f64, to: f64) -> Option<f64> {
-        let corners = self.prescribed.iter().filter_map(|&body| self.trajectory(body)?.corner_between(from, to));
-        if from < to { corners.reduce(f64::min) } else { corners.reduce(f64::max) }
+    pub(crate) fn prescribed_corner_between(&self, contacts: &[ContactId], from: f64, to: f64) -> Option<f64> {
+        if self.prescribed.is_empty() {
+            return None;
+        }
+        let members = contacts.iter().flat_map(|id| [id.a, id.b]);
+        members.filter_map(|body| self.trajectory(body)?.corner_between(from, to)).reduce(f64::min)
     }
 
     /// Whether a kinematic body stands still from `from` to `to` (s), so that what rests on it may go on resting; other
@@ -77,12 +78,34 @@ impl World {
         })
     }
 
+    /// The first time after `t` (s) at which the motion of a kinematic body is not smooth; infinite when there is none.
+    pub(crate) fn next_corner(&self, body: usize, t: f64) -> f64 {
+        let corner = self.trajectory(body).and_then(|trajectory| trajectory.corner_between(t, f64::INFINITY));
+        corner.unwrap_or(f64::INFINITY)
+    }
+
+    /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on such a
+    /// body can others rest. Other bodies are in nobody's way.
+    pub(crate) fn lets_rest(&self, body: usize, t: f64) -> bool {
+        self.stands_still(body, t, self.next_corner(body, t).next_down())
+    }
+
     /// What prescribed velocities add to the rate of a contact's separation, m/s.
     pub(crate) fn prescribed_rate_of(&self, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
         self.prescribed_term(states, id, geometry, |body| {
             let velocity = self.velocity(body, &states[body]);
             (velocity.linear, velocity.angular)
         })
+    }
+
+    /// Work of prescribed motions on the bodies that forces move, J, by impulses p (N s) along the normals of contacts; by
+    /// forces (N) the power, W.
+    pub(crate) fn prescribed_work<'a>(
+        &self,
+        states: &[BodyState],
+        impulses: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
+    ) -> f64 {
+        impulses.map(|(id, geometry, p)| -p * self.prescribed_rate_of(states, id, geometry)).sum()
     }
 
     /// What prescribed accelerations at `t` (s) add to the second derivative of a contact's separation, m/s^2.
@@ -233,7 +256,7 @@ mod tests {
         let kinematics = world.kinematics(&states, id).ok_or("no contact")?;
         let assembly = Assembly::new(world, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
         let free = assembly.free_accelerations(world, &states, &world.loads(t, &states));
-        let b = assembly.acceleration_constants_at(world, t, &states, &free, [(id, &kinematics)].into_iter())?;
+        let b = assembly.acceleration_constants(world, t, &states, &free, [(id, &kinematics)].into_iter())?;
         // Differences err by 1e-15/h^2 and by sixth derivatives times h^4.
         assert!((kinematics.separation_rate - rate).abs() < 1e-8, "{id:?} {} {rate}", kinematics.separation_rate);
         assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
@@ -300,15 +323,22 @@ mod tests {
         Ok(())
     }
 
-    /// A table ends steps at its samples, and stands still after the last one.
+    fn first_feature(world: &World) -> Result<polhode_contact::ContactFeature, Box<dyn Error>> {
+        let states = [TABLE, BODY].map(|body| BodyState::at_rest(Pose::from_translation(DVec3::Z * body as f64)));
+        let touches = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+        Ok(touches.first().ok_or("no contact")?.id.feature)
+    }
+
+    /// A table ends the steps of what it touches at its samples, and stands still after the last one.
     #[test]
     fn corners_and_standstill() -> TestResult {
         let [screw, _, table] = motions()?;
         let (world, _) = world(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-        assert_eq!(world.prescribed_corner_between(0.0, 2.0), Some(0.1));
-        assert_eq!(world.prescribed_corner_between(2.0, 0.0), Some(1.2));
-        assert_eq!(world.prescribed_corner_between(1.2, 2.0), None);
-        assert!(!world.stands_still(TABLE, 1.0, 2.0) && world.stands_still(TABLE, 1.2, 2.0));
+        let touching = [ContactId { a: TABLE, b: BODY, feature: first_feature(&world)? }];
+        assert_eq!(world.prescribed_corner_between(&touching, 0.0, 2.0), Some(0.1));
+        assert_eq!(world.prescribed_corner_between(&touching, 1.2, f64::INFINITY), None);
+        assert_eq!(world.prescribed_corner_between(&[], 0.0, 2.0), None);
+        assert!(!world.stands_still(TABLE, 1.0, 2.0) && world.stands_still(TABLE, 1.2, f64::INFINITY));
         assert!(world.stands_still(BODY, 0.0, 2.0));
         let (world, _) = self::world(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
         assert!(!world.stands_still(TABLE, 5.0, 6.0));

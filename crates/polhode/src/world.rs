@@ -84,7 +84,7 @@ impl World {
         let bodies = scene.bodies().iter().enumerate().map(|(index, body)| WorldBody::new(body, || may_collide(index)));
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
         let states: Vec<_> =
-            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.initial_state(body)).collect();
+            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
         let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
@@ -155,14 +155,17 @@ impl World {
         made
     }
 
-    /// Adds a body, which has passed the checks of a scene; its number and state.
+    /// Adds a body, which has passed the checks of a scene, at `t` (s); its number and state.
     ///
     /// # Errors
     /// When its shape cannot be moved into its central frame; nothing has changed then.
-    pub(crate) fn add_body(&mut self, body: Body) -> Result<(usize, BodyState), SceneError> {
+    pub(crate) fn add_body(&mut self, body: Body, t: f64) -> Result<(usize, BodyState), SceneError> {
         let number = self.bodies.len();
         let added = WorldBody::new(&body, || true)?;
-        let state = added.initial_state(&body);
+        let state = added.state_at(&body, t);
+        if added.trajectory.is_some() {
+            self.prescribed.push(number);
+        }
         if let Some(rigid) = added.rigid {
             self.movable.push(number);
             self.rigid = self.rigid.iter().copied().chain([rigid]).collect();
@@ -181,6 +184,8 @@ impl World {
     pub(crate) fn remove_body(&mut self, body: usize) -> Result<(), SceneError> {
         self.bodies[body].removed = true;
         self.bodies[body].shape = None;
+        self.bodies[body].trajectory = None;
+        self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
         self.applied.remove(&body);
         self.make_fields()
@@ -495,11 +500,12 @@ impl WorldBody {
         })
     }
 
-    fn initial_state(&self, body: &Body) -> BodyState {
+    /// State of a body that begins to move at `t` (s); a prescribed motion is one of the time of the run.
+    fn state_at(&self, body: &Body, t: f64) -> BodyState {
         let pose = *body.initial_pose() * Pose::from_translation(self.origin);
         match (&self.rigid, &self.trajectory) {
             (Some(rigid), _) => rigid.at_velocity(pose, *body.initial_velocity()),
-            (None, Some(trajectory)) => prescribed::state_at(trajectory, 0.0),
+            (None, Some(trajectory)) => prescribed::state_at(trajectory, t),
             (None, None) => BodyState::at_rest(pose),
         }
     }

@@ -20,13 +20,13 @@ pub(crate) struct Balance {
 pub(crate) struct Received {
     /// By gravity.
     pub(crate) gravity: Momentum,
-    /// By fixed bodies.
+    /// By fixed and kinematic bodies.
     pub(crate) support: Momentum,
     /// By force fields.
     pub(crate) fields: Momentum,
     /// Lost to drag and dampers, J.
     pub(crate) damping_j: f64,
-    /// Work of forces from outside the scene, J.
+    /// Work of forces from outside the scene and of prescribed motions, J.
     pub(crate) external_j: f64,
 }
 
@@ -114,15 +114,17 @@ impl Books {
         momentum.numerical.add(before.momentum - after.momentum + explained);
     }
 
-    /// Books a projection of positions or velocities.
-    pub(crate) fn projection(&mut self, before: Balance, after: Balance) {
-        self.ledger.projection.add(before.energy_j - after.energy_j);
+    /// Books a projection of positions or velocities, in which prescribed motions did work (J).
+    pub(crate) fn projection(&mut self, before: Balance, after: Balance, work_j: f64) {
+        self.ledger.external.add(work_j);
+        self.ledger.projection.add(before.energy_j - after.energy_j + work_j);
         self.ledger.momentum.projection.add(before.momentum - after.momentum);
     }
 
-    /// Books bounces that were summed up and velocities that were set to rest.
-    pub(crate) fn rest(&mut self, before: Balance, after: Balance) {
-        self.ledger.rest.add(before.energy_j - after.energy_j);
+    /// Books bounces that were summed up and velocities that were set to rest, in which prescribed motions did work (J).
+    pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) {
+        self.ledger.external.add(work_j);
+        self.ledger.rest.add(before.energy_j - after.energy_j + work_j);
         self.ledger.momentum.rest.add(before.momentum - after.momentum);
     }
 
@@ -155,9 +157,11 @@ impl Books {
         Balance { energy_j: kinetic + potential, momentum }
     }
 
-    /// Books an impact: the change of energy (J) by its impulses, and the impulses that fixed bodies gave.
-    pub(crate) fn impact(&mut self, energy_change_j: f64, support: Momentum) {
+    /// Books an impact: the change of energy (J) by its impulses in relative velocities, the impulses that fixed and kinematic
+    /// bodies gave, and the work of prescribed motions (J) by them.
+    pub(crate) fn impact(&mut self, energy_change_j: f64, support: Momentum, work_j: f64) {
         self.ledger.impact.add(-energy_change_j);
+        self.ledger.external.add(work_j);
         self.ledger.momentum.support.add(support);
     }
 

@@ -1,4 +1,5 @@
-//! What is due when: the ends of the islands' steps, the impacts of pairs, and the renewal of the boxes of bodies in flight.
+//! What is due when: the ends of the islands' steps, the impacts of pairs, the renewal of the boxes of bodies in flight,
+//! and the beginnings of prescribed motions.
 //!
 //! Entries stand in order of time, those of one time in order of their kind and bodies, so that the order in which they were
 //! put in does not matter.
@@ -15,6 +16,8 @@ pub(super) enum Due {
     Impact(usize, usize),
     /// The boxes of bodies in flight end.
     FlightBoxes,
+    /// The motion of a kinematic body is not smooth.
+    Corner(usize),
 }
 
 /// A time that is ordered as numbers are, NaN last.

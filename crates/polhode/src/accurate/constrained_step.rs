@@ -60,8 +60,9 @@ impl ConstrainedStep {
         pairs
     }
 
-    /// States of the island's bodies at a time within the step, written over `states` (of all bodies).
-    pub(super) fn states_at(&self, t: f64, states: &mut [BodyState]) {
+    /// States of the island's bodies and of kinematic bodies at a time within the step, written over `states` (of all bodies).
+    pub(super) fn states_at(&self, world: &World, t: f64, states: &mut [BodyState]) {
+        world.prescribe(t, states);
         let mut flat = vec![0.0; self.end_state.len()];
         self.dense.evaluate(t, &mut flat);
         for (index, &body) in self.bodies.iter().enumerate() {
@@ -138,7 +139,7 @@ impl Engine {
         t: f64,
     ) -> Result<ConstrainedStep, SimulationError> {
         let longest = core.settings.step_s;
-        let limit = step_limit(core, t);
+        let limit = step_limit(core, held, t);
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
         loop {
@@ -176,7 +177,7 @@ impl Engine {
             let dense = attempt.integrator.dense(&mut system)?;
             Ok((attempt, dense))
         });
-        self.restore_scratch(scratch, bodies);
+        self.restore_scratch(core, scratch, bodies);
         let (attempt, dense) = attempted.map_err(|_| FAILED_STAGE_FACTOR)?;
         let factor = Dop853::next_step_factor(attempt.error);
         if attempt.error > 1.0 || attempt.error.is_nan() {
@@ -192,7 +193,7 @@ impl Engine {
             bodies: bodies.to_vec(),
             held: held.to_vec(),
             t,
-            end: end_of(core, t, h),
+            end: end_of(core, held, t, h),
             end_state: attempt.integrator.end_state().to_vec(),
             dense,
             motions,
@@ -272,7 +273,7 @@ impl Engine {
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.held, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
-        self.restore_scratch(scratch, &step.bodies);
+        self.restore_scratch(core, scratch, &step.bodies);
         let attempt = attempt.map_err(|source| Core::response_error(step.t, source))?;
         Ok(step.at_end(attempt.integrator.end_state(), t_next))
     }
@@ -331,17 +332,24 @@ fn roundings(core: &Core, body: usize, [force, moment]: [f64; 2], h: f64) -> [f6
     [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
 }
 
+/// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the motion
+/// of a kinematic body that they touch is not smooth.
+fn horizon(core: &Core, held: &[ContactId], t: f64) -> f64 {
+    let end = core.horizon(t);
+    core.world.prescribed_corner_between(held, t, end).unwrap_or(end)
+}
+
 /// Longest step that may be tried from `t`, s.
-pub(super) fn step_limit(core: &Core, t: f64) -> f64 {
-    let remaining = core.horizon(t) - t;
+pub(super) fn step_limit(core: &Core, held: &[ContactId], t: f64) -> f64 {
+    let remaining = horizon(core, held, t) - t;
     let longest = core.settings.step_s;
     // A sum of equal steps may leave over what is no step: it is added to the last.
     if is_instant(remaining - longest, longest) { remaining } else { longest }
 }
 
 /// `t + h`, or exactly the horizon when the step reaches it: `t + (end - t)` may round to either side of the end.
-pub(super) fn end_of(core: &Core, t: f64, h: f64) -> f64 {
-    let end = core.horizon(t);
+pub(super) fn end_of(core: &Core, held: &[ContactId], t: f64, h: f64) -> f64 {
+    let end = horizon(core, held, t);
     if h >= end - t { end } else { t + h }
 }
 

@@ -144,7 +144,8 @@ impl Engine {
         instant: Instant,
         stuck: NoAdvance,
     ) -> Result<(), SimulationError> {
-        if !core.settings.crowding.steps() {
+        // Time steps do not follow prescribed motions yet.
+        if !core.settings.crowding.steps() || !core.world.prescribed().is_empty() {
             return Err(instant.no_progress(core, stuck));
         }
         let longest = core.settings.step_s;
@@ -185,6 +186,7 @@ impl Engine {
         let pairs = self.gather(core, &mut instant, h)?;
         let about = core.accounts.books.ledger.momentum.about;
         let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
+        let before = before.following_bounces(core.settings.crowding_tolerance);
         let start: Vec<BodyState> = instant.bodies.iter().map(|&body| self.states[body]).collect();
         let shortest = SHORTEST_STEP * longest;
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -207,7 +209,7 @@ impl Engine {
             h = (h * ratio.clamp(STEP_CHANGE.0, SAFETY)).max(shortest);
         };
         let states: Vec<BodyState> = instant.bodies.iter().map(|&body| scratch[body]).collect();
-        self.restore_scratch(scratch, &instant.bodies);
+        self.restore_scratch(core, scratch, &instant.bodies);
         let (report, error, next) = made?;
         let end = if h >= limit - t { limit } else { t + h };
         core.accounts.note_crowding(end, report.steps, error);
@@ -306,7 +308,7 @@ impl Engine {
         let mut stepper = step.stepper.clone();
         let made = stepper.advance(&core.world, &mut scratch, bodies, &step.pairs, (step.t, t - step.t));
         let states = bodies.iter().map(|&body| scratch[body]).collect();
-        self.restore_scratch(scratch, bodies);
+        self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
     }
 

@@ -35,6 +35,8 @@ const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
 pub(super) enum Mode {
     /// Never.
     Fixed,
+    /// As prescribed, whatever acts on it.
+    Prescribed,
     /// Freely, by its flight record.
     Flight(Box<Flight>),
     /// With held contacts, or under forces, integrated by DOP853.
@@ -67,10 +69,10 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Of a body at the present that has not moved yet.
-    pub(super) fn new(core: &Core) -> Self {
+    /// Of a body at the present that no force has moved yet.
+    pub(super) fn new(core: &Core, body: usize) -> Self {
         Self {
-            mode: Mode::Fixed,
+            mode: if core.world.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
             island: None,
             pace: Pace::starting_at(core.t),
             proposed_step_s: core.settings.step_s,
@@ -85,7 +87,8 @@ impl Track {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event.
+    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event, of kinematic
+    /// bodies at the event or start of a step that is being worked on.
     pub(super) states: Vec<BodyState>,
     /// A copy of `states` to evaluate other times in.
     pub(super) scratch: Vec<BodyState>,
@@ -116,7 +119,7 @@ impl Engine {
         let mut engine = Self {
             scratch: states.clone(),
             states,
-            tracks: vec![Track::new(core); count],
+            tracks: (0..count).map(|body| Track::new(core, body)).collect(),
             islands: BTreeMap::new(),
             contacts: Contacts::new(count),
             near: NearPairs::new(core, count),
@@ -142,8 +145,11 @@ impl Engine {
     fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
         match due {
             Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
+            Due::Corner(body) => self.pass_corner(core, body, t),
             Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| Reached::Event),
-            Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.changes) => {
+            Due::Island(first)
+                if self.islands.get(&first).is_some_and(|island| island.changes || comes_to_stand(core, island, t)) =>
+            {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
             Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.is_unsolved) => {
@@ -158,6 +164,22 @@ impl Engine {
                 self.next_step(core, first, t).map(|()| Reached::StepEnd)
             }
         }
+    }
+
+    /// Puts the next time at which the motion of a kinematic body is not smooth on the agenda.
+    pub(super) fn expect_corner(&mut self, core: &Core, body: usize, t: f64) {
+        self.agenda.add(core.world.next_corner(body, t), Due::Corner(body));
+    }
+
+    /// The motion of a kinematic body passes a corner: what rests on it wakes if it begins to move.
+    fn pass_corner(&mut self, core: &mut Core, body: usize, t: f64) -> Result<Reached, SimulationError> {
+        self.expect_corner(core, body, t);
+        let rests = |body: &usize| matches!(self.tracks[*body].mode, Mode::Rest);
+        let resting: Vec<usize> = self.contacts.partners(body).filter(rests).collect();
+        if resting.is_empty() || core.world.lets_rest(body, t) {
+            return Ok(Reached::Limit);
+        }
+        self.resolve_event(core, t, &resting).map(|()| Reached::Event)
     }
 
     /// Evaluates the states of the present that cannot be evaluated without changing an integrator.
@@ -237,9 +259,9 @@ impl Engine {
         Some(island)
     }
 
-    /// Puts the copy of the states back after it has served for these bodies.
-    pub(super) fn restore_scratch(&mut self, mut scratch: Vec<BodyState>, bodies: &[usize]) {
-        for &body in bodies {
+    /// Puts the copy of the states back after it has served for these bodies and for kinematic ones.
+    pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
+        for &body in bodies.iter().chain(core.world.prescribed()) {
             scratch[body] = self.states[body];
         }
         self.scratch = scratch;
@@ -253,12 +275,15 @@ impl Engine {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return Ok(flight.state(t));
         }
+        if let Some(state) = core.world.prescribed_state(body, t) {
+            return Ok(state);
+        }
         let Some(first) = self.tracks[body].island else { return Ok(self.states[body]) };
         let Some(mut island) = self.islands.remove(&first) else { return Ok(self.states[body]) };
         let mut states = std::mem::take(&mut self.scratch);
         let written = write_states(core, &mut island, t, &mut states);
         let state = states[body];
-        self.restore_scratch(states, &island.bodies);
+        self.restore_scratch(core, states, &island.bodies);
         self.islands.insert(first, island);
         written.map(|()| state)
     }
@@ -268,16 +293,17 @@ impl Engine {
     /// # Errors
     /// When an integrator cannot evaluate them.
     fn states_at(&mut self, core: &Core, t: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let mut states = self.flying_states(t);
+        let mut states = self.flying_states(core, t);
         for island in self.islands.values_mut().filter(|island| island.t != t) {
             write_states(core, island, t, &mut states)?;
         }
         Ok(states)
     }
 
-    /// States of all bodies, those in flight at `t`, the others at the start of their steps.
-    fn flying_states(&self, t: f64) -> Vec<BodyState> {
+    /// States of all bodies, those in flight and kinematic ones at `t`, the others at the start of their steps.
+    fn flying_states(&self, core: &Core, t: f64) -> Vec<BodyState> {
         let mut states = self.states.clone();
+        core.world.prescribe(t, &mut states);
         for (state, track) in states.iter_mut().zip(&self.tracks) {
             if let Mode::Flight(flight) = &track.mode {
                 *state = flight.state(t);
@@ -354,6 +380,13 @@ impl Engine {
     }
 }
 
+/// Whether a kinematic body that an island touches comes to stand at `t`, where its step ends: then the island may come to
+/// rest.
+fn comes_to_stand(core: &Core, island: &Island, t: f64) -> bool {
+    let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
+    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.lets_rest(body, t))
+}
+
 /// Books a flight up to `t`: what its record has lost or gained in energy. The body's state is then that of `t`.
 fn book_flight(world: &World, books: &mut Books, (body, flight): (usize, &Flight), t: f64, states: &mut [BodyState]) {
     let (start, dt) = (*flight.start(), t - flight.t0());
@@ -370,7 +403,7 @@ fn book_flight(world: &World, books: &mut Books, (body, flight): (usize, &Flight
 /// Writes the states of an island's bodies at a time within its step over `states`.
 fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyState]) -> Result<(), SimulationError> {
     match &mut island.step {
-        Step::Constrained(step) => step.states_at(t, states),
+        Step::Constrained(step) => step.states_at(&core.world, t, states),
         Step::Free(step) => {
             for (&body, state) in island.bodies.iter().zip(step.states_at(&core.world, t)?) {
                 states[body] = state;
@@ -446,10 +479,10 @@ impl Tier for Engine {
     }
 
     fn states(&self, core: &Core) -> Vec<BodyState> {
-        let mut states = self.flying_states(core.t);
+        let mut states = self.flying_states(core, core.t);
         for island in self.islands.values().filter(|island| island.t != core.t) {
             match &island.step {
-                Step::Constrained(step) => step.states_at(core.t, &mut states),
+                Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
                 Step::Free(step) => {
                     for (&body, state) in island.bodies.iter().zip(step.present()) {
                         states[body] = *state;
@@ -474,7 +507,7 @@ impl Tier for Engine {
             match &track.mode {
                 Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
                 Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
-                Mode::Fixed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
+                Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
             }
         }
         let crowds: Vec<usize> =
@@ -494,7 +527,7 @@ impl Tier for Engine {
             let before = books.balance(world, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
-                    step.states_at(t, &mut states);
+                    step.states_at(world, t, &mut states);
                     step.received_until(t)
                 }
                 Step::Free(step) => {
@@ -519,7 +552,11 @@ impl Tier for Engine {
         let loads = world.loads(core.t, &states);
         let mut out: Vec<_> = (0..world.bodies.len())
             .map(|body| {
-                let (linear, angular) = free_acceleration(world, &states, &loads, body);
+                let (linear, angular) = if world.trajectory(body).is_some() {
+                    world.prescribed_acceleration(body, core.t)
+                } else {
+                    free_acceleration(world, &states, &loads, body)
+                };
                 world.reported_acceleration(body, &states[body], linear, angular)
             })
             .collect();
@@ -565,7 +602,7 @@ impl Tier for Engine {
 
     fn motions(&self) -> Vec<MotionKind> {
         let kind = |track: &Track| match track.mode {
-            Mode::Fixed => MotionKind::Given,
+            Mode::Fixed | Mode::Prescribed => MotionKind::Given,
             Mode::Flight(_) => MotionKind::Flight,
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
             Mode::Rest => MotionKind::Rest,

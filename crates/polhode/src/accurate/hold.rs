@@ -26,6 +26,8 @@ pub(super) struct Forces {
     pub(super) assembly: Assembly,
     /// Generalised accelerations of the group's bodies.
     accelerations: Vec<f64>,
+    /// When they act, s.
+    t: f64,
     /// What counts as opening, m/s^2.
     pub(super) opening: f64,
     /// Largest sum of weight and force of fields on a body of the group, N: what contact forces may cancel from.
@@ -54,7 +56,13 @@ impl Forces {
             mass * world.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        let b = assembly.acceleration_constants(&free, contacts.iter().map(|touch| &touch.kinematics))?;
+        let b = assembly.acceleration_constants(
+            world,
+            t,
+            states,
+            &free,
+            contacts.iter().map(|touch| (touch.id, &touch.kinematics)),
+        )?;
         let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();
@@ -63,7 +71,7 @@ impl Forces {
         for (a, f) in accelerations.iter_mut().zip(&free) {
             *a += f;
         }
-        Ok(Self { solution, assembly, accelerations, opening, load })
+        Ok(Self { solution, assembly, accelerations, t, opening, load })
     }
 
     /// Generalised accelerations: (body, linear, angular).
@@ -73,9 +81,10 @@ impl Forces {
 
     /// Relative acceleration along the normal of a contact of these bodies that is not among those solved for, under
     /// these forces, m/s^2.
-    pub(super) fn relative_acceleration(&self, states: &[BodyState], touch: &Touch) -> f64 {
+    pub(super) fn relative_acceleration(&self, world: &World, states: &[BodyState], touch: &Touch) -> f64 {
         let geometry = &touch.kinematics.geometry;
-        let mut relative = touch.kinematics.acceleration_bias;
+        let prescribed = world.prescribed_acceleration_of(self.t, states, touch.id, geometry);
+        let mut relative = touch.kinematics.acceleration_bias + prescribed;
         for (body, linear, angular) in self.accelerations() {
             let sign = if body == touch.id.a {
                 1.0

@@ -183,7 +183,7 @@ impl Engine {
         // What cannot be bounded may be anywhere.
         let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
         let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
-        self.restore_scratch(states, &[a, b]);
+        self.restore_scratch(core, states, &[a, b]);
         Ok(touch)
     }
 
@@ -194,6 +194,7 @@ impl Engine {
         t: f64,
         bodies: Vec<usize>,
     ) -> Result<Instant, SimulationError> {
+        core.world.prescribe(t, &mut self.states);
         let mut departing = BTreeSet::new();
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
         for first in firsts {
@@ -263,10 +264,10 @@ impl Engine {
         }
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
+        let work = projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
             .map_err(|source| Core::response_error(t, source))?;
         let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
-        core.accounts.books.projection(integrated, projected);
+        core.accounts.books.projection(integrated, projected, work);
         self.check(core, &island.bodies, &island.held, t)?;
         Ok(island.step)
     }
@@ -403,6 +404,7 @@ impl Engine {
         for first in self.waiting_islands() {
             let Some(island) = self.take_island(first) else { continue };
             let (bodies, t) = (island.bodies.clone(), island.t);
+            core.world.prescribe(t, &mut self.states);
             let step = self.first_step(core, &bodies, &island.held, t)?;
             self.insert_island(Island { step, ..island });
             self.look_ahead(core, &bodies, &[first], t)?;
@@ -417,6 +419,7 @@ impl Engine {
     pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
         let Some(island) = self.remove_island(first) else { return Ok(()) };
         let (bodies, held) = (island.bodies.clone(), island.held.clone());
+        core.world.prescribe(t, &mut self.states);
         let step = self.end_step(core, island, t)?;
         let mut pace = self.pace_of(core, &bodies);
         let advance = pace.note_end(t, StepEnd::AsPlanned, core.settings.step_s);

@@ -52,7 +52,7 @@ impl Engine {
     ) -> Result<Option<ContactChange>, SimulationError> {
         let mut states = std::mem::take(&mut self.scratch);
         let change = self.change_within(core, step, limit, pace, &mut states);
-        self.restore_scratch(states, &step.bodies);
+        self.restore_scratch(core, states, &step.bodies);
         change
     }
 
@@ -100,7 +100,7 @@ impl Engine {
             let Some(closing) = self.closing_time(core, step, wrong, states) else {
                 return self.opening(core, step, wrong, states);
             };
-            step.states_at(closing, states);
+            step.states_at(&core.world, closing, states);
             if closing >= wrong || self.penetrating(core, step, states, tolerated).is_none() {
                 return Ok(at(closing));
             }
@@ -121,7 +121,7 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
         let start = step.t;
-        let (mut right, mut wrong) = match self.first_dip(core, step, start, limit, tolerated, states) {
+        let (mut right, mut wrong) = match self.first_dip(core, step, start, limit, tolerated, states)? {
             Some(interval) => interval,
             None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
             None => (start, limit),
@@ -140,7 +140,7 @@ impl Engine {
                 }
             }
             // Another pair may have come to overlap before.
-            step.states_at(wrong, states);
+            step.states_at(&core.world, wrong, states);
             if !self.sunk(core, step, states, tolerated).is_unseen() {
                 return Ok(Some(wrong));
             }
@@ -152,32 +152,38 @@ impl Engine {
     }
 
     /// The first of some intervals of the step at whose end a contact that is not held has sunk in: bodies that rock on
-    /// each other may sink and rise again within a step, and its end would not show it.
+    /// each other may sink and rise again within a step, and its end would not show it. Nor would it show that a kinematic
+    /// body has left what it carries for a moment: where one moves, forces are looked at too.
     fn first_dip(
         &self,
-        core: &Core,
+        core: &mut Core,
         step: &ConstrainedStep,
         start: f64,
         limit: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
-    ) -> Option<(f64, f64)> {
+    ) -> Result<Option<(f64, f64)>, SimulationError> {
+        let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
+        let driven = members.any(|body| !core.world.stands_still(body, start, limit));
         let mut before = start;
         for k in 1..=DIP_SAMPLES {
             let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
-            step.states_at(t, states);
+            step.states_at(&core.world, t, states);
             let sunk = self.first_sunk(core, step, states, tolerated);
             // What is wrong at the end is looked for there, with all else.
             if sunk.contact.is_some() && k < DIP_SAMPLES {
-                return Some((before, t));
+                return Ok(Some((before, t)));
             }
             let unseen = sunk.contact.is_none() && sunk.is_unseen();
             if unseen && let Some(t) = self.first_seen_sinking(core, step, (before, t), tolerated, states) {
-                return Some((before, t));
+                return Ok(Some((before, t)));
+            }
+            if driven && k < DIP_SAMPLES && !self.violations(core, step, t, tolerated, states)?.is_empty() {
+                return Ok(Some((before, t)));
             }
             before = t;
         }
-        None
+        Ok(None)
     }
 
     /// What is wrong with the held contacts of a group at time `t` of its trial: the contacts of the first kind of
@@ -190,7 +196,7 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<Vec<ContactId>, SimulationError> {
-        step.states_at(t, states);
+        step.states_at(&core.world, t, states);
         let mut touches = Vec::with_capacity(step.held.len());
         let mut left = Vec::new();
         for &id in &step.held {
@@ -225,7 +231,7 @@ impl Engine {
         states: &mut [BodyState],
         suspect: &mut Option<(usize, usize)>,
     ) -> Result<bool, SimulationError> {
-        step.states_at(t, states);
+        step.states_at(&core.world, t, states);
         if suspect.is_some_and(|pair| self.penetrates(core, step, pair, states, tolerated)) {
             return Ok(true);
         }
@@ -248,7 +254,7 @@ impl Engine {
         let mut openings = Vec::with_capacity(2);
         let mut departing = BTreeSet::new();
         for t in [wrong, late] {
-            step.states_at(t, states);
+            step.states_at(&core.world, t, states);
             let contacts: Vec<Touch> = step
                 .held
                 .iter()
@@ -275,10 +281,10 @@ impl Engine {
     /// When a contact that was clear at the start of the step closes within it: the time at which its separation is
     /// zero, not that at which it shows as penetration.
     fn closing_time(&self, core: &Core, step: &ConstrainedStep, wrong: f64, states: &mut [BodyState]) -> Option<f64> {
-        step.states_at(wrong, states);
+        step.states_at(&core.world, wrong, states);
         let id = self.penetrating(core, step, states, &BTreeSet::new())?;
         let mut separation = |t: f64| {
-            step.states_at(t, states);
+            step.states_at(&core.world, t, states);
             Some(core.world.kinematics(states, id)?.geometry.separation)
         };
         let (mut open, mut closed) = (step.t, wrong);

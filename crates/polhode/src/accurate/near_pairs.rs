@@ -1,7 +1,7 @@
 //! Pairs of bodies that may meet, each with the time of its impact.
 //!
-//! Every body that may collide has a box around its motion: over the present step of its island, or, in flight, up to the
-//! next renewal of all flights' boxes, which lies on a grid of time that no event shifts. Pairs whose boxes meet are
+//! Every body that may collide has a box around its motion: over the present step of its island, or, in flight or on a
+//! prescribed path, up to the next renewal of all such boxes, which lies on a grid of time that no event shifts. Pairs whose boxes meet are
 //! searched for their impact by conservative advancement on their true motion, which is never late, and the answer is kept
 //! until the motion of one of them changes. Pairs held together by a contact are watched by the location of contact
 //! changes; of those that are fast, the parts that are clear of each other are searched too: between two looks they could
@@ -42,7 +42,7 @@ pub(super) struct NearPairs {
     watches: BTreeMap<(usize, usize), Watch>,
     /// Partners of each body, ascending.
     partners: Vec<Vec<usize>>,
-    /// When the boxes of flights end, s.
+    /// When the boxes of flights and of kinematic bodies end, s.
     pub(super) flight_end: f64,
 }
 
@@ -74,7 +74,7 @@ fn ordered(a: usize, b: usize) -> (usize, usize) {
 pub(super) enum BodyMotion<'a> {
     /// In flight.
     Flight(&'a Flight),
-    /// Over a step of its island.
+    /// Over a step of its island, or as prescribed.
     Within(&'a dyn Motion),
     /// At rest.
     Still(Still),
@@ -92,10 +92,13 @@ impl BodyMotion<'_> {
 
 impl Engine {
     /// Motion of a body.
-    pub(super) fn motion(&self, body: usize) -> BodyMotion<'_> {
+    pub(super) fn motion<'a>(&'a self, core: &'a Core, body: usize) -> BodyMotion<'a> {
         let still = || BodyMotion::Still(Still(self.states[body].pose));
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => still(),
+            Mode::Prescribed => {
+                core.world.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
+            }
             Mode::Flight(flight) => BodyMotion::Flight(flight),
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => match self.island_of(body).map(|own| &own.step) {
                 Some(Step::Constrained(step)) => {
@@ -117,7 +120,7 @@ impl Engine {
     fn known_until(&self, body: usize) -> f64 {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => f64::INFINITY,
-            Mode::Flight(_) => self.near.flight_end,
+            Mode::Flight(_) | Mode::Prescribed => self.near.flight_end,
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
                 self.island_of(body).map_or(f64::INFINITY, |island| island.due)
             }
@@ -133,7 +136,7 @@ impl Engine {
         if next > t { next } else { next + step }
     }
 
-    /// Sees to it that the boxes of flights that begin at `t` have an end.
+    /// Sees to it that the boxes of flights and of kinematic bodies that begin at `t` have an end.
     pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
         if self.near.flight_end <= t && core.world.may_collide_at_all() {
             self.near.flight_end = Self::next_flight_end(core, t);
@@ -141,12 +144,12 @@ impl Engine {
         }
     }
 
-    /// Renews the boxes of all bodies in flight at `t`, the end of the ones before, and what follows from them.
+    /// Renews the boxes of all bodies in flight and of kinematic bodies at `t`, the end of the ones before, and what follows from them.
     ///
     /// # Errors
     /// When a search does not end.
     pub(super) fn renew_flight_boxes(&mut self, core: &mut Core, t: f64) -> Result<(), SimulationError> {
-        let flies = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Flight(_));
+        let flies = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Flight(_) | Mode::Prescribed);
         let collides = |body: usize| core.world.bodies[body].shape.is_some();
         let flying: Vec<usize> = (0..self.tracks.len()).filter(|&body| collides(body) && flies(self, body)).collect();
         if flying.is_empty() {
@@ -173,13 +176,13 @@ impl Engine {
         for &body in bodies.iter().filter(|&&body| !matches!(self.tracks[body].mode, Mode::Crowded(_))) {
             let interval = match &self.tracks[body].mode {
                 Mode::Fixed | Mode::Rest => (t, t),
-                Mode::Flight(_) => (t, self.near.flight_end),
+                Mode::Flight(_) | Mode::Prescribed => (t, self.near.flight_end),
                 Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
                     self.island_of(body).map_or((t, t), |own| (own.t, own.end()))
                 }
             };
             let margin = core.world.touch_distance(&self.states, body, body);
-            near.set(&core.world, body, self.motion(body).get(), interval, margin);
+            near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
         }
         let mut found: Vec<(usize, Vec<usize>)> = bodies.iter().map(|&body| (body, Vec::new())).collect();
         let moves = |body: usize| !matches!(self.tracks[body].mode, Mode::Fixed | Mode::Rest);
@@ -282,6 +285,10 @@ impl Engine {
         if until <= t || !until.is_finite() {
             return Ok(());
         }
+        if self.is_still(core, a, (t, until)) && self.is_still(core, b, (t, until)) {
+            self.near.watches.insert((a, b), Watch { until, impact: f64::INFINITY });
+            return Ok(());
+        }
         let impact = self.first_impact(core, (a, b), (t, until))?.unwrap_or(f64::INFINITY);
         self.near.watches.insert((a, b), Watch { until, impact });
         self.agenda.add(impact, Due::Impact(a, b));
@@ -312,6 +319,15 @@ impl Engine {
         found
     }
 
+    /// Whether a body stays where it is over an interval (s).
+    fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
+        match &self.tracks[body].mode {
+            Mode::Fixed | Mode::Rest => true,
+            Mode::Prescribed => core.world.stands_still(body, start, end),
+            Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
+        }
+    }
+
     /// The time of the first impact of a pair in `(start, end]`.
     fn first_impact(
         &self,
@@ -320,7 +336,7 @@ impl Engine {
         (start, end): (f64, f64),
     ) -> Result<Option<f64>, SimulationError> {
         let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
-        let (motion_a, motion_b) = (self.motion(a), self.motion(b));
+        let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
         let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
         let search = match self.are_held(a, b) {
             false => time_of_impact,

@@ -155,7 +155,7 @@ impl Engine {
     ) -> Option<f64> {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (clear + sunken);
-            step.states_at(middle, states);
+            step.states_at(&core.world, middle, states);
             let sunk = self.first_sunk(core, step, states, tolerated);
             if sunk.contact.is_some() {
                 return Some(middle);

@@ -5,6 +5,7 @@
 
 use super::engine::{Engine, Mode, Track};
 use super::instant::Instant;
+use super::near_pairs::Search;
 use super::pace::Pace;
 use crate::SimulationError;
 use crate::core::Core;
@@ -60,7 +61,19 @@ impl Engine {
             self.find_touched(core, &mut instant, body)?;
         }
         self.resolve(core, &mut instant)?;
-        self.go_on(core, instant)
+        let t = instant.t;
+        self.go_on(core, instant)?;
+        // No step begins for a body that no force moves; its box is new all the same.
+        let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
+        for &body in &unmoved {
+            self.expect_corner(core, body, t);
+        }
+        if !unmoved.is_empty() {
+            self.begin_flight_boxes(core, t);
+            self.renew_boxes(core, &unmoved, t)?;
+            self.search_pairs(core, &unmoved, t, Search::All)?;
+        }
+        Ok(())
     }
 
     /// Takes what a body touches where a program has put it into the instant.
@@ -95,7 +108,7 @@ impl Engine {
         self.states.push(state);
         self.scratch.push(state);
         let size = core.world.bodies[body].size;
-        self.tracks.push(Track::new(core));
+        self.tracks.push(Track::new(core, body));
         self.tracks[body].speed_scale = self.speed(core, body).max((core.world.gravity().length() * size).sqrt());
         self.contacts.make_room();
         self.near.make_room();

@@ -120,8 +120,9 @@ impl Engine {
         *worst = worst.max(outcome.residual);
         let impulses = group.contacts.iter().zip(&outcome.impulses);
         let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
+        let work = core.world.prescribed_work(&self.states, impulses.clone());
         let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
-        core.accounts.books.impact(outcome.energy_change, given);
+        core.accounts.books.impact(outcome.energy_change, given, work);
         for application in &outcome.applications {
             let touch = instant.touches[group.contacts[application.row]];
             core.accounts.add_contact_event(
@@ -138,10 +139,14 @@ impl Engine {
         Ok(())
     }
 
-    /// Groups with a body that is not at rest.
+    /// Groups with a body that is not at rest, or that touches a kinematic body which does not stand still.
     fn groups_in_motion(&self, core: &Core, instant: &Instant) -> Vec<Group> {
         let mut moving = groups(&core.world, instant.numbered());
-        moving.retain(|group| group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest)));
+        moving.retain(|group| {
+            let ids: Vec<ContactId> = group.contacts.iter().map(|&i| instant.touches[i].id).collect();
+            group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest))
+                || !let_rest(core, instant.t, &ids)
+        });
         moving
     }
 
@@ -214,7 +219,7 @@ impl Engine {
             let touch = instant.touches[i];
             let restitution = core.world.scene.pair_material(touch.id.a, touch.id.b).restitution();
             let speed = touch.kinematics.separation_rate;
-            let acceleration = forces.relative_acceleration(&self.states, &touch);
+            let acceleration = forces.relative_acceleration(&core.world, &self.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
@@ -244,10 +249,10 @@ impl Engine {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
+        let work = projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
             .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        core.accounts.books.rest(before, after);
+        core.accounts.books.rest(before, after, work);
         self.refresh_kinematics(core, instant);
         Ok(())
     }
@@ -270,17 +275,22 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            projection::project_positions(&core.world, &mut self.states, &component.bodies, &touching)
+            let work = projection::project_positions(&core.world, &mut self.states, &component.bodies, &touching)
                 .and_then(|()| projection::project_velocities(&core.world, &mut self.states, &component.bodies, &ids))
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            core.accounts.books.projection(before, after);
+            core.accounts.books.projection(before, after, work);
             let scale = instant.speed_scale;
-            let rests = component.bodies.iter().all(|&body| {
-                balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
-            });
+            let rests = let_rest(core, instant.t, &ids)
+                && component.bodies.iter().all(|&body| {
+                    balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
+                });
             for &body in &component.bodies {
-                if rests { self.stop(core, instant, body) } else { self.tracks[body].mode = Mode::Constrained }
+                if rests {
+                    self.stop(core, instant, body);
+                } else if let Mode::Rest = std::mem::replace(&mut self.tracks[body].mode, Mode::Constrained) {
+                    instant.woken.insert(body);
+                }
             }
         }
         self.refresh_kinematics(core, instant);
@@ -316,7 +326,7 @@ impl Engine {
         self.states[body].linear_velocity = DVec3::ZERO;
         self.states[body].angular_momentum = DVec3::ZERO;
         let after = core.accounts.books.balance(&core.world, &self.states, &[body]);
-        core.accounts.books.rest(before, after);
+        core.accounts.books.rest(before, after, 0.0);
         let rested = matches!(self.tracks[body].mode, Mode::Rest);
         self.tracks[body].mode = Mode::Rest;
         instant.woken.remove(&body);
@@ -428,6 +438,11 @@ impl Engine {
             None => false,
         });
     }
+}
+
+/// Whether all kinematic members of contacts let others rest on them from `t` (s).
+fn let_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
+    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.lets_rest(body, t))
 }
 
 /// Whether a candidate holds: it carries force, or it neither opens nor has been open.

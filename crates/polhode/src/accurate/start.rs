@@ -61,9 +61,15 @@ impl Engine {
             self.resolve(core, &mut instant)?;
             firsts.extend(self.form_islands(core, instant)?);
         }
-        let still = |body: &usize| matches!(self.tracks[*body].mode, Mode::Fixed);
-        let fixed: Vec<usize> = (0..self.tracks.len()).filter(still).collect();
-        self.renew_boxes(core, &fixed, core.t)?;
+        if !core.world.prescribed().is_empty() {
+            self.begin_flight_boxes(core, core.t);
+        }
+        for &body in core.world.prescribed() {
+            self.expect_corner(core, body, core.t);
+        }
+        let unmoved = |body: &usize| matches!(self.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
+        let unmoved: Vec<usize> = (0..self.tracks.len()).filter(unmoved).collect();
+        self.renew_boxes(core, &unmoved, core.t)?;
         self.look_ahead(core, &movable, &firsts, core.t)
     }
 
@@ -115,7 +121,7 @@ impl Engine {
             projection::project_positions(&core.world, &mut self.states, &group.bodies, &ids)
                 .map_err(|source| Core::response_error(core.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            core.accounts.books.projection(before, after);
+            core.accounts.books.projection(before, after, 0.0);
         }
         for body in 0..self.tracks.len() {
             self.begin_free_motion(core, body, core.t);

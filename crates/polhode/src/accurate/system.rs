@@ -8,7 +8,7 @@
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
 //! With force fields and pivots, g and L' are those of [`polhode_dynamics::FreeMotion`]. Twenty more numbers follow the
 //! bodies, for the ledgers: impulse and moment about the ledger's point of fixed bodies, of the weights and of the
-//! fields; what drag took, and the work of forces from outside.
+//! fields; what drag took, and the work of forces from outside and of kinematic bodies.
 
 use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
@@ -47,7 +47,7 @@ pub(super) struct ContactSystem<'a> {
     held: &'a [ContactId],
     /// The point of the ledger of momentum.
     about: DVec3,
-    /// States of all bodies; those of `bodies` are overwritten at every stage.
+    /// States of all bodies; those of `bodies` and of kinematic bodies are overwritten at every stage.
     states: &'a mut [BodyState],
     /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
     /// that have turned parallel) bears no force; the location of contact changes ends the step where that begins.
@@ -94,6 +94,7 @@ impl<'a> ContactSystem<'a> {
         for (&body, state) in self.bodies.iter().zip(own) {
             self.states[body] = state;
         }
+        self.world.prescribe(t, self.states);
         self.world.loads(t, self.states)
     }
 
@@ -126,14 +127,15 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Forces of the held contacts at the present states.
-    fn held_forces(&self, loads: &Loads) -> Result<HeldForces, ResponseError> {
+    fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
         if self.contacts.is_empty() {
             return Ok(HeldForces::default());
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
         let free = assembly.free_accelerations(self.world, self.states, loads);
-        let b = assembly.acceleration_constants(&free, self.contacts.iter().map(|(_, k)| k))?;
+        let contacts = self.contacts.iter().map(|(id, k)| (*id, k));
+        let b = assembly.acceleration_constants(self.world, t, self.states, &free, contacts)?;
         let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
         Ok(HeldForces { sums: loads.map(|loads| assembly.split(&loads).collect()), forces })
     }
@@ -169,6 +171,7 @@ impl<'a> ContactSystem<'a> {
     fn outside_rates(&self, t: f64, forces: &[f64], rates: &mut [f64]) {
         rates.fill(0.0);
         let contacts = self.contacts.iter().zip(forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        rates[19] = self.world.prescribed_work(self.states, contacts.clone());
         let support = support(self.world, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
@@ -182,7 +185,7 @@ impl<'a> ContactSystem<'a> {
             add(&mut rates[12..], given.fields.linear);
             add(&mut rates[15..], given.fields.angular);
             rates[18] = given.damping_j;
-            rates[19] = given.external_j;
+            rates[19] += given.external_j;
         }
     }
 
@@ -219,11 +222,12 @@ impl System for ContactSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
+        self.world.prescribe(t, self.states);
         let (world, states) = (self.world, &*self.states);
         self.contacts.clear();
         self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
         let loads = self.world.loads(t, self.states);
-        let HeldForces { forces, sums } = self.held_forces(&loads)?;
+        let HeldForces { forces, sums } = self.held_forces(t, &loads)?;
         self.note_magnitudes(&forces);
         self.free_rates(&loads, state, rates);
         match sums {

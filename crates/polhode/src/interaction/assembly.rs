@@ -108,29 +108,12 @@ impl Assembly {
         out
     }
 
-    /// Constant terms of the relative accelerations of the contacts: `b = J a_free + bias`.
+    /// Constant terms of the relative accelerations of the contacts at `t` (s): `b = J a_free + bias + sum +-n.(a + alpha x r)`,
+    /// the sum over those members of a contact whose motion is prescribed.
     ///
     /// # Errors
     /// When `free` has the wrong length.
     pub(crate) fn acceleration_constants<'a>(
-        &self,
-        free: &[f64],
-        kinematics: impl Iterator<Item = &'a ContactKinematics>,
-    ) -> Result<Vec<f64>, ResponseError> {
-        let mut b = self.problem.row_velocities(free)?;
-        for (constant, k) in b.iter_mut().zip(kinematics) {
-            *constant += k.acceleration_bias;
-        }
-        Ok(b)
-    }
-
-    /// The same at `t` (s) where the motion of bodies may be prescribed: `b = J a_free + bias + sum +-n.(a + alpha x r)` over
-    /// the prescribed members of each contact.
-    ///
-    /// # Errors
-    /// When `free` has the wrong length.
-    #[cfg_attr(not(test), expect(dead_code, reason = "the engine does not move kinematic bodies yet"))]
-    pub(crate) fn acceleration_constants_at<'a>(
         &self,
         world: &World,
         t: f64,

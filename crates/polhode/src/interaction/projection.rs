@@ -22,7 +22,8 @@ const JUMPED_RELATIVE: f64 = 1e-5;
 /// Separations below this fraction of the rounding that penetration is judged with are left alone.
 const ROUNDING_FRACTION: f64 = 0.25;
 
-/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities.
+/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities; the work of
+/// prescribed motions in that, J.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -31,7 +32,7 @@ pub(crate) fn project(
     states: &mut [BodyState],
     bodies: &[usize],
     held: &[ContactId],
-) -> Result<(), ResponseError> {
+) -> Result<f64, ResponseError> {
     project_positions(world, states, bodies, held)?;
     project_velocities(world, states, bodies, held)
 }
@@ -70,7 +71,7 @@ pub(crate) fn project_positions(
     Ok(())
 }
 
-/// Removes the relative velocities of contacts.
+/// Removes the relative velocities of contacts; the work of prescribed motions by the impulses that do it, J.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -79,15 +80,16 @@ pub(crate) fn project_velocities(
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
-) -> Result<(), ResponseError> {
+) -> Result<f64, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) {
-        return Ok(());
+        return Ok(0.0);
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     let impulses = cancel(&assembly, &contacts.iter().map(|(_, k)| k.separation_rate).collect::<Vec<_>>())?;
-    apply_impulses(world, states, contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p)));
-    Ok(())
+    let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
+    apply_impulses(world, states, impulses.clone());
+    Ok(world.prescribed_work(states, impulses))
 }
 
 /// Multipliers whose response cancels `values` on all rows.

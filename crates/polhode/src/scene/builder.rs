@@ -136,17 +136,6 @@ pub(super) fn check_counts(scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// The engine does not move kinematic bodies yet.
-pub(super) fn check_engine_moves_bodies(scene: &Scene) -> Result<(), SceneError> {
-    match scene.bodies.iter().find(|body| body.motion().is_some()) {
-        Some(body) => Err(SceneError::NotYetAvailable {
-            what: format!("a run with a prescribed motion (body {})", body.name),
-            instead: "a fixed body, or one that forces move".to_owned(),
-        }),
-        None => Ok(()),
-    }
-}
-
 pub(super) fn check_body(number: usize, body: &Body) -> Result<(), SceneError> {
     if body.name.is_empty() {
         return Err(SceneError::EmptyName(number));

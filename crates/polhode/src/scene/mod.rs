@@ -90,13 +90,12 @@ impl Scene {
         Ok(self)
     }
 
-    /// Checks the method, that the engine can move all bodies, and that a run ends.
+    /// Checks the method, and that a run ends.
     ///
     /// # Errors
-    /// As [`SceneBuilder::build`], and when a body is kinematic.
+    /// As [`SceneBuilder::build`].
     pub(crate) fn check_times(&self) -> Result<(), SceneError> {
         self.method.validate()?;
-        builder::check_engine_moves_bodies(self)?;
         builder::check_counts(self)
     }
 

@@ -218,7 +218,8 @@ impl SteppedEngine {
         let assembly = Assembly::new(&core.world, &self.states, bodies, rows)?;
         let loads = core.world.loads(core.t, &self.states);
         let free = assembly.free_accelerations(&core.world, &self.states, &loads);
-        let b = assembly.acceleration_constants(&free, contacts.iter().map(|touch| &touch.kinematics))?;
+        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+        let b = assembly.acceleration_constants(&core.world, core.t, &self.states, &free, kinematics)?;
         let mut solver = ComplementaritySolver::default();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;

@@ -90,7 +90,7 @@ impl ThesisEngine {
         self.emit_samples_within(core, t_next, observer)?;
         let movable = core.world.movable.clone();
         let before = core.accounts.books.balance(&core.world, &self.states, &movable);
-        let ends = all_states(core, &self.states, self.integrator.states());
+        let ends = all_states(core, &self.states, self.integrator.states(), t_next);
         let received = self.received(core, &resting, &loads, &ends, t_next);
         self.states = ends;
         let after = core.accounts.books.balance(&core.world, &self.states, &movable);
@@ -134,8 +134,9 @@ impl ThesisEngine {
                 .map_err(|source| Core::response_error(core.t, source))?;
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
+            let work = core.world.prescribed_work(&self.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
-            core.accounts.books.impact(outcome.energy_change, given);
+            core.accounts.books.impact(outcome.energy_change, given, work);
             let worst = &mut core.accounts.certificate.max_residual;
             *worst = worst.max(outcome.residual);
             for application in &outcome.applications {
@@ -180,6 +181,12 @@ impl ThesisEngine {
         let h = t_next - core.t;
         let stage = Ends { t: [core.t, t_next], states: [&self.states, ends] };
         let mut received = free_stage::received(world, stage, &world.movable, about);
+        // Forces that stay the same work along the way of the contact points: their speed in the middle, to second order.
+        let mut middle = self.states.clone();
+        world.prescribe(core.t + 0.5 * h, &mut middle);
+        let contacts = resting.touches.iter().zip(&resting.forces);
+        let impulses = contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h));
+        received.external_j += world.prescribed_work(&middle, impulses);
         for (&body, (rigid, load)) in world.movable.iter().zip(world.free_motion().bodies().iter().zip(loads)) {
             let state = &self.states[body];
             let acceleration = world.gravity() + load.force * rigid.inverse_mass();
@@ -225,7 +232,7 @@ impl ThesisEngine {
             self.integrator
                 .states_within(&motion, within, &mut movable)
                 .map_err(|source| SimulationError::Integration { t: core.t, source })?;
-            let states = all_states(core, &self.states, &movable);
+            let states = all_states(core, &self.states, &movable, t);
             emit_sample(&*self, core, &states, t, observer);
         }
     }
@@ -269,6 +276,10 @@ impl Tier for ThesisEngine {
         let world = &core.world;
         let fields = world.loads(core.t, &self.states);
         let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
+        for &body in world.prescribed() {
+            let (linear, angular) = world.prescribed_acceleration(body, core.t);
+            out[body] = Acceleration { linear, angular };
+        }
         for ((&body, rigid), load) in world.movable.iter().zip(world.free_motion().bodies()).zip(&loads) {
             let state = &self.states[body];
             let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
@@ -365,7 +376,13 @@ fn group_forces(
     let assembly = Assembly::new(world, states, bodies, rows)?;
     let loads = world.loads(core.t, states);
     let free = assembly.free_accelerations(world, states, &loads);
-    let b = assembly.acceleration_constants(&free, contacts.iter().map(|touch| &touch.kinematics))?;
+    let b = assembly.acceleration_constants(
+        world,
+        core.t,
+        states,
+        &free,
+        contacts.iter().map(|touch| (touch.id, &touch.kinematics)),
+    )?;
     let delassus = assembly.problem.delassus();
     let (forces, bound) = match core.settings.contact {
         ContactMethod::LeastForce => {
@@ -405,9 +422,10 @@ fn loads(core: &Core, states: &[BodyState], resting: &RestingForces) -> Vec<Wren
     loads
 }
 
-/// States of all bodies, given those of the movable ones.
-fn all_states(core: &Core, states: &[BodyState], movable: &[BodyState]) -> Vec<BodyState> {
+/// States of all bodies at `t` (s), given those of the movable ones.
+fn all_states(core: &Core, states: &[BodyState], movable: &[BodyState], t: f64) -> Vec<BodyState> {
     let mut states = states.to_vec();
+    core.world.prescribe(t, &mut states);
     for (&body, state) in core.world.movable.iter().zip(movable) {
         states[body] = *state;
     }

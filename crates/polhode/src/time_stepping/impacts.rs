@@ -6,6 +6,7 @@
 //! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
 //! restitution that close later in the step are left to the sustained impulses, which land them.
 
+use super::NO_WORK_J;
 use super::contacts::{FreeAccelerations, NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Part, TimeStepper};
@@ -106,7 +107,7 @@ fn note(world: &World, touches: &[Touch], outcome: &ImpactOutcome, t: f64, repor
     let impulses = touches.iter().zip(&outcome.impulses);
     let impulses = impulses.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p));
     let given = support(world, report.books.ledger.momentum.about, impulses);
-    report.books.impact(outcome.energy_change, given);
+    report.books.impact(outcome.energy_change, given, NO_WORK_J);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,
         id: touches[application.row].id,

@@ -22,22 +22,22 @@
 //! tell is found one step late, as an overlap that is moved out and reported.
 
 mod contacts;
+mod halving;
 mod impacts;
 mod kick;
 mod projection;
 mod report;
 mod step;
-#[allow(dead_code, reason = "it is for stretches of tier accurate in which events crowd")]
-mod stretch;
 mod sustained;
 
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
-#[allow(unused_imports, reason = "as above")]
-pub(crate) use stretch::{Stretch, StretchReport};
 
 use crate::world::World;
 use polhode_dynamics::{BodyState, Flight};
+
+/// Work of prescribed motions in a time step, J: a scene that has such motions makes none.
+const NO_WORK_J: f64 = 0.0;
 
 /// The state of a body after `h` seconds of free flight under gravity alone: exact, and without a turn exactly unturned.
 pub(crate) fn drift(world: &World, body: usize, state: &BodyState, h: f64) -> BodyState {

@@ -4,6 +4,7 @@
 //! moved until it touches, what touches is not pushed into anything else, and nothing is pulled together. Repeated with
 //! contacts found afresh, since normals turn with the bodies. Velocities stay; the change of energy is booked.
 
+use super::NO_WORK_J;
 use super::contacts::connected;
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
@@ -59,7 +60,7 @@ impl TimeStepper {
                 }
             }
             let after = report.books.balance(world, states, bodies);
-            report.books.projection(before, after);
+            report.books.projection(before, after, NO_WORK_J);
             for (&body, start) in bodies.iter().zip(&start) {
                 let moved = displacement(world, body, start, &states[body]);
                 report.max_projection_m = report.max_projection_m.max(moved);

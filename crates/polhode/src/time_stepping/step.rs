@@ -1,5 +1,6 @@
 //! One time step, and steps that are split at impacts.
 
+use super::NO_WORK_J;
 use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed};
 use super::drift;
 use super::kick::kick;
@@ -225,7 +226,7 @@ fn rest_exactly(
             states[body] = BodyState::at_rest(start.pose);
         }
         let after = report.books.balance(world, states, bodies);
-        report.books.rest(before, after);
+        report.books.rest(before, after, NO_WORK_J);
     }
 }
 

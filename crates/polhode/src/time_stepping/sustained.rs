@@ -16,6 +16,7 @@
 //! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
 //! there are none.
 
+use super::NO_WORK_J;
 use super::contacts::{NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
@@ -78,7 +79,7 @@ impl TimeStepper {
         (t, h): (f64, f64),
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let rows = rows(world, states, bodies, near, h)?;
+        let rows = rows(world, states, bodies, near, (t, h))?;
         let mut taken: Vec<bool> =
             rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
         let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
@@ -153,7 +154,7 @@ fn rows(
     states: &[BodyState],
     bodies: &[usize],
     near: &[NearContact],
-    h: f64,
+    (t, h): (f64, f64),
 ) -> Result<Vec<Row>, ResponseError> {
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
@@ -163,7 +164,8 @@ fn rows(
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
     let assembly = Assembly::new(world, states, bodies, geometries)?;
     let free = assembly.free_accelerations(world, states, &Loads::default());
-    let accelerations = assembly.acceleration_constants(&free, here.iter().map(|(_, kinematics)| kinematics))?;
+    let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
+    let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
     let row = |((contact, kinematics), acceleration): ((usize, ContactKinematics), f64)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
@@ -190,7 +192,7 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change(world, states, rows, near), given);
+        report.books.impact(group.energy_change(world, states, rows, near), given, NO_WORK_J);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;

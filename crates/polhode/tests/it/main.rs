@@ -12,6 +12,7 @@ mod forces_with_contact;
 mod impacts;
 mod integrators;
 mod invariance;
+mod kinematic;
 mod linked_rings;
 mod mass_ratios;
 mod momentum;
