@@ -114,7 +114,7 @@ pub fn kinematics_with_tangential(
 /// A ball that slides without spin slips with its own velocity; one that rolls does not slip:
 /// ```
 /// use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, tangential};
-/// use polhode_spatial::{DVec3, Pose, UnitVector, Velocity};
+/// use polhode_contact::{DVec3, Pose, UnitVector, Velocity};
 /// let (ball, floor) = (Shape::sphere(0.5)?, Shape::half_space(UnitVector::Z));
 /// let feature = ContactFeature::Smooth { center_of: Side::A, center: 0, against: SurfaceFeature::Face(0) };
 /// let pose = Pose::from_translation(DVec3::Z * 0.5);
