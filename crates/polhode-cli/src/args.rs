@@ -12,7 +12,7 @@ pub(crate) struct Cli {
 }
 
 const EXIT_CODES: &str =
-    "Exit codes: 0 fine; 1 a check failed or the run diverged; 2 usage or a bad scene; 3 input or output.";
+    "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (it has not kept what its method promises); 2 usage or a bad scene; 3 input or output.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]

@@ -20,6 +20,7 @@ pub mod momentum_ledger;
 pub mod observer;
 pub mod plan;
 mod planar;
+mod promise;
 pub mod report;
 pub mod scene;
 mod settings;
@@ -36,7 +37,7 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
-pub use report::{Certificate, Energy, Outcome, RunReport};
+pub use report::{Certificate, Energy, Outcome, PairAt, RunReport, Tolerated};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, ContactView, IslandView, Simulation, StepEnd, StepOutcome};
 

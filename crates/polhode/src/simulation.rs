@@ -201,7 +201,8 @@ impl Simulation {
         Ok(StepOutcome { t_s: t, end })
     }
 
-    /// Runs to the end of the scene's duration, or until the observer stops it.
+    /// Runs to the end of the scene's duration, or until the observer stops it. A run that has not kept what its method
+    /// promises ends with [`Outcome::Degraded`].
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -287,9 +288,11 @@ impl Simulation {
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
+            tolerated: Vec::new(),
             bodies: Vec::new(),
         };
-        accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);
+        let (states, limits) = (self.tier.states(&self.core), self.core.limits());
+        accounts.fill(&self.core.world, &states, &limits, &mut report);
         Ok(report)
     }
 }

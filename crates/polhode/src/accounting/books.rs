@@ -88,10 +88,12 @@ impl Books {
         momentum.numerical.add(before.momentum - after.momentum + explained);
     }
 
-    /// Books a projection of positions or velocities.
-    pub(crate) fn projection(&mut self, before: Balance, after: Balance) {
-        self.ledger.projection.add(before.energy_j - after.energy_j);
+    /// Books a projection of positions or velocities; what it took, J.
+    pub(crate) fn projection(&mut self, before: Balance, after: Balance) -> f64 {
+        let taken = before.energy_j - after.energy_j;
+        self.ledger.projection.add(taken);
         self.ledger.momentum.projection.add(before.momentum - after.momentum);
+        taken
     }
 
     /// Books bounces that were summed up and velocities that were set to rest.

@@ -299,7 +299,8 @@ impl Engine {
         match step {
             Ok(step) => Ok(Step::Free(Box::new(step))),
             Err(error) if core.settings.splits_by_choice() && too_strong(&error) => {
-                core.accounts.warn(t, "forces have grown too strong for splitting: dop853 goes on from here");
+                let what = "forces have grown too strong for splitting: dop853 goes on from here";
+                core.accounts.warn_of_tolerated(t, what);
                 for &body in bodies {
                     self.tracks[body].gave_up_splitting = true;
                     self.tracks[body].mode = Mode::Constrained;

@@ -5,6 +5,7 @@
 mod bad_numbers;
 mod broad_phases;
 mod checks;
+mod dependence;
 mod diamonds;
 mod flight;
 mod forces;
@@ -14,6 +15,7 @@ mod integrators;
 mod invariance;
 mod linked_rings;
 mod momentum;
+mod outcomes;
 mod pivots;
 mod planar;
 mod round_bodies;
