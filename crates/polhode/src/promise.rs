@@ -49,17 +49,27 @@ impl Core {
         &mut self,
         t: f64,
         states: &[BodyState],
-        (a, b): (usize, usize),
+        pair: (usize, usize),
         contact: &ContactKinematics,
+    ) {
+        self.note_separation(t, states, pair, (contact.geometry.separation, contact.separation_rate));
+    }
+
+    /// Takes the separation of a pair (m) and its rate (m/s) at `t` (s) into the certificate.
+    pub(crate) fn note_separation(
+        &mut self,
+        t: f64,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        (separation_m, rate): (f64, f64),
     ) {
         let promised = self.settings.promised_penetration();
         let allowed = promised.map_or(f64::INFINITY, |relative| {
             // Bodies meet at a time that can be told no finer than its rounding.
-            let met_late = TIME_ULPS * f64::EPSILON * t.abs() * contact.separation_rate.abs();
+            let met_late = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
             relative * self.world.pair_size(a, b) + self.world.judged_rounding(states, a, b) + met_late
         });
-        let value = -contact.geometry.separation;
-        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value, allowed });
+        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
     }
 
     /// Books a projection at `t` (s) that has led to these states, and takes it into the certificate.

@@ -72,7 +72,10 @@ impl Engine {
                 continue;
             }
             let reach = core.world.touch_distance(&self.states, a, b);
-            let mut contacts = core.world.contacts_of_pair(&self.states, a, b, reach);
+            let (separation, mut contacts) = core.world.pair(&self.states, a, b, reach);
+            // Bodies may overlap more than any contact tells.
+            let rate = contacts.iter().fold(0.0, |rate, touch| touch.kinematics.separation_rate.min(rate));
+            core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
             for touch in &mut contacts {
                 if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
                     touch.hold = instant.touches[index].hold;
