@@ -11,8 +11,8 @@ pub(crate) struct Cli {
     pub(crate) command: Command,
 }
 
-const EXIT_CODES: &str =
-    "Exit codes: 0 fine; 1 a check failed or the run diverged; 2 usage or a bad scene; 3 input or output.";
+const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what its method \
+     promises); 2 usage or a bad scene; 3 input or output.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]

@@ -4,7 +4,7 @@ use polhode_scene::{CompareError, MeshFileError, OutputError, SceneFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// Exit code of a check that failed or a run that diverged.
+/// Exit code of a check that failed, or of a run that diverged or is degraded.
 const CHECK: u8 = 1;
 
 /// Exit code of a mistake on the command line or in a scene.
@@ -16,7 +16,7 @@ const INPUT_OUTPUT: u8 = 3;
 /// Why the program ends without success.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A check failed, or the run diverged; the message may be empty when the result has been printed.
+    /// A check failed, or the run diverged or is degraded; the message may be empty when the result has been printed.
     Check(String),
     /// A mistake on the command line or in a scene.
     Usage(String),

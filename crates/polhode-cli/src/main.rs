@@ -1,7 +1,7 @@
 //! The `polhode` program.
 //!
 //! Results go to stdout, progress (a bar, on a terminal only) and messages to stderr. Exit codes: 0 fine; 1 a check
-//! failed or the run diverged; 2 usage or a bad scene; 3 input or output. The clock is read here and nowhere else.
+//! failed, the run diverged or has not kept what its method promises (`degraded`); 2 usage or a bad scene; 3 input or output. The clock is read here and nowhere else.
 //!
 //! | module | holds |
 //! |---|---|

@@ -4,7 +4,7 @@ use crate::args::RunArgs;
 use crate::failure::{self, Failure};
 use crate::{cost, scene, stdout, text};
 use indicatif::{ProgressBar, ProgressStyle};
-use polhode::{BodySample, Event, Flow, Observer};
+use polhode::{BodySample, Event, Flow, Observer, Outcome, RunReport};
 use polhode_scene::{Outputs, load_with, report_json};
 use std::io::IsTerminal;
 use std::time::Instant;
@@ -34,9 +34,13 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         Ok(report) => {
             watch.outputs.finish()?;
             if args.json {
-                stdout::json(&report_json(&report, wall_s))
+                stdout::json(&report_json(&report, wall_s))?;
             } else {
-                stdout::text(&text::report(&report, wall_s))
+                stdout::text(&text::report(&report, wall_s))?;
+            }
+            match report.outcome {
+                Outcome::Completed | Outcome::Stopped => Ok(()),
+                Outcome::Degraded => Err(Failure::Check(degraded(&report))),
             }
         }
         Err(error) => {
@@ -47,6 +51,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
             Err(scene::failed(&loaded, error))
         }
     }
+}
+
+/// What a run that has not kept its promise says on stderr.
+fn degraded(report: &RunReport) -> String {
+    let first = report.warnings.first().map_or("", String::as_str);
+    format!("degraded: {}: the run has not kept what its method promises: {first}", report.scene)
 }
 
 /// Writes files and shows progress.

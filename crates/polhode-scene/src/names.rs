@@ -1,7 +1,7 @@
 //! Words for the members of the engine's enums, as the scene format writes them.
 
-use polhode::Decision;
 use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Orientation, RotationRate, Tier};
+use polhode::{Decision, Outcome};
 
 /// The word for a tier.
 pub const fn tier(tier: Tier) -> &'static str {
@@ -59,5 +59,14 @@ pub const fn decision(decision: Decision) -> &'static str {
     match decision {
         Decision::On => "on",
         Decision::Off => "off",
+    }
+}
+
+/// How a run ended.
+pub const fn outcome(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Completed => "completed",
+        Outcome::Stopped => "stopped",
+        Outcome::Degraded => "degraded",
     }
 }

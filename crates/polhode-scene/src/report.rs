@@ -2,7 +2,7 @@
 
 use crate::names;
 use glam::DVec3;
-use polhode::{Acceleration, BodySample, Momentum, MomentumLedger, Outcome, Plan, RunReport, Scene};
+use polhode::{Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, Tolerated};
 use serde_json::{Value, json};
 
 /// The report of a run; `wall_s` is the time it took, s.
@@ -11,10 +11,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
     json!({
         "scene": report.scene,
         "tier": names::tier(report.plan.tier),
-        "outcome": match report.outcome {
-            Outcome::Completed => "completed",
-            Outcome::Stopped => "stopped",
-        },
+        "outcome": names::outcome(report.outcome),
         "duration_s": report.duration_s,
         "simulated_s": report.simulated_s,
         "steps": report.steps,
@@ -27,25 +24,46 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
             "potential_j": energy.potential_j,
         },
         "ledger": {
+            "numerical_j": ledger.numerical.value(),
+            "projection_j": ledger.projection.value(),
             "impact_j": ledger.impact.value(),
             "friction_j": ledger.friction.value(),
             "rest_j": ledger.rest.value(),
             "damping_j": ledger.damping.value(),
             "external_j": ledger.external.value(),
-            "projection_j": ledger.projection.value(),
-            "numerical_j": ledger.numerical.value(),
             "closure_relative": ledger.closure_relative(),
             "momentum": momentum_json(&ledger.momentum),
         },
+        "max_projection_m": certificate.max_projection_m,
+        "max_projection_of_limit": certificate.max_projection_of_limit,
+        "max_projection_at": pair_json(report, certificate.max_projection_at),
+        "max_projection_j": certificate.max_projection_j,
+        "max_projection_relative": certificate.max_projection_relative,
+        "max_projection_j_at": pair_json(report, certificate.max_projection_j_at),
         "max_penetration_m": certificate.max_penetration_m,
+        "max_penetration_of_limit": certificate.max_penetration_of_limit,
+        "max_penetration_at": pair_json(report, certificate.max_penetration_at),
         "max_residual": certificate.max_residual,
         "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
         "max_step_error": certificate.max_step_error,
         "fallbacks": certificate.fallbacks,
         "events": report.events,
         "warnings": report.warnings,
+        "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
         "bodies": report.bodies.iter().map(|(name, sample)| body_json(name, sample)).collect::<Vec<_>>(),
     })
+}
+
+/// Two bodies at a time, s; null when there are none.
+fn pair_json(report: &RunReport, at: Option<PairAt>) -> Value {
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
+    at.map_or(Value::Null, |at| json!({ "t_s": at.t_s, "body_a": name(at.body_a), "body_b": name(at.body_b) }))
+}
+
+/// What was tolerated; times in s.
+fn tolerated_json(tolerated: &Tolerated) -> Value {
+    let Tolerated { what, count, first_s, last_s } = tolerated;
+    json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s })
 }
 
 /// The ledger of momentum: N s, N m s.

@@ -1,8 +1,11 @@
 //! Everything that a viewer draws of one instant.
 
+use crate::collision::contact_set::Touch;
 use crate::observer::BodySample;
+use crate::world::World;
 use crate::{BodyId, Energy};
 use polhode_contact::ContactFeature;
+use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
 /// How a body moves at an instant.
@@ -63,4 +66,25 @@ pub struct Frame {
     pub islands: Vec<IslandView>,
     /// Energies; `initial_j` is that at the start of the run.
     pub energy: Energy,
+}
+
+impl World {
+    /// Adds what is seen of a contact that bears this force (N); one that stands for its mirror image in a planar motion too
+    /// is two.
+    pub(crate) fn view_contact(&self, states: &[BodyState], touch: &Touch, force_n: f64, views: &mut Vec<ContactView>) {
+        let (id, geometry) = (touch.id, touch.kinematics.geometry);
+        let view = ContactView {
+            body_a: BodyId::new(id.a),
+            body_b: BodyId::new(id.b),
+            feature: id.feature,
+            point_m: geometry.point,
+            normal: geometry.normal,
+            separation_m: geometry.separation,
+            normal_force_n: force_n,
+        };
+        let Some(aside) = self.mirrored(states, id) else { return views.push(view) };
+        for point_m in [view.point_m - aside, view.point_m + aside] {
+            views.push(ContactView { point_m, normal_force_n: 0.5 * force_n, ..view });
+        }
+    }
 }

@@ -23,6 +23,7 @@ pub mod observer;
 pub mod plan;
 mod planar;
 mod prescribed;
+mod promise;
 pub mod report;
 pub mod scene;
 mod settings;
@@ -43,7 +44,7 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
-pub use report::{Certificate, CrowdedStretch, Energy, Outcome, PlanChange, RunReport};
+pub use report::{Certificate, CrowdedStretch, Energy, Outcome, PairAt, PlanChange, RunReport, Tolerated};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, Simulation, StepEnd, StepOutcome};
 

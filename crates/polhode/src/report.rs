@@ -1,7 +1,8 @@
 //! What a run returns: energies, ledger, certificate, warnings.
 
 use crate::observer::BodySample;
-use crate::{Ledger, Plan};
+use crate::{BodyId, Ledger, Plan};
+use std::fmt;
 
 /// Energies of the whole scene, J. The potential is `-sum m g.x_cm`, zero at the world's origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,13 +24,67 @@ pub struct Certificate {
     pub max_residual: f64,
     /// Largest penetration, m (zero when no body ever penetrated).
     pub max_penetration_m: f64,
+    /// Largest penetration in units of what the method promises for its pair: above 1 the run is degraded. Zero for a tier
+    /// that promises nothing.
+    pub max_penetration_of_limit: f64,
+    /// Where and when that was.
+    pub max_penetration_at: Option<PairAt>,
+    /// Largest displacement of a body by one projection, m: of its origin, plus its rotation times its size.
+    pub max_projection_m: f64,
+    /// The largest such displacement in units of what the method promises for its pair: above 1 the run is degraded.
+    /// Overlaps within touch at the start are moved out and do not count.
+    pub max_projection_of_limit: f64,
+    /// Where and when that was.
+    pub max_projection_at: Option<PairAt>,
+    /// Largest change of energy by one projection, J.
+    pub max_projection_j: f64,
+    /// The same, relative to the largest energy of the run, as the closure of the ledger.
+    pub max_projection_relative: f64,
+    /// Where and when that was.
+    pub max_projection_j_at: Option<PairAt>,
     /// Largest bound on the error of an acceleration that a contact-force solve committed, `sqrt(f'w)`, in units of
     /// the mass norm, N^(1/2) (m/s^2)^(1/2) (zero to round-off for exact solves).
     pub max_acceleration_error_bound: f64,
     /// Largest estimated local error of a step in a contact phase, relative to its tolerance.
     pub max_step_error: f64,
-    /// How often a fallback solver answered.
+    /// How often the method did something else than it promises by itself: a fallback solver answered, an event was put
+    /// off, a contact was left alone. [`RunReport::tolerated`] names them.
     pub fallbacks: u64,
+}
+
+/// Two bodies at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairAt {
+    /// s.
+    pub t_s: f64,
+    /// Body A.
+    pub body_a: BodyId,
+    /// Body B.
+    pub body_b: BodyId,
+}
+
+/// Something that a run has tolerated, skipped or approximated, once or more often.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tolerated {
+    /// What, with the names of its bodies.
+    pub what: String,
+    /// How often.
+    pub count: u64,
+    /// When first, s.
+    pub first_s: f64,
+    /// When last, s.
+    pub last_s: f64,
+}
+
+impl fmt::Display for Tolerated {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, count, first_s, last_s } = self;
+        if *count == 1 {
+            write!(f, "t = {first_s} s: {what}")
+        } else {
+            write!(f, "t = {first_s} s to {last_s} s, {count} times: {what}")
+        }
+    }
 }
 
 /// How a run ended.
@@ -39,6 +94,10 @@ pub enum Outcome {
     Completed,
     /// The observer stopped it.
     Stopped,
+    /// It ended, or the observer stopped it, but it has not kept what its method promises: bodies overlapped by more, a
+    /// projection moved them or took energy by more, or a problem was not solved as asked. The first warnings say which
+    /// bodies, when, and by how much.
+    Degraded,
 }
 
 /// A stretch of time in which the events of some bodies crowded, so that they went on by time steps.
@@ -90,12 +149,15 @@ pub struct RunReport {
     pub ledger: Ledger,
     /// What is certain.
     pub certificate: Certificate,
-    /// Things a user should know, in order of time.
+    /// Things a user should know: broken promises first, then the others in order of time.
     pub warnings: Vec<String>,
     /// Stretches of time that were passed by time steps because events crowded: there the events are not exact.
     pub crowded: Vec<CrowdedStretch>,
     /// When actions of the program changed the plan.
     pub plan_changes: Vec<PlanChange>,
+    /// What was tolerated, skipped or approximated, in the order in which each came first; their counts add up to
+    /// [`Certificate::fallbacks`].
+    pub tolerated: Vec<Tolerated>,
     /// Names and final states of the bodies, in the order of the scene.
     pub bodies: Vec<(String, BodySample)>,
 }

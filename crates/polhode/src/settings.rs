@@ -17,6 +17,9 @@ const DEFAULT_TOLERANCE: f64 = 1e-11;
 
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
+/// Penetration that `accurate` promises to stay below at the default tolerance and tighter ones, relative to the size of
+/// the smaller body: where contacts close is located far below it whatever the tolerance.
+const PENETRATION_RELATIVE: f64 = 1e-12;
 
 /// Events in one step when no cap is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -53,6 +56,26 @@ impl Settings {
                     Integrator::Dop853 => self.asked_integrator.is_none(),
                     integrator => integrator.is_exact_without_loads(),
                 }
+    }
+
+    /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where it
+    /// promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
+    /// contacts go within a step.
+    pub(crate) fn promised_penetration(&self) -> Option<f64> {
+        match self.tier {
+            Tier::Thesis | Tier::Stepped => None,
+            Tier::Accurate if self.tolerance > DEFAULT_TOLERANCE => Some(self.tolerance),
+            Tier::Accurate => Some(PENETRATION_RELATIVE),
+        }
+    }
+
+    /// The tolerance that drift is judged by (dimensionless); none for a tier that promises nothing. Below the default,
+    /// what counts as touch and rounding decide.
+    pub(crate) fn promised_drift(&self) -> Option<f64> {
+        match self.tier {
+            Tier::Thesis | Tier::Stepped => None,
+            Tier::Accurate => Some(self.tolerance.max(DEFAULT_TOLERANCE)),
+        }
     }
 
     /// Whether splitting under error control is the plan's choice, not the scene's.

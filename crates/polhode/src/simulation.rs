@@ -176,7 +176,8 @@ impl Simulation {
         Ok(StepOutcome { t_s: t, end })
     }
 
-    /// Runs to the end of the scene's duration, or until the observer stops it.
+    /// Runs to the end of the scene's duration, or until the observer stops it. A run that has not kept what its method
+    /// promises ends with [`Outcome::Degraded`].
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -270,9 +271,11 @@ impl Simulation {
             warnings: Vec::new(),
             crowded: Vec::new(),
             plan_changes: self.plan_changes.clone(),
+            tolerated: Vec::new(),
             bodies: Vec::new(),
         };
-        accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);
+        let (states, limits) = (self.tier.states(&self.core), self.core.limits());
+        accounts.fill(&self.core.world, &states, &limits, &mut report);
         Ok(report)
     }
 }

@@ -28,6 +28,9 @@ pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;
 /// Units in the last place of the largest coordinate that rounding of poses may move a surface by.
 const ROUNDING_ULPS: f64 = 8.0;
 
+/// Units in the last place of the largest coordinate that penetration is judged with.
+const JUDGED_ULPS: f64 = 4.0;
+
 /// A body of the engine.
 #[derive(Debug, Clone)]
 pub(crate) struct WorldBody {
@@ -350,12 +353,22 @@ impl World {
 
     /// What the rounding of two poses may move surfaces by, m.
     pub(crate) fn rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        ROUNDING_ULPS * self.ulp(states, a, b)
+    }
+
+    /// What rounding adds to the penetration that a pair is allowed, m.
+    pub(crate) fn judged_rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        JUDGED_ULPS * self.ulp(states, a, b)
+    }
+
+    /// Unit in the last place of the largest coordinate of two bodies, m.
+    fn ulp(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
         let coordinate = |i: usize| {
             let body = &self.bodies[i];
             // A fixed half-space far away moves nothing: only its plane matters, through the other body.
             if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
         };
-        ROUNDING_ULPS * f64::EPSILON * coordinate(a).max(coordinate(b))
+        f64::EPSILON * coordinate(a).max(coordinate(b))
     }
 
     /// A body's pose and velocity as they are reported: the velocity of the centre of mass, of a kinematic body that of

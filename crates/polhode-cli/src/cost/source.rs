@@ -59,8 +59,11 @@ impl Source {
         let mut watch = Watch { record: Recorder::default(), until: limit.map(|limit| Instant::now() + limit) };
         let (report, took) = self.run(scene, &mut watch)?;
         match report.outcome {
-            Outcome::Completed => Ok(Completed { record: watch.record, report, took }),
-            Outcome::Stopped => {
+            // A method that breaks its promise is shown with the error that it has.
+            Outcome::Completed | Outcome::Degraded if report.simulated_s >= report.duration_s => {
+                Ok(Completed { record: watch.record, report, took })
+            }
+            Outcome::Completed | Outcome::Degraded | Outcome::Stopped => {
                 let (at, end, took) = (report.simulated_s, report.duration_s, took.as_secs_f64());
                 Err(format!("left out: stopped at {at:.3} of {end} s after {took:.1} s; --vary lets it run"))
             }

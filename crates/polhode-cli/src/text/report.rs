@@ -1,7 +1,7 @@
 //! Plan, accelerations and report of a run.
 
 use super::table::{Table, number, vector};
-use polhode::{Acceleration, Ledger, MomentumLedger, Outcome, Plan, RunReport, Scene};
+use polhode::{Acceleration, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
 use polhode_scene::names;
 
 /// Most bodies listed: more are for a file to hold.
@@ -37,10 +37,7 @@ pub(crate) fn accelerations(scene: &Scene, accelerations: &[Acceleration]) -> St
 /// The report of a run that took `wall_s` seconds.
 pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
     let mut run = Table::default();
-    let ended = match report.outcome {
-        Outcome::Completed => "completed",
-        Outcome::Stopped => "stopped",
-    };
+    let ended = names::outcome(report.outcome);
     run.row(["simulated", &format!("{} of {} s, {ended}", number(report.simulated_s), number(report.duration_s))]);
     run.row(["steps", &report.steps.to_string()]);
     run.row(["events", &report.events.to_string()]);
@@ -53,49 +50,82 @@ pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
     energies.row(["kinetic", &joule(energy.kinetic_j)]);
     energies.row(["potential", &joule(energy.potential_j)]);
 
-    let certificate = &report.certificate;
-    let mut certain = Table::default();
-    certain.row(["largest penetration", &format!("{} m", number(certificate.max_penetration_m))]);
-    certain.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
-    certain.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
-    certain.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);
-    certain.row(["fallbacks", &certificate.fallbacks.to_string()]);
-
     let mut page = format!(
-        "run\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\n\
-         ledger of momentum (lost, but for what gravity and fixed bodies gave)\n{}\ncertificate\n{}\n{}",
+        "run\n{}\ncertificate (largest of the run)\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\n\
+         ledger of momentum (lost, but for what gravity and fixed bodies gave)\n{}\n{}",
         run.print(),
+        certificate(report),
         energies.print(),
         ledger(&report.ledger),
         momentum_ledger(&report.ledger.momentum),
-        certain.print(),
         bodies(report)
     );
-    for warning in &report.warnings {
-        page.push_str("\nwarning: ");
-        page.push_str(warning);
-    }
-    if !report.warnings.is_empty() {
+    let warnings = report.warnings.iter().map(|warning| format!("\nwarning: {warning}"));
+    let tolerated = report.tolerated.iter().map(|tolerated| format!("\ntolerated: {tolerated}"));
+    page.extend(warnings.chain(tolerated));
+    if !(report.warnings.is_empty() && report.tolerated.is_empty()) {
         page.push('\n');
     }
     page
 }
 
+/// What the run says of its own accuracy: what was lost first, the certificate next; closure stands with the ledgers, for it
+/// only checks the book-keeping.
+fn certificate(report: &RunReport) -> String {
+    let (ledger, certificate) = (&report.ledger, &report.certificate);
+    let Certificate { max_projection_m, max_projection_j, max_penetration_m, .. } = *certificate;
+    let relative = |energy_j: f64| if energy_j == 0.0 { 0.0 } else { energy_j / ledger.scale_j };
+    let energy = |energy_j: f64| format!("{} ({} of the largest energy)", joule(energy_j), number(relative(energy_j)));
+    let mut table = Table::default();
+    table.row(["numerical loss", &energy(ledger.numerical.value())]);
+    table.row(["taken by projection", &energy(ledger.projection.value())]);
+    let at = at(report, certificate.max_projection_j_at);
+    table.row(["largest projection, energy", &format!("{}{at}", energy(max_projection_j))]);
+    table.row([
+        "largest projection, distance",
+        &with_limit(report, max_projection_m, certificate.max_projection_of_limit, certificate.max_projection_at),
+    ]);
+    table.row([
+        "largest penetration",
+        &with_limit(report, max_penetration_m, certificate.max_penetration_of_limit, certificate.max_penetration_at),
+    ]);
+    table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
+    table.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
+    table.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);
+    table.row(["fallbacks", &certificate.fallbacks.to_string()]);
+    table.print()
+}
+
+/// A length, how much of what is promised it is, and where that was.
+fn with_limit(report: &RunReport, length_m: f64, of_limit: f64, pair: Option<PairAt>) -> String {
+    let of_limit = if of_limit > 0.0 { format!(", {} of its limit", number(of_limit)) } else { String::new() };
+    format!("{} m{of_limit}{}", number(length_m), at(report, pair))
+}
+
+/// Which bodies, and when.
+fn at(report: &RunReport, pair: Option<PairAt>) -> String {
+    let name = |body: BodyId| report.bodies.get(body.index()).map_or("", |(name, _)| name.as_str());
+    pair.map_or_else(String::new, |pair| {
+        format!(": {} and {} at t = {} s", name(pair.body_a), name(pair.body_b), number(pair.t_s))
+    })
+}
+
 fn ledger(ledger: &Ledger) -> String {
     let mut table = Table::default();
     let entries = [
+        ("numerical", ledger.numerical),
+        ("projection", ledger.projection),
         ("impact", ledger.impact),
         ("friction", ledger.friction),
         ("rest", ledger.rest),
         ("damping", ledger.damping),
         ("work done by forces", ledger.external),
-        ("projection", ledger.projection),
-        ("numerical", ledger.numerical),
     ];
     for (name, sum) in entries {
         table.row([name, &joule(sum.value())]);
     }
-    table.row(["closure", &format!("{} (relative)", number(ledger.closure_relative()))]);
+    let closure = number(ledger.closure_relative());
+    table.row(["closure", &format!("{closure} (relative; checks the book-keeping only)")]);
     table.print()
 }
 

@@ -115,3 +115,62 @@ fn replacing() {
     place.expect(0, &["run", "scene.toml", "-o", "a.csv"]);
     assert_eq!(place.read("a.csv").lines().count(), 6);
 }
+
+/// A ball that falls on a ring, off its axis.
+const BALL_ON_RING: &str = r#"
+format = 1
+name = "ball on a ring"
+duration = 3
+[materials.m]
+restitution = 0.2
+[[bodies]]
+name = "torus"
+fixed = true
+shape.torus = { major = 0.5, minor = 0.1 }
+material = "m"
+[[bodies]]
+name = "ball"
+shape.sphere.radius = 0.5
+mass = 1
+position = [0.05, 0.0, 1.0]
+material = "m"
+"#;
+
+/// A tolerance that lets a ball sink into a ring by a tenth of the ring's size, and a projection take a fifth of the energy:
+/// the run ends, and says by outcome, warning and exit code that it has not kept its promise.
+#[test]
+fn run_that_breaks_its_promise_is_degraded() {
+    let place = Place::with_scene(BALL_ON_RING);
+    let run = place.expect(1, &["run", "scene.toml", "--json", "-o", "a.csv", "--set", "method.tolerance=1e-2"]);
+    let report = run.json();
+    assert_eq!((report["outcome"].as_str(), report["simulated_s"].as_f64()), (Some("degraded"), Some(3.0)));
+    assert!(report["max_penetration_of_limit"].as_f64().unwrap() > 1.0);
+    assert_eq!(report["max_penetration_at"]["body_a"], "torus");
+    let warning = report["warnings"][0].as_str().unwrap();
+    for part in ["t = ", "degraded", "torus", "ball", "promised"] {
+        assert!(warning.contains(part), "{part}: {warning}");
+    }
+    assert!(run.stderr.contains("degraded"), "{}", run.stderr);
+    // What was asked for is written all the same.
+    assert!(place.read("a.csv").lines().count() > 2);
+}
+
+/// A run that keeps its promise says so, and how closely.
+#[test]
+fn run_that_keeps_its_promise_is_completed() {
+    let report = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--json"]).json();
+    assert_eq!((report["outcome"].as_str(), report["fallbacks"].as_u64()), (Some("completed"), Some(0)));
+    assert!(report["tolerated"].as_array().unwrap().is_empty());
+    for key in ["max_projection_m", "max_projection_j", "max_projection_relative", "max_penetration_of_limit"] {
+        assert_eq!(report[key].as_f64(), Some(0.0), "{key}");
+    }
+}
+
+/// What was lost stands before what only checks the book-keeping.
+#[test]
+fn losses_come_first() {
+    let run = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml"]);
+    let place = |part: &str| run.stdout.find(part).unwrap_or_else(|| panic!("{part} is missing: {}", run.stdout));
+    let order = ["numerical loss", "taken by projection", "largest projection", "largest penetration", "closure"];
+    assert!(order.is_sorted_by_key(|part| place(part)), "{}", run.stdout);
+}

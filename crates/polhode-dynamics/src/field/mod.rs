@@ -85,14 +85,26 @@ pub struct Wrench {
     pub torque: DVec3,
 }
 
-/// What a field's force depends on, which decides the methods that may integrate it.
+/// What a field's force depends on, which decides the methods that may integrate it, and whether bodies under it may be left
+/// at rest without being looked at.
+///
+/// It is a promise: the wrenches of [`Field::add_wrenches`] depend on what is named here and on nothing else. A field whose
+/// force comes from a value that a program changes (a control, a measurement) depends on time, whatever its formula looks
+/// like, and must say [`Self::PosesAndTime`]. One that says [`Self::Poses`] all the same is not asked again while the bodies it
+/// acts on rest: they stay at rest, under the force of the moment at which they came to rest, until an event wakes them.
+///
+/// Even a field that depends on time is asked at the stages of steps only. A value that changes between two calls takes
+/// effect from the next step on, not within one that has been made; a jump at a known time belongs into
+/// [`Field::corner_between`], and a force that a program sets from outside into an action on the simulation, which ends the
+/// step and wakes what rests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Dependence {
-    /// On poses alone: half of a splitting.
+    /// On poses alone: half of a splitting. At the same poses the force is the same at any time, which is why what rests under
+    /// it may be left at rest.
     Poses,
-    /// On poses and time.
+    /// On poses and time: bodies under it are integrated also while they do not move.
     PosesAndTime,
-    /// On velocities too.
+    /// On velocities too, and perhaps on time.
     Velocities,
 }
 
@@ -115,7 +127,7 @@ pub fn corner_between(fields: &[Box<dyn Field>], from: f64, to: f64) -> Option<f
 
 /// A force field over the bodies of a system.
 pub trait Field: Debug + Send + Sync {
-    /// What the force depends on.
+    /// What the force depends on, and nothing else: see [`Dependence`] for what is promised.
     fn dependence(&self) -> Dependence;
 
     /// Where the work of the force is booked.

@@ -114,11 +114,13 @@ impl Books {
         momentum.numerical.add(before.momentum - after.momentum + explained);
     }
 
-    /// Books a projection of positions or velocities, in which prescribed motions did work (J).
-    pub(crate) fn projection(&mut self, before: Balance, after: Balance, work_j: f64) {
+    /// Books a projection of positions or velocities, in which prescribed motions did work (J); what it took, J.
+    pub(crate) fn projection(&mut self, before: Balance, after: Balance, work_j: f64) -> f64 {
+        let taken = before.energy_j - after.energy_j + work_j;
         self.ledger.external.add(work_j);
-        self.ledger.projection.add(before.energy_j - after.energy_j + work_j);
+        self.ledger.projection.add(taken);
         self.ledger.momentum.projection.add(before.momentum - after.momentum);
+        taken
     }
 
     /// Books bounces that were summed up and velocities that were set to rest, in which prescribed motions did work (J).

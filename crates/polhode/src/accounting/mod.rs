@@ -4,25 +4,32 @@
 //! the observer from here alone, in order of time.
 
 pub(crate) mod books;
-mod warnings;
+pub(crate) mod measures;
+mod occurrences;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
 use crate::observer::Observer;
+use crate::scene::ImpactLaw;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, CrowdedStretch, Energy, Event, RunReport, SimulationError};
+use crate::{Certificate, CrowdedStretch, Energy, Event, Outcome, RunReport, SimulationError};
 use books::Books;
+use measures::{Limits, Measures};
+use occurrences::Occurrences;
 use polhode_dynamics::BodyState;
+use polhode_response::impact::{ImpactOutcome, ImpactStatus};
 use polhode_response::{SolverReport, SolverStatus};
-use warnings::Warnings;
 
 /// The accounts of a run in progress.
 #[derive(Debug, Clone)]
 pub(crate) struct Accounts {
     pub(crate) books: Books,
     pub(crate) certificate: Certificate,
-    warnings: Warnings,
+    /// What the run is judged by.
+    pub(crate) measures: Measures,
+    warnings: Occurrences,
+    tolerated: Occurrences,
     /// Events that have not been told yet.
     events: Vec<Event>,
     event_count: u64,
@@ -41,7 +48,9 @@ impl Accounts {
         Self {
             books: Books::open(world, states),
             certificate: Certificate::default(),
-            warnings: Warnings::default(),
+            measures: Measures::default(),
+            warnings: Occurrences::default(),
+            tolerated: Occurrences::default(),
             events: Vec::new(),
             event_count: 0,
             steps: 0,
@@ -56,6 +65,16 @@ impl Accounts {
         self.warnings.add(t, what.into());
     }
 
+    /// Counts something that is tolerated, skipped or approximated at time `t` (s), under its name.
+    pub(crate) fn tolerate(&mut self, t: f64, what: impl Into<String>) {
+        self.tolerated.add(t, what.into());
+    }
+
+    /// Counts a problem that was not solved as asked at time `t` (s): the run is degraded.
+    pub(crate) fn note_unsolved(&mut self, t: f64, what: impl Into<String>) {
+        self.measures.unsolved.add(t, what.into());
+    }
+
     /// Takes a solver's report into the certificate.
     ///
     /// # Errors
@@ -64,7 +83,9 @@ impl Accounts {
         let certificate = &mut self.certificate;
         certificate.max_residual = certificate.max_residual.max(report.residual);
         certificate.max_acceleration_error_bound = certificate.max_acceleration_error_bound.max(report.bound);
-        certificate.fallbacks += u64::from(report.method.is_fallback());
+        if report.method.is_fallback() {
+            self.tolerate(t, "contact forces were found by a fallback, not by the first method tried");
+        }
         if report.status == SolverStatus::Solved {
             Ok(())
         } else {
@@ -76,8 +97,12 @@ impl Accounts {
     pub(crate) fn note_time_step(&mut self, world: &World, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
-        self.certificate.fallbacks += report.fallbacks;
-        self.note_penetration(report.max_penetration_m);
+        for _ in 0..report.fallbacks {
+            self.tolerate(
+                report.impulses.last().map_or(0.0, |last| last.t),
+                "a problem of a time step was approximated",
+            );
+        }
         for given in &report.impulses {
             let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };
             let event = Event {
@@ -132,9 +157,46 @@ impl Accounts {
         }
     }
 
-    /// Takes a depth of penetration (m) into the certificate.
-    pub(crate) fn note_penetration(&mut self, depth_m: f64) {
-        self.certificate.max_penetration_m = self.certificate.max_penetration_m.max(depth_m);
+    /// Takes the outcome of an impact of some bodies by a law into the certificate.
+    pub(crate) fn note_impact(
+        &mut self,
+        world: &World,
+        t: f64,
+        law: ImpactLaw,
+        bodies: &[usize],
+        outcome: &ImpactOutcome,
+    ) {
+        let law = law.name();
+        self.certificate.max_residual = self.certificate.max_residual.max(outcome.residual);
+        match outcome.status {
+            ImpactStatus::NoApproach | ImpactStatus::Separated => {}
+            ImpactStatus::StoppedAtThreshold => self.warn_of_tolerated(
+                t,
+                format!(
+                    "an impact by {law} does not end: stopped when every speed of approach was below the threshold"
+                ),
+            ),
+            ImpactStatus::RestitutionLowered => self.warn_of_tolerated(
+                t,
+                "an impact between contacts of different restitution would have gained energy: the smallest was used",
+            ),
+            ImpactStatus::LimitReached => self.warn_of_tolerated(
+                t,
+                format!("an impact by {law} reached its limit of applications: the rest was resolved inelastically"),
+            ),
+            ImpactStatus::NotSolved => {
+                let (names, residual) = (world.names_of(bodies), outcome.residual);
+                let what = format!("an impact of {names} by {law} was not solved: the residual stays at {residual:e}");
+                self.note_unsolved(t, what);
+            }
+        }
+    }
+
+    /// Gives a warning of something that is counted among what was tolerated too.
+    pub(crate) fn warn_of_tolerated(&mut self, t: f64, what: impl Into<String>) {
+        let what = what.into();
+        self.warn(t, what.clone());
+        self.tolerate(t, what);
     }
 
     /// Checks that the states of all bodies at `t` (s) are finite, and takes note of their energies and momenta.
@@ -198,12 +260,19 @@ impl Accounts {
         true
     }
 
-    /// Writes the accounts into the report of a run that ends with these states.
-    pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], report: &mut RunReport) {
+    /// Writes the accounts into the report of a run that ends with these states, and judges it by these limits.
+    pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
         report.energy = self.books.observe(world, states);
         report.ledger = self.books.ledger;
         report.certificate = self.certificate;
-        report.warnings = self.warnings.texts();
+        self.measures.fill(&report.ledger, &mut report.certificate);
+        report.certificate.fallbacks = self.tolerated.total();
+        report.tolerated = self.tolerated.list().to_vec();
+        report.warnings = self.measures.broken(world, &report.ledger, limits);
+        if !report.warnings.is_empty() {
+            report.outcome = Outcome::Degraded;
+        }
+        report.warnings.extend(self.warnings.texts());
         report.steps = self.steps;
         report.events = self.event_count;
         report.crowded.clone_from(&self.crowded);

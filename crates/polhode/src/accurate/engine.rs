@@ -352,7 +352,8 @@ impl Engine {
         match step {
             Ok(step) => Ok(Step::Free(Box::new(step))),
             Err(error) if core.settings.splits_by_choice() && too_strong(&error) => {
-                core.accounts.warn(t, "forces have grown too strong for splitting: dop853 goes on from here");
+                let what = "forces have grown too strong for splitting: dop853 goes on from here";
+                core.accounts.warn_of_tolerated(t, what);
                 for &body in bodies {
                     self.tracks[body].gave_up_splitting = true;
                     self.tracks[body].mode = Mode::Constrained;
@@ -587,15 +588,7 @@ impl Tier for Engine {
             if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
                 continue;
             }
-            views.push(ContactView {
-                body_a: BodyId::new(id.a),
-                body_b: BodyId::new(id.b),
-                feature: id.feature,
-                point_m: geometry.point,
-                normal: geometry.normal,
-                separation_m: geometry.separation,
-                normal_force_n: force.unwrap_or(0.0),
-            });
+            core.world.view_contact(states, &touch, force.unwrap_or(0.0), &mut views);
         }
         views
     }

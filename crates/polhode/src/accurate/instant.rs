@@ -264,10 +264,10 @@ impl Engine {
         }
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        let work = projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
+        let done = projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
             .map_err(|source| Core::response_error(t, source))?;
         let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
-        core.accounts.books.projection(integrated, projected, work);
+        core.book_projection(t, &self.states, &done, (integrated, projected));
         self.check(core, &island.bodies, &island.held, t)?;
         Ok(island.step)
     }
@@ -282,10 +282,11 @@ impl Engine {
         }
         // The separation of a contact point measures penetration only while the point lies on its features, as that of
         // held contacts does; others are measured when they are detected.
-        let separations =
-            held.iter().filter_map(|&id| Some(core.world.kinematics(&self.states, id)?.geometry.separation));
-        let deepest = separations.fold(0.0f64, |depth, separation| depth.max(-separation));
-        core.accounts.note_penetration(deepest);
+        for &id in held {
+            if let Some(kinematics) = core.world.kinematics(&self.states, id) {
+                core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
+            }
+        }
         Ok(())
     }
 
@@ -298,7 +299,7 @@ impl Engine {
         let advance = pace.note_end(instant.t, StepEnd::AtEvent, longest);
         if pace.begins_to_back_off() {
             let what = "events undo each other at one instant: what is still wrong is tolerated for a moment";
-            core.accounts.warn(instant.t, what);
+            core.accounts.warn_of_tolerated(instant.t, what);
         }
         for &body in &instant.bodies {
             self.tracks[body].pace = pace;

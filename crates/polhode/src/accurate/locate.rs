@@ -78,6 +78,12 @@ impl Engine {
             found = Some(ContactChange { t: limit, departing: BTreeSet::new() });
             wrong = self.first_wrong(core, step, limit, &tolerated, states)?;
         }
+        let mut pairs: Vec<_> = tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
+        pairs.dedup();
+        for (a, b) in pairs {
+            let names = core.world.pair_names(a, b);
+            core.accounts.tolerate(step.t, format!("contacts of {names} that no longer hold were kept for a moment"));
+        }
         match wrong {
             Some(wrong) => self.change_before(core, step, wrong, &tolerated, states).map(Some),
             None => Ok(found),

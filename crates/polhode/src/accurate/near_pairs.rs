@@ -253,7 +253,7 @@ impl Engine {
     /// When a search does not end.
     pub(super) fn search_pairs(
         &mut self,
-        core: &Core,
+        core: &mut Core,
         bodies: &[usize],
         t: f64,
         search: Search,
@@ -276,7 +276,7 @@ impl Engine {
     }
 
     /// Searches one pair for its impact after `t`.
-    fn search_pair(&mut self, core: &Core, a: usize, b: usize, t: f64) -> Result<(), SimulationError> {
+    fn search_pair(&mut self, core: &mut Core, a: usize, b: usize, t: f64) -> Result<(), SimulationError> {
         self.forget_watch(a, b);
         if self.is_within_crowd(core, a, b) {
             return Ok(());
@@ -289,7 +289,17 @@ impl Engine {
             self.near.watches.insert((a, b), Watch { until, impact: f64::INFINITY });
             return Ok(());
         }
-        let impact = self.first_impact(core, (a, b), (t, until))?.unwrap_or(f64::INFINITY);
+        let found = self.first_impact(core, (a, b), (t, until))?;
+        let (pace, longest) = (self.pace_of(core, &[a, b]), core.settings.step_s);
+        let impact = match found {
+            Some(found) if pace.is_backing_off() && pace.is_stall(found, longest) => {
+                let names = core.world.pair_names(a, b);
+                core.accounts.tolerate(found, format!("an impact of {names} was put off for a moment"));
+                pace.retry_time(longest).min(until)
+            }
+            Some(found) => found,
+            None => f64::INFINITY,
+        };
         self.near.watches.insert((a, b), Watch { until, impact });
         self.agenda.add(impact, Due::Impact(a, b));
         Ok(())
@@ -343,20 +353,14 @@ impl Engine {
             true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
             true => return Ok(None),
         };
-        let found =
-            search(shape_a, motion_a, shape_b, motion_b, start, end, &ImpactSearch::default()).map_err(|source| {
-                SimulationError::ImpactSearch {
-                    t: start,
-                    body_a: core.world.bodies[a].name.clone(),
-                    body_b: core.world.bodies[b].name.clone(),
-                    source,
-                }
-            })?;
-        let longest = core.settings.step_s;
-        Ok(found.map(|t| {
-            let pace = self.pace_of(core, &[a, b]);
-            if pace.is_backing_off() && pace.is_stall(t, longest) { pace.retry_time(longest).min(end) } else { t }
-        }))
+        search(shape_a, motion_a, shape_b, motion_b, start, end, &ImpactSearch::default()).map_err(|source| {
+            SimulationError::ImpactSearch {
+                t: start,
+                body_a: core.world.bodies[a].name.clone(),
+                body_b: core.world.bodies[b].name.clone(),
+                source,
+            }
+        })
     }
 
     /// Whether a contact holds two bodies together.

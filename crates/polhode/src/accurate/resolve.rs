@@ -14,7 +14,7 @@ use crate::event::{Event, EventKind};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, strike, support};
 use crate::interaction::projection;
-use polhode_response::impact::{ImpactOutcome, ImpactSettings, ImpactStatus};
+use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -72,7 +72,10 @@ impl Engine {
                 continue;
             }
             let reach = core.world.touch_distance(&self.states, a, b);
-            let mut contacts = core.world.contacts_of_pair(&self.states, a, b, reach);
+            let (separation, mut contacts) = core.world.pair(&self.states, a, b, reach);
+            // Bodies may overlap more than any contact tells.
+            let rate = contacts.iter().fold(0.0, |rate, touch| touch.kinematics.separation_rate.min(rate));
+            core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
             for touch in &mut contacts {
                 if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
                     touch.hold = instant.touches[index].hold;
@@ -84,9 +87,9 @@ impl Engine {
         found.sort_by_key(|touch| touch.id);
         instant.touches = found;
         // A point beside its features overlaps nothing.
-        let on_features = instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0);
-        let deepest = on_features.fold(0.0f64, |depth, touch| depth.max(-touch.kinematics.geometry.separation));
-        core.accounts.note_penetration(deepest);
+        for touch in instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0) {
+            core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+        }
     }
 
     /// Strikes every group in which a contact approaches.
@@ -116,8 +119,6 @@ impl Engine {
         let settings = ImpactSettings::default();
         let outcome = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
-        let worst = &mut core.accounts.certificate.max_residual;
-        *worst = worst.max(outcome.residual);
         let impulses = group.contacts.iter().zip(&outcome.impulses);
         let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
@@ -132,7 +133,12 @@ impl Engine {
                 touch.id,
             );
         }
-        warn_about_impact(core, instant.t, &outcome);
+        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, &outcome);
+        if outcome.status == ImpactStatus::LimitReached {
+            let names = core.world.names_of(&group.bodies);
+            let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
+            core.accounts.note_unsolved(instant.t, what);
+        }
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
@@ -249,10 +255,10 @@ impl Engine {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let work = projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
+        let slowed = projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
             .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        core.accounts.books.rest(before, after, work);
+        core.accounts.books.rest(before, after, slowed.work_j);
         self.refresh_kinematics(core, instant);
         Ok(())
     }
@@ -275,11 +281,10 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            let work = projection::project_positions(&core.world, &mut self.states, &component.bodies, &touching)
-                .and_then(|()| projection::project_velocities(&core.world, &mut self.states, &component.bodies, &ids))
+            let done = projection::project_all(&core.world, &mut self.states, &component.bodies, &touching, &ids)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            core.accounts.books.projection(before, after, work);
+            core.book_projection(instant.t, &self.states, &done, (before, after));
             let scale = instant.speed_scale;
             let rests = let_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
@@ -456,24 +461,6 @@ fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hol
         return Hold::Open;
     }
     if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
-}
-
-fn warn_about_impact(core: &mut Core, t: f64, outcome: &ImpactOutcome) {
-    let law = core.settings.impact.name();
-    let what = match outcome.status {
-        ImpactStatus::StoppedAtThreshold => {
-            format!("an impact by {law} does not end: stopped when every speed of approach was below the threshold")
-        }
-        ImpactStatus::LimitReached => {
-            format!("an impact by {law} reached its limit of applications: the rest was resolved inelastically")
-        }
-        ImpactStatus::RestitutionLowered => {
-            "an impact between contacts of different restitution would have gained energy: the smallest was used"
-                .to_owned()
-        }
-        ImpactStatus::NoApproach | ImpactStatus::Separated | ImpactStatus::NotSolved => return,
-    };
-    core.accounts.warn(t, what);
 }
 
 fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {

@@ -118,10 +118,10 @@ impl Engine {
         for group in groups(&core.world, all.into_iter()) {
             let ids: Vec<_> = group.contacts.iter().map(|&i| contacts[i].id).collect();
             let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            projection::project_positions(&core.world, &mut self.states, &group.bodies, &ids)
+            let done = projection::project_positions(&core.world, &mut self.states, &group.bodies, &ids)
                 .map_err(|source| Core::response_error(core.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            core.accounts.books.projection(before, after, 0.0);
+            core.book_initial_projection(core.t, &done, (before, after));
         }
         for body in 0..self.tracks.len() {
             self.begin_free_motion(core, body, core.t);

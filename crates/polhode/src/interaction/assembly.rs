@@ -98,6 +98,11 @@ impl Assembly {
         Ok(Self { problem, bodies: bodies.to_vec(), coordinates })
     }
 
+    /// Movable bodies, in the order of the problem's blocks.
+    pub(crate) fn bodies(&self) -> &[usize] {
+        &self.bodies
+    }
+
     /// Generalised accelerations without contact forces: `g + F/m` and `I^-1 (torque - w x L)`.
     pub(crate) fn free_accelerations(&self, world: &World, states: &[BodyState], loads: &Loads) -> Vec<f64> {
         let mut out = Vec::with_capacity(self.bodies.len() * self.coordinates.width());

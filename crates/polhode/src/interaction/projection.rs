@@ -7,9 +7,11 @@
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses};
 use crate::world::World;
+use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
-use polhode_spatial::Rotation;
+use polhode_spatial::{DVec3, Rotation};
+use std::collections::BTreeMap;
 
 /// Newton steps on the separations. The correction is of the order of the integration error (1e-11) or of touch, so
 /// that the second step is already at round-off.
@@ -19,11 +21,29 @@ const MAX_NEWTON_STEPS: usize = 3;
 /// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
 const JUMPED_RELATIVE: f64 = 1e-5;
 
+/// Contacts that are farther from zero separation than this fraction of the pair's size and rounding after the last Newton
+/// step have not been put together: by what penetration is judged by at the default tolerance.
+const UNCONVERGED_RELATIVE: f64 = 1e-12;
+
 /// Separations below this fraction of the rounding that penetration is judged with are left alone.
 const ROUNDING_FRACTION: f64 = 0.25;
 
-/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities; the work of
-/// prescribed motions in that, J.
+/// What a projection has done.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Projection {
+    /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all points.
+    pub(crate) moved_m: f64,
+    /// The pair that was farthest from what it was put to; none when nothing was to be done.
+    pub(crate) pair: Option<(usize, usize)>,
+    /// Pairs with contacts that were left alone because their place had jumped.
+    pub(crate) jumped: Vec<(usize, usize)>,
+    /// Pairs that are further apart, or deeper in each other, than rounding after the last Newton step.
+    pub(crate) unconverged: Vec<(usize, usize)>,
+    /// Work of prescribed motions by the impulses that removed velocities, J.
+    pub(crate) work_j: f64,
+}
+
+/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -32,9 +52,26 @@ pub(crate) fn project(
     states: &mut [BodyState],
     bodies: &[usize],
     held: &[ContactId],
-) -> Result<f64, ResponseError> {
-    project_positions(world, states, bodies, held)?;
-    project_velocities(world, states, bodies, held)
+) -> Result<Projection, ResponseError> {
+    project_all(world, states, bodies, held, held)
+}
+
+/// Puts contacts onto zero separation, then removes the relative velocities of those that hold.
+///
+/// # Errors
+/// When the state is not finite.
+pub(crate) fn project_all(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    touching: &[ContactId],
+    held: &[ContactId],
+) -> Result<Projection, ResponseError> {
+    let mut done = project_positions(world, states, bodies, touching)?;
+    let slowed = project_velocities(world, states, bodies, held)?;
+    done.pair = done.pair.or(slowed.fastest);
+    done.work_j = slowed.work_j;
+    Ok(done)
 }
 
 /// Puts contacts onto zero separation.
@@ -46,18 +83,33 @@ pub(crate) fn project_positions(
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
-) -> Result<(), ResponseError> {
-    for _ in 0..MAX_NEWTON_STEPS {
-        let geometries: Vec<_> = contacts
-            .iter()
-            .filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)))
-            .filter(|(id, geometry)| geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b))
-            .collect();
+) -> Result<Projection, ResponseError> {
+    let mut done = Projection::default();
+    let mut moved: BTreeMap<usize, (DVec3, DVec3)> = BTreeMap::new();
+    let distance = |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), (id.a, id.b));
+    for step in 0..=MAX_NEWTON_STEPS {
+        let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
+        let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
+            geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
+        };
+        let (geometries, jumped): (Vec<_>, Vec<_>) = geometries.partition(drifted);
+        done.jumped.extend(jumped.iter().map(|(id, _)| (id.a, id.b)));
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
         if at_rounding {
             break;
+        }
+        if step == MAX_NEWTON_STEPS {
+            let apart = |(id, geometry): &&(ContactId, ContactGeometry)| {
+                geometry.separation.abs()
+                    > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
+            };
+            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| (id.a, id.b)));
+            break;
+        }
+        if done.pair.is_none() {
+            done.pair = farthest(geometries.iter().map(distance));
         }
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
@@ -66,12 +118,34 @@ pub(crate) fn project_positions(
             let pose = &mut states[body].pose;
             pose.translation += linear;
             pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
+            let sum = moved.entry(body).or_default();
+            *sum = (sum.0 + linear, sum.1 + angular);
         }
     }
-    Ok(())
+    done.jumped.dedup();
+    done.unconverged.dedup();
+    let displacement = |(&body, (linear, angular)): (&usize, &(DVec3, DVec3))| {
+        linear.length() + angular.length() * world.bodies[body].size
+    };
+    done.moved_m = moved.iter().map(displacement).fold(0.0, f64::max);
+    Ok(done)
 }
 
-/// Removes the relative velocities of contacts; the work of prescribed motions by the impulses that do it, J.
+/// The pair of the largest of some distances or speeds.
+fn farthest(distances: impl Iterator<Item = (f64, (usize, usize))>) -> Option<(usize, usize)> {
+    distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, pair)| pair)
+}
+
+/// What the removal of relative velocities has done.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Slowed {
+    /// The pair that was fastest; none when none moved.
+    pub(crate) fastest: Option<(usize, usize)>,
+    /// Work of prescribed motions by the impulses, J.
+    pub(crate) work_j: f64,
+}
+
+/// Removes the relative velocities of contacts.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -80,16 +154,17 @@ pub(crate) fn project_velocities(
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
-) -> Result<f64, ResponseError> {
+) -> Result<Slowed, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) {
-        return Ok(0.0);
+        return Ok(Slowed::default());
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     let impulses = cancel(&assembly, &contacts.iter().map(|(_, k)| k.separation_rate).collect::<Vec<_>>())?;
     let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
-    Ok(world.prescribed_work(states, impulses))
+    let work_j = world.prescribed_work(states, impulses);
+    Ok(Slowed { fastest: farthest(contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)))), work_j })
 }
 
 /// Multipliers whose response cancels `values` on all rows.

@@ -10,7 +10,8 @@ pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, Rotati
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tier {
-    /// The thesis's section 3.5 to the letter: RK4, fixed step, propagation, least-force linear programme.
+    /// The thesis's section 3.5 to the letter: RK4, fixed step, propagation, least-force linear programme. It is kept for
+    /// history and promises nothing of penetration.
     Thesis,
     /// Fixed steps at the level of velocities with exact complementarity; always gets through.
     Stepped,
@@ -85,7 +86,8 @@ pub struct Method {
     pub contact: Option<ContactMethod>,
     /// How pairs that may touch are found; a choice of time alone, the results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
-    /// Local error per step of contact phases, relative to size and speed of each body.
+    /// Local error per step of contact phases, relative to size and speed of each body. Above the default (1e-11) it is also
+    /// the penetration promised, relative to size.
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,

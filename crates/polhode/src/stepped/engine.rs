@@ -297,16 +297,8 @@ impl Tier for SteppedEngine {
         let mut views = Vec::new();
         for &(a, b) in &self.touching {
             for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
-                let (id, geometry) = (touch.id, touch.kinematics.geometry);
-                views.push(ContactView {
-                    body_a: BodyId::new(a),
-                    body_b: BodyId::new(b),
-                    feature: id.feature,
-                    point_m: geometry.point,
-                    normal: geometry.normal,
-                    separation_m: geometry.separation,
-                    normal_force_n: self.forces.get(&id).copied().unwrap_or(0.0),
-                });
+                let id = touch.id;
+                core.world.view_contact(states, &touch, self.forces.get(&id).copied().unwrap_or(0.0), &mut views);
             }
         }
         views

@@ -22,7 +22,7 @@ use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::Integrator;
 use polhode_response::impact::ImpactSettings;
 use polhode_response::least_force::{LeastForceStage, least_force};
-use polhode_response::{ResponseError, SolverSettings};
+use polhode_response::{Delassus, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Still};
 
 /// A contact that parts more slowly than gravity makes bodies approach within this many steps is at rest (thesis
@@ -99,7 +99,7 @@ impl ThesisEngine {
         core.accounts.count_step();
         core.accounts.observe(&core.world, &self.states, core.t)?;
         for touch in self.detect(core)? {
-            core.accounts.note_penetration(-touch.kinematics.geometry.separation);
+            core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
         Ok(())
     }
@@ -137,8 +137,7 @@ impl ThesisEngine {
             let work = core.world.prescribed_work(&self.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
             core.accounts.books.impact(outcome.energy_change, given, work);
-            let worst = &mut core.accounts.certificate.max_residual;
-            *worst = worst.max(outcome.residual);
+            core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];
                 core.accounts.add_event(impulse_event(core.t, touch, application));
@@ -295,17 +294,9 @@ impl Tier for ThesisEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
         for touch in touching(core, states, &mut Boxes::new(&core.settings, states.len())).unwrap_or_default() {
-            let (id, geometry) = (touch.id, touch.kinematics.geometry);
+            let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
-            views.push(ContactView {
-                body_a: BodyId::new(id.a),
-                body_b: BodyId::new(id.b),
-                feature: id.feature,
-                point_m: geometry.point,
-                normal: geometry.normal,
-                separation_m: geometry.separation,
-                normal_force_n: resting.map_or(0.0, |(_, force)| *force),
-            });
+            core.world.view_contact(states, &touch, resting.map_or(0.0, |(_, force)| *force), &mut views);
         }
         views
     }
@@ -389,22 +380,35 @@ fn group_forces(
             let solution = least_force(&delassus, &b, &SolverSettings::default())?;
             if solution.stage == LeastForceStage::NoForces && b.iter().any(|&b| b < 0.0) {
                 // The certificate needs forces that keep every contact from closing; the exact ones do.
-                core.accounts.warn(core.t, "a linear programme of least force was not solved: exact forces were used");
-                core.accounts.certificate.fallbacks += 1;
-                let exact = core.solver.solve(&assembly.problem, &delassus, &b, None)?;
-                (exact.forces.clone(), exact.report.bound)
+                let what = "a linear programme of least force was not solved: exact forces were used";
+                core.accounts.warn_of_tolerated(core.t, what);
+                exact_forces(core, &assembly, &delassus, &b)?
             } else {
                 (solution.forces, solution.report.bound)
             }
         }
-        ContactMethod::ActiveSet => {
-            let solution = core.solver.solve(&assembly.problem, &delassus, &b, None)?;
-            (solution.forces.clone(), solution.report.bound)
-        }
+        ContactMethod::ActiveSet => exact_forces(core, &assembly, &delassus, &b)?,
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
     *worst = worst.max(bound);
     Ok(forces)
+}
+
+/// Forces of the complementarity problem, and the bound on the error of its accelerations.
+fn exact_forces(
+    core: &mut Core,
+    assembly: &Assembly,
+    delassus: &Delassus,
+    b: &[f64],
+) -> Result<(Vec<f64>, f64), ResponseError> {
+    let solution = core.solver.solve(&assembly.problem, delassus, b, None)?;
+    if solution.report.status != SolverStatus::Solved {
+        let names = core.world.names_of(assembly.bodies());
+        let residual = solution.report.residual;
+        let what = format!("contact forces of {names} were not found: the residual stays at {residual:e}");
+        core.accounts.note_unsolved(core.t, what);
+    }
+    Ok((solution.forces.clone(), solution.report.bound))
 }
 
 /// What the forces add up to on every movable body.

@@ -5,6 +5,7 @@
 mod bad_numbers;
 mod broad_phases;
 mod checks;
+mod dependence;
 mod diamonds;
 mod flight;
 mod forces;
@@ -16,6 +17,7 @@ mod kinematic;
 mod linked_rings;
 mod mass_ratios;
 mod momentum;
+mod outcomes;
 mod pivots;
 mod planar;
 mod prescribed_motion;

@@ -1,0 +1,175 @@
+//! What a run is judged by, measured: the worst over the run, with bodies and time.
+
+use super::occurrences::Occurrences;
+use crate::world::World;
+use crate::{BodyId, Certificate, Ledger, PairAt};
+use polhode_spatial::CompensatedSum;
+
+/// Limits of the whole scene.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Limits {
+    /// Energy that projections may take or give, relative to the energy of the scene.
+    pub(crate) projection_energy_relative: f64,
+    /// The least that counts as the energy of the scene, J: a run may have less than its bodies would by moving a little.
+    pub(crate) smallest_energy_j: f64,
+}
+
+/// A value measured for a pair of bodies.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Measure {
+    /// s.
+    pub(crate) t: f64,
+    pub(crate) pair: (usize, usize),
+    pub(crate) value: f64,
+    /// What is promised for the pair, in the same unit; infinite where nothing is.
+    pub(crate) allowed: f64,
+}
+
+impl Measure {
+    /// In units of what is allowed.
+    fn ratio(&self) -> f64 {
+        self.value / self.allowed
+    }
+
+    fn at(&self) -> PairAt {
+        PairAt { t_s: self.t, body_a: BodyId::new(self.pair.0), body_b: BodyId::new(self.pair.1) }
+    }
+}
+
+/// The worst of one quantity over a run.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Worst {
+    /// The largest value.
+    largest: f64,
+    /// The value that is the largest multiple of what its pair is allowed; of several without a limit the largest.
+    worst: Option<Measure>,
+}
+
+impl Worst {
+    /// Takes note of a measure; one that is not positive is none.
+    pub(crate) fn note(&mut self, measure: Measure) {
+        // NaN is found where states are checked.
+        if measure.value.is_nan() || measure.value <= 0.0 {
+            return;
+        }
+        self.largest = self.largest.max(measure.value);
+        let rank = |m: &Measure| (m.ratio(), m.value);
+        if self.worst.is_none_or(|worst| rank(&measure) > rank(&worst)) {
+            self.worst = Some(measure);
+        }
+    }
+
+    fn at(&self) -> Option<PairAt> {
+        self.worst.map(|worst| worst.at())
+    }
+
+    fn of_limit(&self) -> f64 {
+        self.worst.map_or(0.0, |worst| worst.ratio())
+    }
+
+    /// The worst, if it is beyond what is allowed.
+    fn broken(&self) -> Option<Measure> {
+        self.worst.filter(|worst| worst.ratio() > 1.0)
+    }
+}
+
+/// All that a run is judged by.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Measures {
+    /// m.
+    pub(crate) penetration: Worst,
+    /// Displacement by one projection, m.
+    pub(crate) projection: Worst,
+    /// Change of energy by one projection, J.
+    pub(crate) projection_energy: Worst,
+    /// What all projections took but those of overlaps at the start, J.
+    pub(crate) drift_energy: CompensatedSum,
+    /// Problems that were not solved as asked.
+    pub(crate) unsolved: Occurrences,
+}
+
+impl Measures {
+    /// Writes what was measured into the certificate.
+    pub(crate) fn fill(&self, ledger: &Ledger, certificate: &mut Certificate) {
+        certificate.max_penetration_m = self.penetration.largest;
+        certificate.max_penetration_of_limit = self.penetration.of_limit();
+        certificate.max_penetration_at = self.penetration.at();
+        certificate.max_projection_m = self.projection.largest;
+        certificate.max_projection_of_limit = self.projection.of_limit();
+        certificate.max_projection_at = self.projection.at();
+        certificate.max_projection_j = self.projection_energy.largest;
+        certificate.max_projection_relative = relative(self.projection_energy.largest, ledger);
+        certificate.max_projection_j_at = self.projection_energy.at();
+    }
+
+    /// What was promised and not kept.
+    pub(crate) fn broken(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
+        let names = |measure: &Measure| {
+            let name = |body: usize| &world.bodies[body].name;
+            format!("{} and {}", name(measure.pair.0), name(measure.pair.1))
+        };
+        let mut broken = Vec::new();
+        if let Some(worst) = self.penetration.broken() {
+            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
+            let names = names(&worst);
+            broken.push(format!("t = {t} s: degraded: {names} overlapped by {value:e} m, promised is {allowed:e} m"));
+        }
+        if let Some(worst) = self.projection.broken() {
+            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
+            let names = names(&worst);
+            broken.push(format!(
+                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, promised is {allowed:e} m"
+            ));
+        }
+        let sum = self.drift_energy.value();
+        let allowed = limits.projection_energy_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        if let Some(worst) = self.projection_energy.worst.filter(|_| sum.abs() > allowed) {
+            let (t, value, names) = (worst.t, worst.value, names(&worst));
+            broken.push(format!(
+                "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
+                 promised is {allowed:e} J"
+            ));
+        }
+        broken.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
+        broken
+    }
+}
+
+/// Energy relative to the largest of the run.
+fn relative(energy_j: f64, ledger: &Ledger) -> f64 {
+    if energy_j == 0.0 { 0.0 } else { energy_j / ledger.scale_j }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Measure, Worst};
+
+    fn measure(t: f64, pair: (usize, usize), value: f64, allowed: f64) -> Measure {
+        Measure { t, pair, value, allowed }
+    }
+
+    /// The large pair overlaps more and keeps its promise, the small one does not: it is named, though not the deepest.
+    #[test]
+    fn each_pair_is_judged_by_its_own_limit() {
+        let mut worst = Worst::default();
+        worst.note(measure(0.5, (0, 1), 1e-10, 1e-9));
+        worst.note(measure(0.75, (2, 3), 1e-11, 1e-12));
+        worst.note(measure(1.0, (0, 1), 2e-10, 1e-9));
+        assert!(worst.broken().is_some_and(|broken| (broken.t, broken.pair) == (0.75, (2, 3))), "{worst:?}");
+        assert_eq!(worst.largest, 2e-10);
+        assert!((worst.of_limit() - 10.0).abs() < 1e-12);
+    }
+
+    /// What is not promised cannot be broken; what is not a number, or not positive, is no measure.
+    #[test]
+    fn nothing_promised_is_not_broken() {
+        let mut worst = Worst::default();
+        worst.note(measure(0.0, (0, 1), f64::NAN, 1.0));
+        worst.note(measure(0.0, (0, 1), -1.0, 1.0));
+        assert!(worst.at().is_none());
+        worst.note(measure(0.0, (0, 1), 5.0, f64::INFINITY));
+        worst.note(measure(1.0, (0, 2), 7.0, f64::INFINITY));
+        assert!(worst.broken().is_none());
+        assert_eq!((worst.largest, worst.of_limit(), worst.at().map(|at| at.t_s)), (7.0, 0.0, Some(1.0)));
+    }
+}

@@ -1,0 +1,56 @@
+//! What happens again and again in a run: each text once, with the times of its first and last occasion and how often it
+//! came.
+
+use crate::report::Tolerated;
+use std::collections::BTreeMap;
+
+/// Occurrences in the order in which each came first.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Occurrences {
+    list: Vec<Tolerated>,
+    /// Place of each text in the list.
+    places: BTreeMap<String, usize>,
+}
+
+impl Occurrences {
+    /// Something happens at `t` (s).
+    pub(crate) fn add(&mut self, t: f64, what: String) {
+        if let Some(known) = self.places.get(&what).and_then(|&place| self.list.get_mut(place)) {
+            known.last_s = t;
+            known.count += 1;
+            return;
+        }
+        self.places.insert(what.clone(), self.list.len());
+        self.list.push(Tolerated { what, count: 1, first_s: t, last_s: t });
+    }
+
+    /// How often anything has happened.
+    pub(crate) fn total(&self) -> u64 {
+        self.list.iter().map(|known| known.count).sum()
+    }
+
+    /// What has happened, in the order in which each came first.
+    pub(crate) fn list(&self) -> &[Tolerated] {
+        &self.list
+    }
+
+    /// The same as it is printed.
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.list.iter().map(ToString::to_string).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Occurrences;
+
+    #[test]
+    fn what_happens_again_is_counted_and_keeps_its_first_and_last_time() {
+        let mut warnings = Occurrences::default();
+        warnings.add(0.5, "a".to_owned());
+        warnings.add(0.75, "b".to_owned());
+        warnings.add(1.5, "a".to_owned());
+        assert_eq!(warnings.texts(), ["t = 0.5 s to 1.5 s, 2 times: a", "t = 0.75 s: b"]);
+        assert_eq!(warnings.total(), 3);
+    }
+}

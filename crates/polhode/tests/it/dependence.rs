@@ -1,0 +1,75 @@
+//! What a field says that it depends on decides whether a body under it may be left at rest.
+
+use crate::support::{accurate, brick, floor};
+use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
+use polhode::dynamics::{BodyState, RigidBody};
+use polhode::scene::Force;
+use polhode::spatial::DVec3;
+use polhode::{Effects, Scene, Simulation, Unobserved};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+const G: f64 = 9.81;
+
+/// A pull upwards on the first body that moves, whose strength a program sets behind the simulation's back.
+#[derive(Debug)]
+struct Hoist {
+    /// Bits of the force, N.
+    pull: AtomicU64,
+    says: Dependence,
+}
+
+impl Field for Hoist {
+    fn dependence(&self) -> Dependence {
+        self.says
+    }
+
+    fn account(&self) -> Account {
+        Account::External
+    }
+
+    fn add_wrenches(&self, _t: f64, _bodies: &[RigidBody], _states: &[BodyState], wrenches: &mut [Wrench]) {
+        wrenches[0].force.z += f64::from_bits(self.pull.load(Ordering::Relaxed));
+    }
+
+    fn potential_energy(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> f64 {
+        0.0
+    }
+}
+
+/// Height of a resting box of 1 kg half a second after a program has set a pull of twice its weight on it.
+fn height_half_a_second_after(says: Dependence) -> f64 {
+    let hoist = Arc::new(Hoist { pull: AtomicU64::new(0.0_f64.to_bits()), says });
+    let scene = Scene::builder("hoist")
+        .method(accurate())
+        .body(floor())
+        .body(brick("box", DVec3::ONE, DVec3::Z * 0.5))
+        .force(Force::Field(Arc::clone(&hoist) as Arc<dyn Field>))
+        .build()
+        .unwrap();
+    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    hoist.pull.store((2.0 * G).to_bits(), Ordering::Relaxed);
+    simulation.advance_to(1.0, &mut Unobserved).unwrap();
+    let id = simulation.body_id("box").unwrap();
+    simulation.body(id).pose.translation.z - 0.5
+}
+
+/// A field that says that it depends on time is asked at every step: the box rises with g, from the step after the change on.
+#[test]
+fn field_that_says_time_moves_what_rests_when_its_value_changes() {
+    let height = height_half_a_second_after(Dependence::PosesAndTime);
+    let longest_step_s = 0.01;
+    let at_once = 0.5 * G * 0.25;
+    assert!(
+        height <= at_once + 1e-12 && height > 0.5 * G * (0.5 - longest_step_s) * (0.5 - longest_step_s),
+        "{height}"
+    );
+}
+
+/// A field that says that it depends on poses alone promises the same force at the same poses: what rests under it is left at
+/// rest, and a value that changes behind the simulation's back is not seen.
+#[test]
+fn field_that_says_poses_alone_leaves_at_rest_what_rests() {
+    assert_eq!(height_half_a_second_after(Dependence::Poses), 0.0);
+}
