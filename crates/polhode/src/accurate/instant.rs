@@ -91,7 +91,7 @@ impl Engine {
             }
             return self.crowd_step(core, instant, crowd);
         }
-        match self.note_events(core, &instant)? {
+        match self.note_events(core, &instant, found_for)? {
             Some(stuck) => {
                 for &body in &instant.bodies {
                     self.scratch[body] = self.states[body];
@@ -291,12 +291,21 @@ impl Engine {
     }
 
     /// Counts an event for all bodies it concerns; whether time no longer advances.
-    fn note_events(&mut self, core: &mut Core, instant: &Instant) -> Result<Option<NoAdvance>, SimulationError> {
+    fn note_events(
+        &mut self,
+        core: &mut Core,
+        instant: &Instant,
+        found_for: &[usize],
+    ) -> Result<Option<NoAdvance>, SimulationError> {
         let longest = core.settings.step_s;
         let moving = instant.bodies.iter().copied().filter(|&body| !matches!(self.tracks[body].mode, Mode::Rest));
         let moving: Vec<usize> = moving.collect();
         let mut pace = self.pace_of(core, &moving);
-        let advance = pace.note_end(instant.t, StepEnd::AtEvent, longest);
+        let end = match found_for {
+            &[a, b] if core.world.scene.pair_material(a, b).restitution() >= 1.0 => StepEnd::AtElasticImpact,
+            _ => StepEnd::AtEvent,
+        };
+        let advance = pace.note_end(instant.t, end, longest);
         if pace.begins_to_back_off() {
             let what = "events undo each other at one instant: what is still wrong is tolerated for a moment";
             core.accounts.warn_of_tolerated(instant.t, what);

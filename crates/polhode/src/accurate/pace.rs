@@ -114,14 +114,14 @@ impl Pace {
         }
         if !self.is_stall(t, longest_step_s) {
             self.stalls = 0;
-        } else if ends == StepEnd::AtEvent {
+        } else if ends != StepEnd::AsPlanned {
             self.stalls += 1;
         }
         self.events = match ends {
             StepEnd::AsPlanned => 0,
             // A body in flight makes no steps of its own: a longest step without an event counts as one.
-            StepEnd::AtEvent if t - self.since >= longest_step_s => 1,
-            StepEnd::AtEvent => self.events + 1,
+            _ if t - self.since >= longest_step_s => 1,
+            _ => self.events + 1,
         };
         self.since = t;
         if t - self.window_start >= longest_step_s {
@@ -168,6 +168,8 @@ impl Pace {
 pub(super) enum StepEnd {
     /// At an event.
     AtEvent,
+    /// At an impact that loses nothing: such impacts do not accumulate, however many there are.
+    AtElasticImpact,
     /// Where it was meant to.
     AsPlanned,
 }
