@@ -61,6 +61,8 @@ pub struct LeastForceSolution {
 
 /// Contact forces by the method of the thesis.
 ///
+/// All rows are taken for contacts: the matrix does not tell joints.
+///
 /// # Errors
 /// When lengths differ, a number is not finite, or a setting is out of range.
 pub fn least_force(
@@ -209,6 +211,7 @@ impl<'a> Programme<'a> {
             iterations: self.iterations,
             residual,
             bound: power_bound(&forces, &w),
+            certified: false,
             rank: forces.iter().filter(|force| **force > 0.0).count(),
         };
         LeastForceSolution { forces, residual_accelerations: w, least_sum, stage, report }

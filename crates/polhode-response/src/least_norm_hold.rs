@@ -10,12 +10,29 @@
 //! the error in a direction of eigenvalue `l` by `eps / (eps + l)`, and directions with `l << eps` stay at zero force.
 //! One Cholesky factorisation of `G + eps 1`, which always exists, serves all rounds.
 //!
-//! Sources: Rockafellar 1976 (proximal point); Higham, Accuracy and Stability, chapter 10. Failure: a matrix that is
-//! not finite or not positive semidefinite beyond rounding is refused.
+//! Mass ratios. A body of 1 kg between the ground and one of `R` kg bears forces of `R g` that cancel. Their rounding
+//! accelerates it by some `1e-16 R g`, whatever the solver, and forces that lift the heavy body have the eigenvalue
+//! `1/R`, which must not be taken for rows that depend on each other. Where masses differ by more than
+//! [`ALIKE_MASSES`], [`least_norm_forces`] therefore
+//!
+//! - keeps `f` and `G f + b` in twice the working precision, summed body by body, and rounds what the forces add up to
+//!   on a body, `J^T f`, once, after the sum;
+//! - decides which rows depend on each other as if all bodies were of one mass: with `K` the matrix of such bodies,
+//!   scaled to unit diagonal, it regularises by `eps^2 (K + eps 1)^-1` in the place of `eps 1`, which is `eps` where
+//!   `K` has eigenvalues below `eps` and `eps^2` elsewhere;
+//! - takes as many rounds as the mass ratio asks for: the factor, in working precision, only decides how fast they
+//!   converge.
+//!
+//! Sources: Rockafellar 1976 (proximal point); Higham, Accuracy and Stability, chapters 10 and 12 (refinement with
+//! residuals in extended precision). Failure: a matrix that is not finite or not positive semidefinite beyond rounding
+//! is refused; beyond ratios of 1e11 the rounds do not converge, and heavy bodies are held only in part.
 
 use crate::delassus::Delassus;
+use crate::dense::double_double::DoubleDouble;
 use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
+use crate::precise;
+use crate::problem::ContactProblem;
 
 /// The regularisation `eps`, relative to the unit diagonal. Eigenvalues are quadratic in distances: directions in
 /// which contacts differ by less than 1e-5 of the lever arm are left to the other rows. Rounding leaves forces of
@@ -25,10 +42,27 @@ const REGULARIZATION: f64 = 1e-10;
 /// Rounds of the iteration: a direction with eigenvalue 1e-6 of the largest has converged to rounding after four.
 const ROUNDS: usize = 4;
 
+/// Masses within this ratio count as alike: forces in working precision leave 256 rounding units, some 1e-13 g, in the
+/// accelerations of the lightest body.
+const ALIKE_MASSES: f64 = 256.0;
+
+/// Rounding of the factor of some hundred rows of unit diagonal (no unit): what a round leaves of an eigenvalue 1.
+const FACTOR_ROUNDING: f64 = 1e-14;
+
+/// Smallest eigenvalue that towers of alike bodies have, some ten high (no unit); at a mass ratio `R` it is `1 / R` of
+/// this.
+const SMALLEST_EIGENVALUE: f64 = 1e-2;
+
+/// What the rounds leave of the error of the accelerations (no unit): the rounding unit.
+const CONVERGED: f64 = f64::EPSILON;
+
+/// Limit of the rounds, reached at mass ratios of 1e10 and more.
+const MOST_ROUNDS: usize = 40;
+
 /// A factorised set of rows that are all held.
 #[derive(Debug, Clone)]
 pub struct LeastNormHold {
-    /// `1 / sqrt(G_ii)`; zero for a row that nothing can move.
+    /// Scale of each row; zero for a row that nothing can move.
     scale: Vec<f64>,
     /// Lower triangle of the Cholesky factor of the scaled and regularised matrix, row by row.
     factor: Vec<f64>,
@@ -41,25 +75,36 @@ impl LeastNormHold {
     /// When the matrix is not finite.
     pub fn factor(delassus: &Delassus) -> Result<Self, ResponseError> {
         delassus.check_finite()?;
-        let n = delassus.len();
-        let inverse_root = |i: usize| {
-            let diagonal = delassus.get(i, i);
-            if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
-        };
-        let scale: Vec<f64> = (0..n).map(inverse_root).collect();
-        let mut factor: Vec<f64> = Vec::with_capacity(n * (n + 1) / 2);
-        for i in 0..n {
-            let start = factor.len();
-            let row = delassus.row(i);
-            for j in 0..i {
-                let other = &factor[triangle(j)..triangle(j) + j];
-                let entry = scale[i] * row[j] * scale[j] - dot(&factor[start..], other);
-                factor.push(entry / factor[triangle(j) + j]);
+        let scale = unit_diagonal(delassus);
+        let entry =
+            |i: usize, j: usize| if i == j { 1.0 + REGULARIZATION } else { scale[i] * delassus.row(i)[j] * scale[j] };
+        let factor = cholesky(scale.len(), entry, 0.5 * REGULARIZATION);
+        Ok(Self { scale, factor })
+    }
+
+    /// As [`factor`](Self::factor), with dependence decided as if the bodies of `problem` were of one mass.
+    fn factor_unlike(problem: &ContactProblem, delassus: &Delassus) -> Result<Self, ResponseError> {
+        let alike = problem.with_alike_masses().delassus();
+        let Self { mut scale, factor } = Self::factor(&alike)?;
+        let n = scale.len();
+        let largest = (0..n).map(|i| scale[i] * delassus.get(i, i) * scale[i]).fold(0.0, f64::max);
+        if largest > 0.0 {
+            let root = largest.sqrt();
+            for scale in &mut scale {
+                *scale /= root;
             }
-            let left = 1.0 + REGULARIZATION - dot(&factor[start..], &factor[start..]);
-            // Rounding can take at most a few units in the last place from a matrix that is positive semidefinite.
-            factor.push(left.max(0.5 * REGULARIZATION).sqrt());
         }
+        let mut inverse = Vec::with_capacity(n * n);
+        for column in 0..n {
+            inverse.resize((column + 1) * n, 0.0);
+            let unit = &mut inverse[column * n..];
+            unit[column] = 1.0;
+            back_substitute(&factor, unit);
+        }
+        let entry = |i: usize, j: usize| {
+            scale[i] * delassus.row(i)[j] * scale[j] + REGULARIZATION * REGULARIZATION * inverse[j * n + i]
+        };
+        let factor = cholesky(n, entry, FACTOR_ROUNDING);
         Ok(Self { scale, factor })
     }
 
@@ -76,30 +121,115 @@ impl LeastNormHold {
         for round in 0..ROUNDS {
             let w = if round == 0 { vec![0.0; n] } else { delassus.times(&forces)? };
             let mut correction: Vec<f64> = (0..n).map(|i| -(w[i] + b[i]) * self.scale[i]).collect();
-            self.back_substitute(&mut correction);
+            back_substitute(&self.factor, &mut correction);
             for ((force, change), scale) in forces.iter_mut().zip(&correction).zip(&self.scale) {
                 *force += change * scale;
             }
         }
         Ok(forces)
     }
+}
 
-    /// Solves `L L^T x = y` in place.
-    fn back_substitute(&self, y: &mut [f64]) {
-        let n = y.len();
-        for i in 0..n {
-            let row = &self.factor[triangle(i)..=triangle(i) + i];
-            y[i] = (y[i] - dot(&row[..i], &y[..i])) / row[i];
+/// `1 / sqrt(G_ii)`; zero for a row that nothing can move.
+fn unit_diagonal(delassus: &Delassus) -> Vec<f64> {
+    let inverse_root = |i: usize| {
+        let diagonal = delassus.get(i, i);
+        if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
+    };
+    (0..delassus.len()).map(inverse_root).collect()
+}
+
+/// The packed lower triangle of the factor of a regularised matrix, row by row. Rounding can take at most a few units in
+/// the last place from a matrix that is positive semidefinite: pivots are at least `smallest`.
+fn cholesky(n: usize, entry: impl Fn(usize, usize) -> f64, smallest: f64) -> Vec<f64> {
+    let mut factor: Vec<f64> = Vec::with_capacity(n * (n + 1) / 2);
+    for i in 0..n {
+        let start = factor.len();
+        for j in 0..i {
+            let other = &factor[triangle(j)..triangle(j) + j];
+            let left = entry(i, j) - dot(&factor[start..], other);
+            factor.push(left / factor[triangle(j) + j]);
         }
-        for i in (0..n).rev() {
-            let row = &self.factor[triangle(i)..=triangle(i) + i];
-            let value = y[i] / row[i];
-            y[i] = value;
-            for (entry, rest) in row[..i].iter().zip(y.iter_mut()) {
-                *rest -= entry * value;
-            }
+        let left = entry(i, i) - dot(&factor[start..], &factor[start..]);
+        factor.push(left.max(smallest).sqrt());
+    }
+    factor
+}
+
+/// Solves `L L^T x = y` in place.
+fn back_substitute(factor: &[f64], y: &mut [f64]) {
+    let n = y.len();
+    for i in 0..n {
+        let row = &factor[triangle(i)..=triangle(i) + i];
+        y[i] = (y[i] - dot(&row[..i], &y[..i])) / row[i];
+    }
+    for i in (0..n).rev() {
+        let row = &factor[triangle(i)..=triangle(i) + i];
+        let value = y[i] / row[i];
+        y[i] = value;
+        for (entry, rest) in row[..i].iter().zip(y.iter_mut()) {
+            *rest -= entry * value;
         }
     }
+}
+
+/// Least forces that hold all rows of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeastNormForces {
+    /// One for each row (N; impulses, N s), of either sign.
+    pub forces: Vec<f64>,
+    /// What they add up to on each body, `J^T f`, in blocks of the problem's width: at large mass ratios only, where the
+    /// sum of `forces` would accelerate light bodies by its rounding.
+    pub loads: Option<Vec<f64>>,
+}
+
+/// The least forces with `w = G f + b = 0` on all rows of `problem`, whose Delassus matrix is `delassus`: those of
+/// [`LeastNormHold`] where masses are alike, and in twice the working precision where they are not.
+///
+/// # Errors
+/// When lengths differ, or the matrix or `b` is not finite.
+pub fn least_norm_forces(
+    problem: &ContactProblem,
+    delassus: &Delassus,
+    b: &[f64],
+) -> Result<LeastNormForces, ResponseError> {
+    check_length("Delassus matrix", problem.len(), delassus.len())?;
+    check_length("constant terms", problem.len(), b.len())?;
+    check_finite("constant terms", b)?;
+    let ratio = problem.mass_ratio();
+    if ratio <= ALIKE_MASSES {
+        let forces = LeastNormHold::factor(delassus)?.solve(delassus, b)?;
+        return Ok(LeastNormForces { forces, loads: None });
+    }
+    let hold = LeastNormHold::factor_unlike(problem, delassus)?;
+    let rows: Vec<usize> = (0..problem.len()).collect();
+    let mut forces = vec![DoubleDouble::default(); b.len()];
+    let mut correction = vec![0.0; b.len()];
+    for _ in 0..rounds(ratio) {
+        let loads = precise::loads(problem, &rows, &forces);
+        let w = precise::accelerations_under(problem, &rows, b, &loads);
+        for ((change, w), scale) in correction.iter_mut().zip(&w).zip(&hold.scale) {
+            *change = -w * scale;
+        }
+        back_substitute(&hold.factor, &mut correction);
+        for ((force, change), scale) in forces.iter_mut().zip(&correction).zip(&hold.scale) {
+            *force = force.plus_product(*change, *scale);
+        }
+    }
+    let loads = precise::loads(problem, &rows, &forces).iter().map(|load| load.value()).collect();
+    Ok(LeastNormForces { forces: forces.iter().map(|force| force.value()).collect(), loads: Some(loads) })
+}
+
+/// Rounds after which the forces that lift the heaviest body have converged so far that what is missing accelerates the
+/// lightest by rounding.
+fn rounds(ratio: f64) -> usize {
+    let left = FACTOR_ROUNDING / (FACTOR_ROUNDING + SMALLEST_EIGENVALUE / ratio);
+    let (mut rounds, mut error) = (1, left);
+    while error > CONVERGED / ratio && rounds < MOST_ROUNDS {
+        error *= left;
+        rounds += 1;
+    }
+    rounds
 }
 
 /// Where row `i` of a packed lower triangle begins.

@@ -11,6 +11,7 @@
 //! | [`complementarity`] | [`ComplementaritySolver`]: `0 <= f _\|_ G f + b >= 0`, exactly |
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
+//! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
@@ -59,9 +60,9 @@ pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
 pub use impact::{Application, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus, single_contact_impulse};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
-pub use least_norm_hold::LeastNormHold;
+pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
-pub use problem::ContactProblem;
+pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::{FallbackPolicy, SolverSettings};
 

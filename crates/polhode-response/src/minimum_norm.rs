@@ -47,7 +47,7 @@ const MULTIPLIER_ROUNDING: f64 = 1e-8;
 /// Forces of least norm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MinimumNormForces {
-    /// `f`, not negative.
+    /// `f`, not negative on unilateral rows.
     pub forces: Vec<f64>,
     /// Dimension of the family of forces of one motion: number of held rows less the rank of `J_S`.
     pub freedom: usize,
@@ -83,7 +83,7 @@ pub(crate) fn least_norm(
     settings: &SolverSettings,
 ) -> MinimumNormForces {
     // The forces of the solution may stand on rows that are held only nearly; those rows take part as well.
-    let positions: Vec<usize> = (0..rows.len()).filter(|&k| solution.held[k] || solution.forces[k] > 0.0).collect();
+    let positions: Vec<usize> = (0..rows.len()).filter(|&k| solution.held[k] || solution.forces[k] != 0.0).collect();
     let unchanged =
         |freedom, minimal| MinimumNormForces { forces: solution.forces.clone(), freedom, motion_change: 0.0, minimal };
     if positions.is_empty() || solution.report.rank == positions.len() {
@@ -91,17 +91,18 @@ pub(crate) fn least_norm(
     }
     let held: Vec<usize> = positions.iter().map(|&k| rows[k]).collect();
     let given: Vec<f64> = positions.iter().map(|&k| solution.forces[k]).collect();
+    let bilateral: Vec<bool> = held.iter().map(|&row| problem.is_bilateral(row)).collect();
     let jacobian = ScaledJacobian::new(problem, &held);
     let qr = jacobian.factor(settings);
     let freedom = held.len() - qr.rank();
     if freedom == 0 {
         return unchanged(0, true);
     }
-    let Some(mut least) = nonnegative_least(&qr, &given, settings) else { return unchanged(freedom, false) };
+    let Some(mut least) = admissible_least(&qr, &given, &bilateral, settings) else { return unchanged(freedom, false) };
     let mut motion_change = jacobian.motion_change(&given, &least);
     for cut in [RESTORE_CUT, settings.null_space_cut] {
         if motion_change > MOTION_ROUNDING {
-            let restored = jacobian.restored_motion(&given, &least, cut);
+            let restored = jacobian.restored_motion(&given, &least, &bilateral, cut);
             let change = jacobian.motion_change(&given, &restored);
             if change < motion_change {
                 (least, motion_change) = (restored, change);
@@ -163,9 +164,9 @@ impl ScaledJacobian {
     ///
     /// The orthogonal transformations mix large and small forces; at a mass ratio of 1e6 their rounding is no longer
     /// small for the light bodies, so the part of it that moves bodies is removed.
-    fn restored_motion(&self, given: &[f64], forces: &[f64], cut: f64) -> Vec<f64> {
+    fn restored_motion(&self, given: &[f64], forces: &[f64], bilateral: &[bool], cut: f64) -> Vec<f64> {
         let mut forces = forces.to_vec();
-        let free: Vec<usize> = (0..self.rows).filter(|&k| forces[k] > 0.0).collect();
+        let free: Vec<usize> = (0..self.rows).filter(|&k| forces[k] > 0.0 || bilateral[k]).collect();
         if free.is_empty() {
             return forces;
         }
@@ -175,7 +176,7 @@ impl ScaledJacobian {
             let difference: Vec<f64> = given.iter().zip(&forces).map(|(a, b)| a - b).collect();
             let defect: Vec<f64> = self.columns().map(|column| dot(column, &difference)).collect();
             for (&k, correction) in free.iter().zip(qr.solve_transpose(&defect)) {
-                forces[k] = (forces[k] + correction).max(0.0);
+                forces[k] = admitted(bilateral[k], forces[k] + correction);
             }
         }
         forces
@@ -191,7 +192,7 @@ impl ScaledJacobian {
                 let (mut sum, mut size) = (0.0, 0.0);
                 for ((entry, before), after) in column.iter().zip(given).zip(forces) {
                     sum += entry * (after - before);
-                    size += entry.abs() * (before + after);
+                    size += entry.abs() * (before.abs() + after.abs());
                 }
                 (change, terms) = (change.max(f64::abs(sum)), terms.max(size));
             }
@@ -203,16 +204,21 @@ impl ScaledJacobian {
     }
 }
 
-/// The least non-negative forces that differ from `given` by a vector of the null space.
-fn nonnegative_least(qr: &PivotedQr, given: &[f64], settings: &SolverSettings) -> Option<Vec<f64>> {
+/// A force, or zero when it is that of a contact and pulls.
+fn admitted(bilateral: bool, force: f64) -> f64 {
+    if bilateral { force } else { force.max(0.0) }
+}
+
+/// The least forces that differ from `given` by a vector of the null space, not negative on unilateral rows.
+fn admissible_least(qr: &PivotedQr, given: &[f64], bilateral: &[bool], settings: &SolverSettings) -> Option<Vec<f64>> {
     let count = given.len();
     let mut projected = given.to_vec();
     qr.apply_transpose(&mut projected);
     projected[qr.rank()..].fill(0.0);
     qr.apply(&mut projected);
     let rounding = FORCE_ROUNDING * largest(&projected);
-    if projected.iter().all(|&force| force >= -rounding) {
-        return Some(projected.iter().map(|force| force.max(0.0)).collect());
+    if projected.iter().zip(bilateral).all(|(&force, &bilateral)| bilateral || force >= -rounding) {
+        return Some(projected.iter().zip(bilateral).map(|(&force, &bilateral)| admitted(bilateral, force)).collect());
     }
     // The projector N N^T on the null space, N the last columns of Q.
     let mut projector = vec![0.0; count * count];
@@ -230,18 +236,34 @@ fn nonnegative_least(qr: &PivotedQr, given: &[f64], settings: &SolverSettings) -
             projector[row * count + column] = projector[column * count + row];
         }
     }
+    // Only contacts have multipliers: the forces of bilateral rows follow.
+    let contacts: Vec<usize> = (0..count).filter(|&k| !bilateral[k]).collect();
+    let matrix: Vec<f64> = contacts
+        .iter()
+        .flat_map(|&row| contacts.iter().map(move |&column| (row, column)))
+        .map(|(row, column)| projector[row * count + column])
+        .collect();
+    let constant: Vec<f64> = contacts.iter().map(|&row| projected[row]).collect();
     let mut active_set = ActiveSet::default();
-    let start: Vec<usize> = (0..count).filter(|&k| projected[k] < -rounding).collect();
+    let start: Vec<usize> = (0..contacts.len()).filter(|&k| constant[k] < -rounding).collect();
     // The projection mixes all forces, so its rounding is that of the largest.
     let settings = &SolverSettings { noise_floor: rounding, ..*settings };
     let (rank, squeeze_rounding) = (Rank::Pivot(PROJECTOR_CUT), MULTIPLIER_ROUNDING);
-    let problem = Problem { matrix: &projector, constant: &projected, rank, squeeze_rounding, settings };
+    let problem = Problem { matrix: &matrix, constant: &constant, bilateral: &[], rank, squeeze_rounding, settings };
     if active_set.run(problem, &start) != Outcome::Converged {
         return None;
     }
-    let mut forces: Vec<f64> = active_set.w.iter().map(|force| force.max(0.0)).collect();
-    for &row in active_set.rows() {
-        forces[row] = 0.0;
+    let mut forces = projected;
+    for (&row, multiplier) in contacts.iter().zip(&active_set.forces) {
+        for k in (0..count).filter(|&k| bilateral[k]) {
+            forces[k] += projector[k * count + row] * multiplier;
+        }
+    }
+    for (&row, force) in contacts.iter().zip(&active_set.w) {
+        forces[row] = force.max(0.0);
+    }
+    for &position in active_set.rows() {
+        forces[contacts[position]] = 0.0;
     }
     Some(forces)
 }

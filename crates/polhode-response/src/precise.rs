@@ -71,3 +71,61 @@ pub(crate) fn accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64],
     };
     rows.iter().zip(b).map(acceleration).collect()
 }
+
+/// `J^T f` of all bodies: what the forces of `rows` add up to, in blocks of the problem's width.
+pub(crate) fn loads(problem: &ContactProblem, rows: &[usize], forces: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    let width = problem.width();
+    let mut loads = vec![DoubleDouble::default(); problem.bodies() * width];
+    for (&row, &force) in rows.iter().zip(forces) {
+        for entry in problem.entries(row) {
+            let block = &mut loads[entry.body * width..(entry.body + 1) * width];
+            for (load, jacobian) in block.iter_mut().zip(entry.jacobian) {
+                *load = load.plus_long_product(*jacobian, force);
+            }
+        }
+    }
+    loads
+}
+
+/// `b + J (M^-1 x)` of `rows` under the loads `x` on all bodies, rounded after the sum. The inverse masses act on the
+/// sum and not on each force, whose rounded products would not cancel.
+pub(crate) fn accelerations_under(
+    problem: &ContactProblem,
+    rows: &[usize],
+    b: &[f64],
+    loads: &[DoubleDouble],
+) -> Vec<f64> {
+    let width = problem.width();
+    let mut motion = Vec::with_capacity(loads.len());
+    for (body, load) in loads.chunks_exact(width).enumerate() {
+        for line in problem.inverse_mass(body).chunks_exact(width) {
+            let terms = line.iter().zip(load);
+            motion.push(terms.fold(DoubleDouble::default(), |sum, (m, x)| sum.plus_long_product(*m, *x)));
+        }
+    }
+    let acceleration = |(&row, &constant): (&usize, &f64)| {
+        let mut sum = DoubleDouble::new(constant);
+        for entry in problem.entries(row) {
+            let block = &motion[entry.body * width..(entry.body + 1) * width];
+            for (jacobian, component) in entry.jacobian.iter().zip(block) {
+                sum = sum.plus_long_product(*jacobian, *component);
+            }
+        }
+        sum.value()
+    };
+    rows.iter().zip(b).map(acceleration).collect()
+}
+
+/// `w` of the rows at `positions` of `rows`, under forces and constant terms that are given in the order of `rows`.
+pub(crate) fn residual(
+    problem: &ContactProblem,
+    rows: &[usize],
+    b: &[f64],
+    forces: &[f64],
+    positions: &[usize],
+) -> Vec<f64> {
+    let carrying: Vec<usize> = positions.iter().map(|&k| rows[k]).collect();
+    let forces: Vec<DoubleDouble> = positions.iter().map(|&k| DoubleDouble::new(forces[k])).collect();
+    let constants: Vec<f64> = positions.iter().map(|&k| b[k]).collect();
+    accelerations_under(problem, &carrying, &constants, &loads(problem, &carrying, &forces))
+}

@@ -7,6 +7,8 @@
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
 //! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
 //!
+//! Rows are of a [`RowKind`]: contacts push (unilateral), joints hold with a force of either sign (bilateral).
+//!
 //! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
 //! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
 
@@ -32,10 +34,21 @@ pub struct ContactProblem {
     bodies: usize,
     inverse_masses: Vec<f64>,
     rows: Vec<RowBodies>,
+    kinds: Vec<RowKind>,
     /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
     jacobian: Vec<f64>,
     /// `M^-1 J^T` in the layout of `jacobian`.
     response: Vec<f64>,
+}
+
+/// What a row asks of its force and its acceleration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RowKind {
+    /// A contact: `0 <= f _|_ w >= 0`.
+    #[default]
+    Unilateral,
+    /// A joint: `w = 0`, the force of either sign.
+    Bilateral,
 }
 
 /// The bodies that a row touches.
@@ -75,15 +88,58 @@ impl ContactProblem {
                 return Err(ResponseError::InverseMass { body });
             }
         }
-        Ok(Self { width, bodies, inverse_masses, rows: Vec::new(), jacobian: Vec::new(), response: Vec::new() })
+        Ok(Self {
+            width,
+            bodies,
+            inverse_masses,
+            rows: Vec::new(),
+            kinds: Vec::new(),
+            jacobian: Vec::new(),
+            response: Vec::new(),
+        })
     }
 
-    /// Adds a row that touches one or two bodies and returns its index. Each block has `width` numbers.
+    /// Adds a [unilateral](RowKind::Unilateral) row that touches one or two bodies and returns its index. Each block has
+    /// `width` numbers.
     ///
     /// # Errors
     /// When there are no or more than two bodies, a body is unknown or named twice, a block has the wrong length, or
     /// a number is not finite.
     pub fn push_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
+        self.push_row_of_kind(RowKind::Unilateral, entries)
+    }
+
+    /// Adds a row of a joint: its acceleration (velocity) is zero, whatever the sign of its force. As
+    /// [`push_row`](Self::push_row).
+    ///
+    /// # Errors
+    /// Those of [`push_row`](Self::push_row).
+    pub fn push_bilateral_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
+        self.push_row_of_kind(RowKind::Bilateral, entries)
+    }
+
+    /// The kind of a row; none when it does not exist.
+    pub fn kind(&self, row: usize) -> Option<RowKind> {
+        self.kinds.get(row).copied()
+    }
+
+    /// Whether a row is bilateral.
+    pub(crate) fn is_bilateral(&self, row: usize) -> bool {
+        self.kinds[row] == RowKind::Bilateral
+    }
+
+    /// Which of `rows` (all when `None`) are bilateral; empty when none is.
+    pub(crate) fn bilateral_rows(&self, rows: Option<&[usize]>) -> Vec<bool> {
+        if self.kinds.iter().all(|kind| *kind == RowKind::Unilateral) {
+            return Vec::new();
+        }
+        match rows {
+            Some(rows) => rows.iter().map(|&row| self.is_bilateral(row)).collect(),
+            None => (0..self.len()).map(|row| self.is_bilateral(row)).collect(),
+        }
+    }
+
+    fn push_row_of_kind(&mut self, kind: RowKind, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
         if entries.is_empty() || entries.len() > 2 {
             return Err(ResponseError::RowBodies(entries.len()));
         }
@@ -111,12 +167,14 @@ impl ContactProblem {
             }
         }
         self.rows.push(row);
+        self.kinds.push(kind);
         Ok(self.rows.len() - 1)
     }
 
     /// Removes all rows and keeps the bodies and the memory.
     pub fn clear_rows(&mut self) {
         self.rows.clear();
+        self.kinds.clear();
         self.jacobian.clear();
         self.response.clear();
     }
@@ -167,6 +225,41 @@ impl ContactProblem {
             }
         }
         Ok(motion)
+    }
+
+    /// Largest over smallest mass that the rows meet: of all bodies at all rows, `1 / (J_ib M_b^-1 J_ib^T)`. 1 without
+    /// rows; bodies that a row cannot move do not count.
+    pub(crate) fn mass_ratio(&self) -> f64 {
+        let inverse_masses = (0..self.len()).flat_map(|row| self.entries(row)).map(|e| dot(e.jacobian, e.response));
+        let extremes = inverse_masses.filter(|value| *value > 0.0);
+        let (least, most) =
+            extremes.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), x| (least.min(x), most.max(x)));
+        if most > 0.0 { most / least } else { 1.0 }
+    }
+
+    /// The same rows with every body's mass scaled so that its largest inverse mass at a row is 1.
+    pub(crate) fn with_alike_masses(&self) -> Self {
+        let mut largest = vec![0.0_f64; self.bodies];
+        for entry in (0..self.len()).flat_map(|row| self.entries(row)) {
+            largest[entry.body] = largest[entry.body].max(dot(entry.jacobian, entry.response));
+        }
+        let mut alike = self.clone();
+        for (index, block) in alike.response.chunks_exact_mut(self.width).enumerate() {
+            let largest = largest[self.rows[index / 2].bodies[index % 2] as usize];
+            if largest > 0.0 {
+                for component in block {
+                    *component /= largest;
+                }
+            }
+        }
+        for (block, largest) in alike.inverse_masses.chunks_exact_mut(self.width * self.width).zip(largest) {
+            if largest > 0.0 {
+                for entry in block {
+                    *entry /= largest;
+                }
+            }
+        }
+        alike
     }
 
     /// The inverse mass block of a body, row-major.

@@ -53,9 +53,13 @@ pub struct SolverReport {
     /// Natural map residual, relative, before rows that are held are set to exactly zero:
     /// see [`natural_map_residual`](crate::certificate::natural_map_residual).
     pub residual: f64,
-    /// Bound of the error of the motion in the energy norm, `|a - a*|_M <= sqrt(f.w)`, before rows that are held are
-    /// set to exactly zero: see [`energy_norm_bound`](crate::certificate::energy_norm_bound).
+    /// Bound of the error of the motion in the energy norm, `|a - a*|_M` (sqrt(kg) m/s^2; impulses, sqrt(kg) m/s):
+    /// linear in the residual where the active set is [certified](Self::certified), else `sqrt(f.w)`, before rows that
+    /// are held are set to exactly zero. See [`certificate`](crate::certificate).
     pub bound: f64,
+    /// Whether the forces are those of an active set that has been shown to be right: `bound` is then of the order of
+    /// the rounding of the forces, and not of its root.
+    pub certified: bool,
     /// Number of independent rows that carry the forces.
     pub rank: usize,
 }

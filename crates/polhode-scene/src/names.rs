@@ -7,6 +7,7 @@ use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Orientation, Rotation
 pub const fn tier(tier: Tier) -> &'static str {
     match tier {
         Tier::Thesis => "thesis",
+        Tier::Stepped => "stepped",
         Tier::Accurate => "accurate",
     }
 }

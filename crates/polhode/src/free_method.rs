@@ -35,6 +35,9 @@ pub(crate) struct Choice {
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
     match settings.asked_integrator {
+        _ if settings.tier == Tier::Stepped => {
+            choice(settings.integrator, "the tier's: exact drift, forces as one kick in the middle of the step")
+        }
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
             choice(integrator, "asked for; bodies that forces couple and that may collide go by dop853")
         }

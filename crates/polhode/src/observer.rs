@@ -1,6 +1,6 @@
 //! Who watches a run.
 
-use crate::Event;
+use crate::{Event, Frame};
 use polhode_spatial::{Pose, Velocity};
 
 /// A body at one time.
@@ -29,6 +29,16 @@ pub trait Observer {
     /// An event, in order of time.
     fn event(&mut self, event: &Event) {
         let _ = event;
+    }
+
+    /// Whether [`Observer::frame`] is called: a frame holds contact forces, which take a solve.
+    fn wants_frames(&self) -> bool {
+        false
+    }
+
+    /// Everything that a viewer draws of the time of a sample, after the sample; called if [`Observer::wants_frames`].
+    fn frame(&mut self, frame: &Frame) {
+        let _ = frame;
     }
 
     /// Called after every step with the time reached, s.

@@ -106,7 +106,7 @@ pub struct Plan {
     pub contact: ContactMethod,
     /// How pairs that may touch are found.
     pub broad_phase: BroadPhaseMethod,
-    /// Step, s: fixed in tier `thesis`, an upper bound in tier `accurate`.
+    /// Step, s: fixed in the tiers `thesis` and `stepped`, an upper bound in tier `accurate`.
     pub step_s: f64,
     /// Local error per step of contact phases (dimensionless).
     pub tolerance: f64,

@@ -10,7 +10,7 @@
 //! The proof needs laws that treat all contacts of an instant alike; one contact after the other (propagation) has no
 //! mirror symmetry, nor have the forces of a linear programme.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Tier};
 use crate::settings::Settings;
 use crate::world::{World, WorldBody};
 use polhode_contact::mirror_defect;
@@ -99,7 +99,9 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if world.free_motion().has_loads() {
         return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
     }
-    if !matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853) {
+    let keeps_symmetry =
+        matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
+    if settings.tier != Tier::Stepped && !keeps_symmetry {
         return PlanarFinding::off("the integrator asked for is shown as it is, in space");
     }
     if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {

@@ -41,6 +41,21 @@ pub enum Outcome {
     Stopped,
 }
 
+/// A stretch of time in which the events of some bodies crowded, so that they went on by time steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CrowdedStretch {
+    /// From, s.
+    pub from_s: f64,
+    /// To, s.
+    pub to_s: f64,
+    /// Bodies at its begin.
+    pub bodies: usize,
+    /// Time steps made.
+    pub steps: u64,
+    /// Sum of the estimated errors of the steps, by halving them: largest displacement of a body relative to its size.
+    pub error: f64,
+}
+
 /// The plan was derived again after an action of the program, and some of it changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanChange {
@@ -77,6 +92,8 @@ pub struct RunReport {
     pub certificate: Certificate,
     /// Things a user should know, in order of time.
     pub warnings: Vec<String>,
+    /// Stretches of time that were passed by time steps because events crowded: there the events are not exact.
+    pub crowded: Vec<CrowdedStretch>,
     /// When actions of the program changed the plan.
     pub plan_changes: Vec<PlanChange>,
     /// Names and final states of the bodies, in the order of the scene.

@@ -1,13 +1,22 @@
 //! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
 
-use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+use crate::scene::{
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+};
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
-/// Upper bound of a step when none is given, s.
+/// Upper bound of a step when none is given, s; the step of tier `thesis`.
 const DEFAULT_STEP_S: f64 = 0.01;
+
+/// Step of tier `stepped` when none is given, s: bodies of tenths of a metre that fall for a second move by a hundredth of
+/// their size in it, and bounces that last less than two steps have speeds below 0.02 m/s.
+const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 
 /// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
+
+/// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
+const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
 
 /// Events in one step when no cap is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -25,19 +34,25 @@ pub(crate) struct Settings {
     pub(crate) contact: ContactMethod,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
+    /// Whether the scene asks for that step.
+    pub(crate) step_is_asked: bool,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
+    pub(crate) crowding: Crowding,
+    /// Error of a stretch of crowded events per longest step, relative to the size of each body.
+    pub(crate) crowding_tolerance: f64,
 }
 
 impl Settings {
     /// Whether bodies that nothing loads follow their flight records.
     pub(crate) fn flies(&self) -> bool {
-        self.tier == Tier::Accurate
-            && match self.integrator {
-                // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
-                Integrator::Dop853 => self.asked_integrator.is_none(),
-                integrator => integrator.is_exact_without_loads(),
-            }
+        self.tier == Tier::Stepped
+            || self.tier == Tier::Accurate
+                && match self.integrator {
+                    // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
+                    Integrator::Dop853 => self.asked_integrator.is_none(),
+                    integrator => integrator.is_exact_without_loads(),
+                }
     }
 
     /// Whether splitting under error control is the plan's choice, not the scene's.
@@ -48,7 +63,7 @@ impl Settings {
     /// The settings as they were before the plan chose an integrator.
     pub(crate) fn as_resolved(self) -> Self {
         let chosen = match self.tier {
-            Tier::Thesis => self.integrator,
+            Tier::Thesis | Tier::Stepped => self.integrator,
             Tier::Accurate => self.asked_integrator.unwrap_or(Integrator::Exact),
         };
         Self { integrator: chosen, ..self }
@@ -69,6 +84,7 @@ impl Settings {
         let tier = method.tier.unwrap_or(Tier::Accurate);
         let (integrator, impact, contact) = match tier {
             Tier::Thesis => (Integrator::Rk4, ImpactLaw::Propagation, ContactMethod::LeastForce),
+            Tier::Stepped => (Integrator::ExactStrang, ImpactLaw::Reflection, ContactMethod::ActiveSet),
             Tier::Accurate => (Integrator::Exact, ImpactLaw::Reflection, ContactMethod::ActiveSet),
         };
         Self {
@@ -80,9 +96,12 @@ impl Settings {
             impact: method.impact.unwrap_or(impact),
             contact: method.contact.unwrap_or(contact),
             broad_phase: method.broad_phase.unwrap_or_default(),
-            step_s: method.step_s.unwrap_or(DEFAULT_STEP_S),
+            step_s: method.step_s.unwrap_or(if tier == Tier::Stepped { DEFAULT_TIME_STEP_S } else { DEFAULT_STEP_S }),
+            step_is_asked: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
+            crowding: method.crowding.unwrap_or_default(),
+            crowding_tolerance: method.crowding_tolerance.unwrap_or(DEFAULT_CROWDING_TOLERANCE),
         }
     }
 }

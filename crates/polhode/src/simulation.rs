@@ -4,6 +4,7 @@ use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::core::Core;
+use crate::frame::{ContactView, Frame, IslandView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
@@ -11,11 +12,13 @@ use crate::planar::{self, PlanarFinding};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::scene::Tier as TierName;
 use crate::settings::Settings;
+use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError};
-use polhode_contact::{ContactFeature, QueryError};
+use polhode_contact::QueryError;
+use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
 
@@ -55,36 +58,6 @@ impl StepOutcome {
     pub fn is_event(&self) -> bool {
         self.end == StepEnd::Event
     }
-}
-
-/// A contact that touches at the present.
-///
-/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor) the
-/// least ones are given, and another method may give others for the same motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactView {
-    /// Body A.
-    pub body_a: BodyId,
-    /// Body B.
-    pub body_b: BodyId,
-    /// Which features touch.
-    pub feature: ContactFeature,
-    /// Where, world, m.
-    pub point_m: DVec3,
-    /// Unit normal from B to A, world.
-    pub normal: DVec3,
-    /// Signed distance along the normal, m; negative when the bodies overlap.
-    pub separation_m: f64,
-    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found.
-    pub normal_force_n: f64,
-}
-
-/// Bodies that move together: connected by contacts that hold, or by forces that couple them. Bodies in flight, at rest or
-/// immovable are in none.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct IslandView {
-    /// The bodies, ascending.
-    pub bodies: Vec<BodyId>,
 }
 
 /// A scene in motion.
@@ -139,6 +112,7 @@ impl Simulation {
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
         let tier: Box<dyn Tier> = match settings.tier {
             TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
+            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
         let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
@@ -196,7 +170,7 @@ impl Simulation {
             self.ended = true;
             let states = self.tier.states(&self.core);
             self.core.accounts.observe(&self.core.world, &states, t)?;
-            self.core.accounts.emit_sample(&self.core.world, &states, t, observer);
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer);
         }
         let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
         Ok(StepOutcome { t_s: t, end })
@@ -236,12 +210,17 @@ impl Simulation {
 
     /// Contacts that touch at the present. Only sums of forces and the motion are unique.
     pub fn contacts(&self) -> Vec<ContactView> {
-        self.tier.contacts(&self.core)
+        self.tier.contacts(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// Bodies that move together at the present.
     pub fn islands(&self) -> Vec<IslandView> {
-        self.tier.islands(&self.core)
+        self.tier.islands()
+    }
+
+    /// Everything that a viewer draws of the present.
+    pub fn frame(&self) -> Frame {
+        frame(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// Energies at the present.
@@ -289,10 +268,32 @@ impl Simulation {
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
+            crowded: Vec::new(),
             plan_changes: self.plan_changes.clone(),
             bodies: Vec::new(),
         };
         accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);
         Ok(report)
+    }
+}
+
+/// Everything that a viewer draws of the instant `t` (s) with these states.
+fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
+    let sample = |(body, state)| core.world.sample(body, state);
+    Frame {
+        t_s: t,
+        bodies: states.iter().enumerate().map(sample).collect(),
+        motions: tier.motions(),
+        contacts: tier.contacts(core, t, states),
+        islands: tier.islands(),
+        energy: core.accounts.books.clone().observe(&core.world, states),
+    }
+}
+
+/// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
+pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+    let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_frames() {
+        observer.frame(&frame(tier, core, t, states));
     }
 }

@@ -5,8 +5,8 @@
 
 use crate::accounting::Accounts;
 use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::observer::Observer;
-use crate::simulation::{ContactView, IslandView};
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
 
@@ -53,11 +53,15 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// When the forces cannot be found.
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError>;
 
-    /// Contacts that touch at the present; a force that cannot be found is NaN.
-    fn contacts(&self, core: &Core) -> Vec<ContactView>;
+    /// Contacts that touch at `t` (s), a time within the present steps, when the bodies have these states; a force that
+    /// cannot be found is NaN.
+    fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView>;
+
+    /// How each body moves.
+    fn motions(&self) -> Vec<MotionKind>;
 
     /// Bodies that move together, and those that rest together.
-    fn islands(&self, core: &Core) -> Vec<IslandView>;
+    fn islands(&self) -> Vec<IslandView>;
 
     /// Brings some bodies, and all that their motion concerns, to the present, so that a program may change them.
     ///

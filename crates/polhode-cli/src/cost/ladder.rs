@@ -113,7 +113,7 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
     Integrator::ALL.into_iter().map(series).collect()
 }
 
-/// The accurate tier over tolerances, the thesis's over steps.
+/// The accurate tier over tolerances, the tier of time steps and the thesis's over steps.
 fn with_contact(facts: &SceneFacts) -> Vec<Series> {
     let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
     vec![
@@ -125,15 +125,15 @@ fn with_contact(facts: &SceneFacts) -> Vec<Series> {
             values: tight.map(|tolerance| format!("{tolerance:e}")).collect(),
             growth: TOLERANCE_GROWTH,
         },
-        Series {
-            name: "thesis",
-            selects: ["method.tier", "thesis"],
-            besides: Vec::new(),
-            stepped: "method.step",
-            values: steps(facts),
-            growth: STEP_RATIO as f64,
-        },
+        over_steps("stepped", ["method.tier", "stepped"], facts),
+        over_steps("thesis", ["method.tier", "thesis"], facts),
     ]
+}
+
+/// A tier of fixed steps.
+fn over_steps(name: &'static str, selects: [&'static str; 2], facts: &SceneFacts) -> Series {
+    let (values, growth) = (steps(facts), STEP_RATIO as f64);
+    Series { name, selects, besides: Vec::new(), stepped: "method.step", values, growth }
 }
 
 /// Steps that divide the duration, the coarsest first, as they are written in a scene file.

@@ -59,7 +59,7 @@ fn mistakes() {
         assert!(run.stderr.contains("command line (--set):1:"), "{change}\n{}", run.stderr);
     }
     for (flag, value) in
-        [("--tier", "stepped"), ("--tier", "quick"), ("--step", "-1"), ("--step", "x"), ("--duration", "0")]
+        [("--tier", "fast"), ("--tier", "quick"), ("--step", "-1"), ("--step", "x"), ("--duration", "0")]
     {
         let run = place.expect(2, &["check", "scene.toml", flag, value]);
         assert!(run.stderr.contains(&format!("command line ({flag}):1:")), "{}", run.stderr);

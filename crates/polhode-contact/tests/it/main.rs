@@ -25,6 +25,7 @@ mod query_parts;
 mod rays;
 mod reentrant_edges;
 mod ridge_ends;
+mod ring_minima;
 mod rings;
 mod round_bounds;
 mod round_contacts;

@@ -17,7 +17,7 @@
 //! limit of pivots ends all loops, also for NaN.
 
 use super::rank::{Dependence, Image, Rank, SAFE_PIVOT};
-use crate::certificate::row_accelerations;
+use crate::certificate::{TRUSTED_PIVOT, row_accelerations};
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::kernels::{dot, largest};
 use crate::dense::scalar::Scalar;
@@ -99,6 +99,8 @@ pub(crate) struct Problem<'a, T = f64> {
     pub(crate) matrix: &'a [T],
     /// `b`.
     pub(crate) constant: &'a [T],
+    /// Which rows are bilateral: `w = 0` and a force of either sign; none when empty.
+    pub(crate) bilateral: &'a [bool],
     /// How ranks are decided.
     pub(crate) rank: Rank<'a>,
     /// A row that cannot be held, violated by less than this fraction of its terms, is left alone as rounding of the
@@ -119,6 +121,15 @@ impl<T: Scalar> Problem<'_, T> {
 
     fn diagonal(&self, row: usize) -> f64 {
         self.at(row, row).to_f64()
+    }
+
+    fn is_bilateral(&self, row: usize) -> bool {
+        self.bilateral.get(row).copied().unwrap_or(false)
+    }
+
+    /// A force, or zero when it is that of a contact and pulls.
+    fn admitted(&self, row: usize, force: T) -> T {
+        if self.is_bilateral(row) { force } else { force.or_zero() }
     }
 }
 
@@ -176,7 +187,10 @@ impl<T: Scalar> ActiveSet<T> {
 
     /// Factorises the independent rows of a guess, drops those whose forces would pull, and sets the forces.
     fn establish(&mut self, problem: Problem<'_, T>, start: &[usize]) {
-        let mut guess: Vec<usize> = start.iter().copied().filter(|&row| row < problem.size()).collect();
+        // Bilateral rows come first and never leave: those that depend on others depend on bilateral ones alone.
+        let joints: Vec<usize> = (0..problem.size()).filter(|&row| problem.is_bilateral(row)).collect();
+        let mut guess = joints.clone();
+        guess.extend(start.iter().copied().filter(|&row| row < problem.size()));
         loop {
             for &row in &guess {
                 if !self.member[row] {
@@ -193,7 +207,8 @@ impl<T: Scalar> ActiveSet<T> {
             self.direction.clear();
             self.direction.extend(self.rows.iter().map(|&row| -problem.constant[row]));
             self.factor.solve(&mut self.direction);
-            if self.direction.iter().all(|&force| force >= T::default()) {
+            let pushes = |row: usize, force: T| problem.is_bilateral(row) || force >= T::default();
+            if self.rows.iter().zip(&self.direction).all(|(&row, &force)| pushes(row, force)) {
                 for (&row, &force) in self.rows.iter().zip(&self.direction) {
                     self.forces[row] = force;
                 }
@@ -202,7 +217,7 @@ impl<T: Scalar> ActiveSet<T> {
             }
             guess.clear();
             guess.extend(
-                self.rows.iter().zip(&self.direction).filter(|(_, f)| **f >= T::default()).map(|(&row, _)| row),
+                self.rows.iter().zip(&self.direction).filter(|(row, f)| pushes(**row, **f)).map(|(&row, _)| row),
             );
             self.pivots += self.rows.len() - guess.len();
             self.factor.reset(problem.size());
@@ -219,7 +234,7 @@ impl<T: Scalar> ActiveSet<T> {
         self.direction.extend(self.rows.iter().map(|&row| -self.w[row]));
         self.factor.solve(&mut self.direction);
         for (&row, &correction) in self.rows.iter().zip(&self.direction) {
-            self.forces[row] = (self.forces[row] + correction).or_zero();
+            self.forces[row] = problem.admitted(row, self.forces[row] + correction);
         }
         row_accelerations(problem.matrix, problem.constant, &self.forces, &mut self.w);
     }
@@ -230,7 +245,7 @@ impl<T: Scalar> ActiveSet<T> {
         let mut best: Option<(usize, f64)> = None;
         for row in 0..problem.size() {
             let violation = -self.w[row].to_f64() * self.weights[row];
-            let candidate = violation > 0.0 && !self.member[row];
+            let candidate = violation > 0.0 && !self.member[row] && !problem.is_bilateral(row);
             if candidate && best.is_none_or(|(_, most)| violation > most) && self.is_violated(problem, row) {
                 if least_index {
                     return Some(row);
@@ -255,7 +270,7 @@ impl<T: Scalar> ActiveSet<T> {
 
     /// `W_i = |b_i| + sum_k |G_ik| f_k`.
     fn scale(&self, problem: Problem<'_, T>, row: usize) -> f64 {
-        let own = problem.constant[row].to_f64().abs() + problem.diagonal(row) * self.forces[row].to_f64();
+        let own = problem.constant[row].to_f64().abs() + problem.diagonal(row) * self.forces[row].to_f64().abs();
         let others = self.rows.iter().filter(|&&k| k != row);
         own + others.map(|&k| (problem.at(row, k).to_f64() * self.forces[k].to_f64()).abs()).sum::<f64>()
     }
@@ -282,7 +297,7 @@ impl<T: Scalar> ActiveSet<T> {
             self.stalled = if step.to_f64() > NO_PROGRESS * present { 0 } else { self.stalled + 1 };
             self.forces[row] = self.forces[row] + step;
             for (&other, &change) in self.rows.iter().zip(&self.direction) {
-                self.forces[other] = (self.forces[other] + step * change).or_zero();
+                self.forces[other] = problem.admitted(other, self.forces[other] + step * change);
             }
             let Some(position) = blocking else {
                 self.join(row, pivot);
@@ -305,7 +320,7 @@ impl<T: Scalar> ActiveSet<T> {
         let steepest = self.rate_rounding(problem);
         let (mut longest, mut stopping): (Option<T>, Option<usize>) = (full, None);
         for (position, (&row, &rate)) in self.rows.iter().zip(&self.direction).enumerate() {
-            if rate.to_f64() < -steepest * self.weights[row] {
+            if rate.to_f64() < -steepest * self.weights[row] && !problem.is_bilateral(row) {
                 let step = self.forces[row] / -rate;
                 let tie_won = |other: usize| {
                     if least_index { row < self.rows[other] } else { rate < self.direction[other] }
@@ -340,7 +355,8 @@ impl<T: Scalar> ActiveSet<T> {
             return Push::Doubtful;
         }
         let balance = self.rows.iter().zip(&self.direction);
-        let balance = balance.fold(problem.constant[row], |sum, (&k, d)| sum + problem.constant[k] * d.or_zero());
+        let balance =
+            balance.fold(problem.constant[row], |sum, (&k, &d)| sum + problem.constant[k] * problem.admitted(k, d));
         if balance.to_f64() >= 0.0 {
             return Push::Doubtful;
         }
@@ -348,7 +364,8 @@ impl<T: Scalar> ActiveSet<T> {
         self.ray.resize(problem.size(), 0.0);
         self.ray[row] = 1.0 / size;
         for (&k, d) in self.rows.iter().zip(&self.direction) {
-            let rounding = d.to_f64() <= steepest * self.weights[k];
+            let rate = if problem.is_bilateral(k) { d.to_f64().abs() } else { d.to_f64() };
+            let rounding = rate <= steepest * self.weights[k];
             self.ray[k] = if rounding { 0.0 } else { d.to_f64() / size };
         }
         Push::Infeasible
@@ -432,6 +449,26 @@ impl<T: Scalar> ActiveSet<T> {
     }
 }
 
+impl<T: Scalar> ActiveSet<T> {
+    /// `y = G_PP^-1 r` and `|L^-1 r| = sqrt(r.y)`, in the order of [`rows`](Self::rows). None when the factor is too
+    /// ill-conditioned for that to be relied on.
+    pub(crate) fn absorbed(&self, problem: Problem<'_, T>, residual: &[f64]) -> Option<(Vec<f64>, f64)> {
+        let mut pivots = self.rows.iter().zip(self.factor.pivots());
+        let trusted = TRUSTED_PIVOT * (T::ROUNDING / f64::ROUNDING);
+        if !pivots.all(|(&row, pivot)| pivot > trusted * problem.diagonal(row)) {
+            return None;
+        }
+        let mut y: Vec<T> = residual.iter().map(|&r| T::from_f64(r)).collect();
+        self.factor.solve_lower(&mut y);
+        // Scaled by the largest, so that squares of roundings do not vanish.
+        let size = largest(&y);
+        let squares = y.iter().map(|value| (value.to_f64() / size) * (value.to_f64() / size));
+        let length = if size > 0.0 { size * squares.sum::<f64>().sqrt() } else { size };
+        self.factor.solve_upper(&mut y);
+        Some((y.iter().map(|value| value.to_f64()).collect(), length))
+    }
+}
+
 /// Whether a Schur complement needs no closer look.
 fn is_clear<T: Scalar>(problem: Problem<'_, T>, row: usize, pivot: T) -> bool {
     pivot.to_f64() > CLEARLY_INDEPENDENT * problem.diagonal(row)
@@ -447,16 +484,20 @@ impl ActiveSet {
 
     /// One step of iterative refinement with accelerations that the caller has found in twice the precision. `false`
     /// when a force would pull by more than rounding of zero: then nothing is changed.
-    pub(crate) fn correct(&mut self, w: &[f64]) -> bool {
+    pub(crate) fn correct(&mut self, w: &[f64], bilateral: &[bool]) -> bool {
+        let is_bilateral = |row: usize| bilateral.get(row).copied().unwrap_or(false);
         self.direction.clear();
         self.direction.extend(self.rows.iter().map(|&row| -w[row]));
         self.factor.solve(&mut self.direction);
-        let pushing = |(&row, change): (&usize, &f64)| self.forces[row] + change >= -NO_PROGRESS * self.forces[row];
+        let pushing = |(&row, change): (&usize, &f64)| {
+            is_bilateral(row) || self.forces[row] + change >= -NO_PROGRESS * self.forces[row]
+        };
         if !self.rows.iter().zip(&self.direction).all(pushing) {
             return false;
         }
         for (&row, change) in self.rows.iter().zip(&self.direction) {
-            self.forces[row] = (self.forces[row] + change).max(0.0);
+            let force = self.forces[row] + change;
+            self.forces[row] = if is_bilateral(row) { force } else { force.max(0.0) };
         }
         true
     }

@@ -6,6 +6,9 @@
 //! problem `min 1/2 f.G f + b.f, f >= 0`: the motion is unique (Gauss's principle), the forces in general are not
 //! (errata E13, E14); [`minimum_norm`](crate::minimum_norm()) chooses among them.
 //!
+//! A bilateral row asks for `w_i = 0` instead, with a force of either sign: it is always in the active set, or depends
+//! on bilateral rows that are. Rows that contradict each other end as [`Inaccurate`](crate::SolverStatus::Inaccurate).
+//!
 //! Method: an active set, exact up to rounding, warm-started from the rows that carried force last time; when it
 //! does not succeed, a cold start; where rows depend on each other nearly, or squeeze bodies, the same active set in
 //! twice the precision, which tells directions apart down to 1e-14 and certifies that there are no forces; at last an
@@ -40,7 +43,7 @@ impl WarmStart {
 /// Forces and accelerations that satisfy the law of contact.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ContactSolution {
-    /// `f`, never negative.
+    /// `f`, never negative on unilateral rows.
     pub forces: Vec<f64>,
     /// `w`: exactly 0 for held rows.
     pub residual_accelerations: Vec<f64>,

@@ -3,9 +3,13 @@
 use super::active_set::{ActiveSet, NOISE_ALLOWED, Outcome, Problem};
 use super::rank::{Image, Motion, Rank};
 use super::{ContactSolution, WarmStart};
-use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
+use crate::certificate::{
+    DEPENDENT_ROUNDING, FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_accelerations, row_residual,
+    row_scales,
+};
 use crate::delassus::Delassus;
 use crate::dense::double_double::DoubleDouble;
+use crate::dense::kernels::axpy;
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::interior_point;
@@ -58,12 +62,18 @@ struct Data<'a> {
     problem: &'a ContactProblem,
     /// Which rows of the problem; all when `None`.
     rows: Option<&'a [usize]>,
+    /// Which of them are bilateral; empty when none is.
+    bilateral: &'a [bool],
     /// `G` of the rows, row-major.
     matrix: &'a [f64],
     b: &'a [f64],
 }
 
 impl Data<'_> {
+    fn is_bilateral(&self, row: usize) -> bool {
+        self.bilateral.get(row).copied().unwrap_or(false)
+    }
+
     fn all_rows(&self) -> Vec<usize> {
         self.rows.map_or_else(|| (0..self.b.len()).collect(), <[usize]>::to_vec)
     }
@@ -131,7 +141,8 @@ impl ComplementaritySolver {
         check_finite("constant terms", b)?;
         delassus.check_finite()?;
         self.settings.check()?;
-        self.search(Data { problem, rows: None, matrix: delassus.entries(), b }, warm_start);
+        let bilateral = problem.bilateral_rows(None);
+        self.search(Data { problem, rows: None, bilateral: &bilateral, matrix: delassus.entries(), b }, warm_start);
         Ok(&self.solution)
     }
 
@@ -150,7 +161,8 @@ impl ComplementaritySolver {
             let line = delassus.row(row);
             matrix.extend(rows.iter().map(|&column| line[column]));
         }
-        self.search(Data { problem, rows: Some(rows), matrix: &matrix, b }, None);
+        let bilateral = problem.bilateral_rows(Some(rows));
+        self.search(Data { problem, rows: Some(rows), bilateral: &bilateral, matrix: &matrix, b }, None);
         self.matrix = matrix;
         &self.solution
     }
@@ -161,7 +173,7 @@ impl ComplementaritySolver {
         self.best.rows.clear();
         self.best.squeeze.clear();
         if data.b.len() <= 1 {
-            self.closed_form(data.matrix, data.b);
+            self.closed_form(data);
             return self.publish(data.b);
         }
         let decided = match warm_start {
@@ -171,7 +183,8 @@ impl ComplementaritySolver {
             None => self.decide(data, &[], Method::ActiveSet),
         };
         let decided = decided || self.decide_all_held(data);
-        if !decided && self.settings.fallback == FallbackPolicy::InteriorPoint {
+        // The interior point knows contacts only.
+        if !decided && data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint {
             self.interior_point(data);
         }
         self.refine_precisely(data);
@@ -179,6 +192,7 @@ impl ComplementaritySolver {
             let rows = self.best.rows.clone();
             self.attempt_precisely(data, &rows);
         }
+        self.sharpen_bound(data);
         self.publish(data.b);
     }
 
@@ -207,7 +221,8 @@ impl ComplementaritySolver {
     }
 
     /// Equation (14) in complementarity form: `f = max(0, -b / G)`.
-    fn closed_form(&mut self, matrix: &[f64], b: &[f64]) {
+    fn closed_form(&mut self, data: Data<'_>) {
+        let Data { matrix, b, .. } = data;
         let best = &mut self.best;
         best.forces.clear();
         best.w.clear();
@@ -215,7 +230,8 @@ impl ComplementaritySolver {
         best.scales.extend(b.iter().map(|constant| constant.abs()));
         best.report = SolverReport::default();
         let (Some(&diagonal), Some(&constant)) = (matrix.first(), b.first()) else { return };
-        if constant >= 0.0 {
+        best.report.certified = true;
+        if constant == 0.0 || (constant > 0.0 && !data.is_bilateral(0)) {
             best.forces.push(0.0);
             best.w.push(constant);
         } else if diagonal > 0.0 && (-constant / diagonal).is_finite() {
@@ -223,23 +239,26 @@ impl ComplementaritySolver {
             best.w.push(0.0);
             best.rows.push(0);
             best.report.rank = 1;
+            // The quotient, and the products and sums in `G`, are rounded.
+            best.report.bound = DEPENDENT_ROUNDING * constant.abs() / diagonal.sqrt();
         } else {
             best.forces.push(0.0);
             best.w.push(constant);
             best.squeeze.push(1.0);
             best.report.status = SolverStatus::Infeasible;
             best.report.residual = 1.0;
+            best.report.certified = false;
         }
     }
 
     /// One run of the active set in working precision; keeps the answer when it is better.
     fn attempt(&mut self, data: Data<'_>, start: &[usize], method: Method) -> Outcome {
-        let Data { problem, rows, matrix, b } = data;
+        let Data { problem, rows, bilateral, matrix, b } = data;
         let squeeze_rounding = SQUEEZE_ROUNDING;
         let rank = Rank::Motion(Motion { problem, rows, cut: self.settings.rank_cut });
         let mut outcome = self
             .active_set
-            .run(Problem { matrix, constant: b, rank, squeeze_rounding, settings: &self.settings }, start);
+            .run(Problem { matrix, constant: b, bilateral, rank, squeeze_rounding, settings: &self.settings }, start);
         let warm = method == Method::WarmStart && self.active_set.pivots == 0;
         let mut report = SolverReport {
             status: SolverStatus::Inaccurate,
@@ -249,7 +268,7 @@ impl ComplementaritySolver {
             ..SolverReport::default()
         };
         let active_set = std::mem::take(&mut self.active_set);
-        self.certify(matrix, b, &active_set.forces, &active_set.w, &mut report);
+        self.certify(data, &active_set.forces, &active_set.w, &mut report);
         if outcome == Outcome::Converged && report.residual <= self.settings.acceptance {
             report.status = SolverStatus::Solved;
             outcome = Outcome::Accepted;
@@ -267,10 +286,10 @@ impl ComplementaritySolver {
         precise.constant.extend(data.b.iter().map(|&constant| DoubleDouble::new(constant)));
         let cut = (self.settings.rank_cut * self.settings.rank_cut).max(PRECISE_PIVOT_ROUNDING);
         let (matrix, constant, rank) = (&precise.matrix[..], &precise.constant[..], Rank::Pivot(cut));
-        let squeeze_rounding = SQUEEZE_ROUNDING;
+        let (squeeze_rounding, bilateral) = (SQUEEZE_ROUNDING, data.bilateral);
         let outcome = precise
             .active_set
-            .run(Problem { matrix, constant, rank, squeeze_rounding, settings: &self.settings }, start);
+            .run(Problem { matrix, constant, bilateral, rank, squeeze_rounding, settings: &self.settings }, start);
         for (rounded, exact) in
             [(&mut precise.forces, &precise.active_set.forces), (&mut precise.w, &precise.active_set.w)]
         {
@@ -284,7 +303,7 @@ impl ComplementaritySolver {
             rank: precise.active_set.rows().len(),
             ..SolverReport::default()
         };
-        self.certify(data.matrix, data.b, &precise.forces, &precise.w, &mut report);
+        self.certify(data, &precise.forces, &precise.w, &mut report);
         if outcome == Outcome::Infeasible && self.is_squeeze(data, &precise.active_set.ray) {
             report.status = SolverStatus::Infeasible;
             self.best.squeeze.clone_from(&precise.active_set.ray);
@@ -301,11 +320,11 @@ impl ComplementaritySolver {
     }
 
     /// Whether forces move no body, to what rows that count as dependent may differ by.
-    fn is_squeeze(&self, Data { problem, rows, matrix, b }: Data<'_>, forces: &[f64]) -> bool {
+    fn is_squeeze(&self, Data { problem, rows, matrix, b, .. }: Data<'_>, forces: &[f64]) -> bool {
         let motion = Motion { problem, rows, cut: self.settings.rank_cut };
         let distance = motion.distance(forces.iter().copied().enumerate(), &mut Image::default());
         let root = |row: usize| matrix[row * b.len() + row].sqrt();
-        let terms: f64 = forces.iter().enumerate().map(|(row, force)| root(row) * force).sum();
+        let terms: f64 = forces.iter().enumerate().map(|(row, force)| root(row) * force.abs()).sum();
         distance <= motion.cut.max(f64::ROUNDING) * terms
     }
 
@@ -326,7 +345,7 @@ impl ComplementaritySolver {
             rank: answer.active.len(),
             ..SolverReport::default()
         };
-        self.certify(matrix, b, &answer.forces, &w, &mut report);
+        self.certify(data, &answer.forces, &w, &mut report);
         if report.residual <= self.settings.acceptance {
             report.status = SolverStatus::Solved;
         }
@@ -348,12 +367,12 @@ impl ComplementaritySolver {
         let mut active_set = std::mem::take(&mut self.active_set);
         let mut w = precise::accelerations(problem, &all, b, &active_set.forces);
         for round in 0..REFINEMENTS {
-            if !active_set.correct(&w) {
+            if !active_set.correct(&w, data.bilateral) {
                 break;
             }
             let mut report = self.best.report;
             w = precise::accelerations(problem, &all, b, &active_set.forces);
-            self.certify(matrix, b, &active_set.forces, &w, &mut report);
+            self.certify(data, &active_set.forces, &w, &mut report);
             let better = round == 0 || report.residual < self.best.report.residual;
             if !better || report.residual > self.settings.acceptance {
                 break;
@@ -368,8 +387,51 @@ impl ComplementaritySolver {
         self.active_set = active_set;
     }
 
+    /// Replaces the bound by that of the active set, linear in the residual, where the best answer's set is right: its
+    /// rows carry all forces, and the others stay above zero when the residual of these is taken away.
+    fn sharpen_bound(&mut self, data: Data<'_>) {
+        let Self { best, active_set, precise, settings, .. } = self;
+        let size = data.b.len();
+        let carried = best.rows.iter().filter(|&&row| best.forces[row] != 0.0).count();
+        let carrying = best.forces.iter().filter(|&&force| force != 0.0).count();
+        if best.report.status != SolverStatus::Solved || carried != carrying {
+            return;
+        }
+        let residual = precise::residual(data.problem, &data.all_rows(), data.b, &best.forces, &best.rows);
+        let (squeeze_rounding, bilateral) = (SQUEEZE_ROUNDING, data.bilateral);
+        let rank = Rank::Pivot(0.0);
+        // The factor in twice the precision is of this problem only when the answer is; that in working precision always is.
+        let absorbed = if best.report.method == Method::PreciseActiveSet {
+            let (matrix, constant) = (&precise.matrix[..], &precise.constant[..]);
+            let problem = Problem { matrix, constant, bilateral, rank, squeeze_rounding, settings };
+            (best.rows == precise.active_set.rows()).then(|| precise.active_set.absorbed(problem, &residual))
+        } else {
+            let problem =
+                Problem { matrix: data.matrix, constant: data.b, bilateral, rank, squeeze_rounding, settings };
+            (best.rows == active_set.rows()).then(|| active_set.absorbed(problem, &residual))
+        };
+        let Some((absorbed, length)) = absorbed.flatten() else { return };
+        let mut w = best.w.clone();
+        for (&row, y) in best.rows.iter().zip(&absorbed) {
+            axpy(-y, &data.matrix[row * size..(row + 1) * size], &mut w);
+        }
+        for &row in &best.rows {
+            w[row] = 0.0;
+        }
+        let noise = NOISE_ALLOWED * settings.noise_floor;
+        let stays = |row: usize| {
+            let below = if data.is_bilateral(row) { w[row].abs() } else { -w[row] };
+            below <= DEPENDENT_ROUNDING * best.scales[row] + noise
+        };
+        if length.is_finite() && (0..size).all(stays) {
+            best.report.bound = FACTOR_MARGIN * length;
+            best.report.certified = true;
+        }
+    }
+
     /// Fills in residual and bound.
-    fn certify(&mut self, matrix: &[f64], b: &[f64], forces: &[f64], w: &[f64], report: &mut SolverReport) {
+    fn certify(&mut self, data: Data<'_>, forces: &[f64], w: &[f64], report: &mut SolverReport) {
+        let Data { matrix, b, .. } = data;
         let size = b.len();
         self.scales.clear();
         self.scales.resize(size, 0.0);
@@ -378,7 +440,14 @@ impl ComplementaritySolver {
         let noise = NOISE_ALLOWED * self.settings.noise_floor;
         let quiet = |w: f64| if w.abs() <= noise { 0.0 } else { w };
         report.residual = (0..size)
-            .map(|i| row_residual(matrix[i * size + i], forces[i], quiet(w[i]), self.scales[i] + noise))
+            .map(|i| {
+                let scale = self.scales[i] + noise;
+                if data.is_bilateral(i) {
+                    bilateral_residual(quiet(w[i]), scale)
+                } else {
+                    row_residual(matrix[i * size + i], forces[i], quiet(w[i]), scale)
+                }
+            })
             .fold(0.0, nan_max);
         report.bound = power_bound(forces, w);
     }

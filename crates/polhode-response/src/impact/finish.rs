@@ -57,11 +57,47 @@ impl Impact<'_> {
         let (mut w, held) = (solution.residual_accelerations.clone(), solution.held.clone());
         if solved {
             // What rows of a solved problem still approach by is rounding.
-            for speed in &mut w {
-                *speed = speed.max(0.0);
+            for (speed, &row) in w.iter_mut().zip(rows) {
+                *speed = if self.problem.is_bilateral(row) { 0.0 } else { speed.max(0.0) };
             }
         }
         Impulses { amounts: least.forces, w, held }
+    }
+
+    /// The bilateral rows, which take part in every solve.
+    pub(super) fn joints(&self) -> Vec<usize> {
+        (0..self.u_before.len()).filter(|&row| self.problem.is_bilateral(row)).collect()
+    }
+
+    /// Takes the motion of joints out of the velocities, before any contact is struck: joints that move and contacts
+    /// that rebound, struck together, could raise the energy.
+    pub(super) fn stop_joints(
+        &mut self,
+        joints: &[usize],
+        velocities: &mut [f64],
+        impulses: &mut [f64],
+        outcome: &mut ImpactOutcome,
+    ) {
+        if joints.iter().all(|&row| velocities[row] == 0.0) {
+            return;
+        }
+        let before: Vec<f64> = joints.iter().map(|&row| velocities[row]).collect();
+        let solved = self.solve(joints, &before, 0.0, outcome);
+        self.advance(velocities, joints, &solved.amounts);
+        for (&row, impulse) in joints.iter().zip(&solved.amounts) {
+            impulses[row] += impulse;
+            velocities[row] = 0.0;
+        }
+    }
+
+    /// Whether a row is to be struck at a velocity: it approaches, or is a joint that moves.
+    pub(super) fn is_violated(&self, row: usize, velocity: f64) -> bool {
+        velocity < -self.tolerance || (velocity > self.tolerance && self.problem.is_bilateral(row))
+    }
+
+    /// The restitution of a row; none at a joint.
+    pub(super) fn restitution(&self, restitution: &[f64], row: usize) -> f64 {
+        if self.problem.is_bilateral(row) { 0.0 } else { restitution[row] }
     }
 
     /// Rounding that impulses leave in the velocities, m/s. Where impulses have taken most of a velocity away it is all
@@ -76,7 +112,9 @@ impl Impact<'_> {
         let rows: Vec<usize> = (0..self.u_before.len()).collect();
         outcome.solves += 1;
         self.solver.set_settings(self.settings.solver);
-        let solution = self.solver.solve_rows(self.problem, self.delassus, &rows, &vec![-1.0; rows.len()]);
+        let constants: Vec<f64> =
+            rows.iter().map(|&row| if self.problem.is_bilateral(row) { 0.0 } else { -1.0 }).collect();
+        let solution = self.solver.solve_rows(self.problem, self.delassus, &rows, &constants);
         solution.report.status != SolverStatus::Infeasible
     }
 
@@ -108,7 +146,7 @@ impl Impact<'_> {
             if velocities[row].abs() <= VELOCITY_ROUNDING * terms {
                 velocities[row] = 0.0;
             }
-            remains |= velocities[row] < 0.0;
+            remains |= if self.problem.is_bilateral(row) { velocities[row] != 0.0 } else { velocities[row] < 0.0 };
         }
         if remains {
             let rows: Vec<usize> = (0..count).collect();
@@ -153,7 +191,7 @@ impl Impact<'_> {
         let (mut rows, mut impulses) = (Vec::new(), Vec::new());
         for (row, &total) in outcome.impulses.iter().enumerate() {
             let impulse = total - outcome.finishing.get(row).copied().unwrap_or(0.0);
-            if impulse > 0.0 {
+            if impulse > 0.0 || (impulse < 0.0 && self.problem.is_bilateral(row)) {
                 rows.push(row);
                 impulses.push(impulse);
             }
@@ -174,7 +212,7 @@ impl Impact<'_> {
 /// Whether the energy of an outcome rose by more than rounding.
 pub(super) fn gains_energy(u_before: &[f64], outcome: &ImpactOutcome) -> bool {
     let speeds = u_before.iter().zip(&outcome.velocities_after).map(|(before, after)| before.abs() + after.abs());
-    let size: f64 = outcome.impulses.iter().zip(speeds).map(|(impulse, speed)| 0.5 * impulse * speed).sum();
+    let size: f64 = outcome.impulses.iter().zip(speeds).map(|(impulse, speed)| 0.5 * impulse.abs() * speed).sum();
     outcome.energy_change > ENERGY_ROUNDING * size
 }
 

@@ -11,6 +11,9 @@
 //! | [`simultaneous`](simultaneous()) | all at once (Moreau; thesis 3.4, end) | yes | yes |
 //! | [`reflection`](reflection()) | those that approach, repeated (Smith et al. 2012) | yes | yes |
 //!
+//! At a bilateral row, a joint, `u+ = 0` after every application, whatever its restitution and whatever it was before:
+//! the joints take part in each solve, with impulses of either sign.
+//!
 //! Energy: for any impulse `dT = p.(u- + u+)/2` exactly (thesis, Appendix B, for any number of rows), which is how
 //! every outcome is booked. No law raises the energy; none leaves a row approaching.
 
@@ -135,7 +138,8 @@ impl ImpactLaw {
     }
 }
 
-/// Checks the arguments of an impact law and returns the largest speed of approach, m/s.
+/// Checks the arguments of an impact law and returns the largest speed of approach (at bilateral rows, of either sign),
+/// m/s.
 fn check(
     problem: &ContactProblem,
     delassus: &Delassus,
@@ -157,5 +161,6 @@ fn check(
     if let Some((row, &value)) = restitution.iter().enumerate().find(|(_, e)| !(0.0..=1.0).contains(*e)) {
         return Err(ResponseError::Restitution { row, value });
     }
-    Ok(u_before.iter().fold(0.0, |most: f64, u| most.max(-u)))
+    let speed = |(row, u): (usize, &f64)| if problem.is_bilateral(row) { u.abs() } else { -u };
+    Ok(u_before.iter().enumerate().map(speed).fold(0.0, f64::max))
 }

@@ -35,6 +35,12 @@ pub fn propagation(
     }
     outcome.status = ImpactStatus::Separated;
     let mut velocities = u_before.to_vec();
+    let joints = impact.joints();
+    if !joints.is_empty() {
+        strike_with_joints(&mut impact, &joints, restitution, &mut velocities, &mut outcome);
+        impact.conclude(velocities, &mut outcome);
+        return Ok(outcome);
+    }
     while let Some(row) = velocities.iter().position(|&u| u < -tolerance) {
         if outcome.applications.len() >= settings.limit {
             outcome.status = ImpactStatus::LimitReached;
@@ -54,4 +60,48 @@ pub fn propagation(
     }
     impact.conclude(velocities, &mut outcome);
     Ok(outcome)
+}
+
+/// One contact at a time, each together with all joints, whose velocities are zero after every application.
+fn strike_with_joints(
+    impact: &mut Impact<'_>,
+    joints: &[usize],
+    restitution: &[f64],
+    velocities: &mut [f64],
+    outcome: &mut ImpactOutcome,
+) {
+    let before = velocities.to_vec();
+    let mut impulses = vec![0.0; velocities.len()];
+    impact.stop_joints(joints, velocities, &mut impulses, outcome);
+    for &row in joints.iter().filter(|&&row| impulses[row] != 0.0) {
+        let impulse = impulses[row];
+        outcome.applications.push(Application { row, impulse, energy_change: 0.5 * impulse * before[row] });
+    }
+    outcome.impulses = impulses;
+    while let Some(row) = (0..velocities.len()).find(|&row| impact.is_violated(row, velocities[row])) {
+        if outcome.applications.len() >= impact.settings.limit {
+            outcome.status = ImpactStatus::LimitReached;
+            return;
+        }
+        let struck: Vec<usize> =
+            std::iter::once(row).filter(|row| !joints.contains(row)).chain(joints.iter().copied()).collect();
+        let before: Vec<f64> = struck.iter().map(|&row| velocities[row]).collect();
+        let constants: Vec<f64> =
+            struck.iter().zip(&before).map(|(&row, u)| (1.0 + impact.restitution(restitution, row)) * u).collect();
+        let noise = impact.noise(&outcome.impulses);
+        let solved = impact.solve(&struck, &constants, noise, outcome);
+        if outcome.status == ImpactStatus::NotSolved {
+            return;
+        }
+        impact.advance(velocities, &struck, &solved.amounts);
+        for (k, &row) in struck.iter().enumerate() {
+            let impulse = solved.amounts[k];
+            velocities[row] = -impact.restitution(restitution, row) * before[k];
+            outcome.impulses[row] += impulse;
+            if impulse != 0.0 {
+                let energy_change = 0.5 * impulse * (before[k] + velocities[row]);
+                outcome.applications.push(Application { row, impulse, energy_change });
+            }
+        }
+    }
 }

@@ -80,11 +80,14 @@ fn inelastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
 
 /// The rounds of reflections.
 fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
+    let joints = impact.joints();
     let mut part = Part { impulses: vec![0.0; impact.u_before.len()], velocities: impact.u_before.to_vec() };
+    impact.stop_joints(&joints, &mut part.velocities, &mut part.impulses, outcome);
     for round in 0.. {
         let velocities = &mut part.velocities;
-        let approaching: Vec<usize> =
-            (0..velocities.len()).filter(|&row| velocities[row] < -impact.tolerance).collect();
+        let mut approaching: Vec<usize> = (0..velocities.len())
+            .filter(|&row| velocities[row] < -impact.tolerance && !impact.problem.is_bilateral(row))
+            .collect();
         if approaching.is_empty() || outcome.status == ImpactStatus::NotSolved {
             break;
         }
@@ -92,6 +95,7 @@ fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
             outcome.status = ImpactStatus::LimitReached;
             break;
         }
+        approaching.extend(&joints);
         let before: Vec<f64> = approaching.iter().map(|&row| velocities[row]).collect();
         let noise = impact.noise(&part.impulses);
         let solved = impact.solve(&approaching, &before, noise, outcome);

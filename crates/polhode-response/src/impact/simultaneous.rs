@@ -51,14 +51,18 @@ pub fn simultaneous(
 fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     let mut velocities = impact.u_before.to_vec();
-    let tolerance = impact.tolerance;
+    let joints = impact.joints();
+    let mut impulses = vec![0.0; velocities.len()];
+    impact.stop_joints(&joints, &mut velocities, &mut impulses, &mut outcome);
+    outcome.impulses = impulses;
     let rows: Vec<usize> = (0..velocities.len()).collect();
-    while velocities.iter().any(|&u| u < -tolerance) {
+    while velocities.iter().enumerate().any(|(row, &u)| impact.is_violated(row, u)) {
         if outcome.solves >= impact.settings.limit {
             outcome.status = ImpactStatus::LimitReached;
             break;
         }
-        let constant: Vec<f64> = velocities.iter().zip(restitution).map(|(u, e)| (1.0 + e) * u).collect();
+        let constant: Vec<f64> =
+            rows.iter().map(|&row| (1.0 + impact.restitution(restitution, row)) * velocities[row]).collect();
         let noise = impact.noise(&outcome.impulses);
         let solved = impact.solve(&rows, &constant, noise, &mut outcome);
         let before = velocities.clone();
@@ -66,7 +70,7 @@ fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
         for &row in &rows {
             outcome.impulses[row] += solved.amounts[row];
             if solved.held[row] {
-                velocities[row] = -restitution[row] * before[row];
+                velocities[row] = -impact.restitution(restitution, row) * before[row];
             }
         }
         if outcome.status == ImpactStatus::NotSolved {

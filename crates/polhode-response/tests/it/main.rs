@@ -3,12 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod cases;
+mod certificates;
 mod degenerate;
 mod diamonds;
+mod exact;
 mod forces;
 mod held_rows;
 mod impacts;
+mod joints;
 mod least_force;
+mod mass_ratios;
 mod oracle;
 mod problem;
 mod scenes;

@@ -4,11 +4,11 @@ use super::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    BroadPhaseName, ContactName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName,
+    BroadPhaseName, ContactName, CrowdingName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName,
     RotationRateName, TierName,
 };
 use polhode::SceneError;
-use polhode::scene::{ContactMethod, ImpactLaw, Method, Orientation, RotationRate, Tier};
+use polhode::scene::{ContactMethod, Crowding, ImpactLaw, Method, Orientation, RotationRate, Tier};
 
 /// The method that the file asks for.
 pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
@@ -17,6 +17,9 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let (None | Some(ResponseName::Constraint)) = entry.response;
     let step_s = entry.step.map(|step| positive(step, &path.key("step"))).transpose()?;
     let tolerance = entry.tolerance.map(|tolerance| positive(tolerance, &path.key("tolerance"))).transpose()?;
+    let crowding_tolerance = entry.crowding_tolerance;
+    let crowding_tolerance =
+        crowding_tolerance.map(|tolerance| positive(tolerance, &path.key("crowding_tolerance"))).transpose()?;
     if entry.max_events_per_step == Some(0) {
         return Err((path.key("max_events_per_step"), Refusal::Number { value: 0.0, accepted: "at least 1" }));
     }
@@ -31,6 +34,8 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
         max_events_per_step: entry.max_events_per_step,
+        crowding: entry.crowding.map(crowding),
+        crowding_tolerance,
     };
     method.validate().map_err(|error| (path_of(&error, entry), error.into()))?;
     Ok(method)
@@ -45,6 +50,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
         _ if entry.contact == Some(ContactName::LeastForce) && entry.tier != Some(TierName::Thesis) => {
             path.key("contact")
         }
+        _ if entry.integrator.is_some() && entry.tier == Some(TierName::Stepped) => path.key("integrator"),
         _ if entry.orientation.is_some() => path.key("orientation"),
         _ if entry.rotation_rate.is_some() => path.key("rotation_rate"),
         _ => path,
@@ -54,6 +60,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
 const fn tier(name: TierName) -> Tier {
     match name {
         TierName::Thesis => Tier::Thesis,
+        TierName::Stepped => Tier::Stepped,
         TierName::Accurate => Tier::Accurate,
     }
 }
@@ -88,5 +95,12 @@ const fn contact(name: ContactName) -> ContactMethod {
     match name {
         ContactName::LeastForce => ContactMethod::LeastForce,
         ContactName::ActiveSet => ContactMethod::ActiveSet,
+    }
+}
+
+const fn crowding(name: CrowdingName) -> Crowding {
+    match name {
+        CrowdingName::Step => Crowding::Step,
+        CrowdingName::Error => Crowding::Error,
     }
 }

@@ -11,7 +11,7 @@ use serde::Deserialize;
 pub struct MethodEntry {
     /// A set of methods with one promise.
     pub tier: Option<TierName>,
-    /// Step, s: the fixed step of tier thesis, the upper bound of a step of tier accurate.
+    /// Step, s: the fixed step of the tiers thesis and stepped, the upper bound of a step of tier accurate.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: Option<f64>,
     /// How bodies are integrated that no contact holds.
@@ -34,6 +34,11 @@ pub struct MethodEntry {
     /// Largest number of events within one step.
     #[schemars(range(min = 1))]
     pub max_events_per_step: Option<u64>,
+    /// What happens where the events of some bodies crowd.
+    pub crowding: Option<CrowdingName>,
+    /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub crowding_tolerance: Option<f64>,
 }
 
 /// A set of methods with one promise.
@@ -42,8 +47,20 @@ pub struct MethodEntry {
 pub enum TierName {
     /// The thesis's section 3.5 to the letter.
     Thesis,
+    /// Fixed steps with all contacts solved together at the level of velocities; it always gets through.
+    Stepped,
     /// Closed-form flight, error-controlled contact phases, located impacts and force events.
     Accurate,
+}
+
+/// What happens where the events of some bodies crowd.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CrowdingName {
+    /// They go on by time steps at the level of velocities until events thin out.
+    Step,
+    /// The run ends with an error.
+    Error,
 }
 
 /// How the integrator rk4 represents orientation.

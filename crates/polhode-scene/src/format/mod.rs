@@ -38,7 +38,9 @@ pub use force::{
     MutualGravityEntry, PointGravityEntry, SpringEntry,
 };
 pub use integrator::IntegratorName;
-pub use method::{ContactName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName};
+pub use method::{
+    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName,
+};
 pub use motion::{ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile};
 pub use signal::{SignalEntry, SinusoidEntry};

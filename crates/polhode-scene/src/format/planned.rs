@@ -40,7 +40,7 @@ pub(crate) struct Request {
 
 const PLANNED: &[Planned] = &[
     Planned { path: &["joints"], values: &[], instead: "bodies without joints" },
-    Planned { path: &["method", "tier"], values: &["fast", "stepped"], instead: "accurate or thesis" },
+    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
     Planned {
         path: &["method", "impact"],
         values: &["poisson", "energetic", "pulse"],

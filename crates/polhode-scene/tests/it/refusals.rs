@@ -151,7 +151,7 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
-    check(&tier, "method.tier", "quick", "accepted: `thesis` or `accurate`");
+    check(&tier, "method.tier", "quick", "accepted: `thesis`, `stepped`, `accurate`");
     let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
     check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
     let number = BASE.replace("name = \"base\"", "method.integrator = 4");
@@ -168,7 +168,7 @@ fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
     let mut cases = vec![(format!("{BASE}\n[[joints]]\ntype.hinge = {{ bodies = [\"a\", \"b\"] }}\n"), "joints")];
     let knobs = [
-        ("tier", &["fast", "stepped"][..]),
+        ("tier", &["fast"][..]),
         ("impact", &["poisson", "energetic", "pulse"]),
         ("contact", &["interior-point", "sequential-impulses"]),
         ("response", &["impulse", "penalty"]),
@@ -192,6 +192,8 @@ fn knobs_that_do_not_go_together() {
     let cases = [
         ("contact = \"least-force\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
+        ("contact = \"least-force\"\nmethod.tier = \"stepped\"", "method.contact"),
+        ("integrator = \"rk4\"\nmethod.tier = \"stepped\"", "method.integrator"),
         ("orientation = \"matrix\"", "method.orientation"),
         ("orientation = \"quaternion\"\nmethod.integrator = \"rkmk4\"", "method.orientation"),
         ("rotation_rate = \"angular-velocity\"", "method.rotation_rate"),

@@ -66,6 +66,32 @@ impl Books {
         books
     }
 
+    /// Books in which nothing is entered yet, moments about a point (m): for what may still be given up.
+    pub(crate) fn blank(about: DVec3) -> Self {
+        let mut books = Self { ledger: Ledger::default(), initial_potential_j: 0.0 };
+        books.ledger.momentum.about = about;
+        books
+    }
+
+    /// Enters everything that others hold, as one sum for each account.
+    pub(crate) fn enter(&mut self, others: &Self) {
+        let (own, other) = (&mut self.ledger, &others.ledger);
+        own.impact.add(other.impact.value());
+        own.friction.add(other.friction.value());
+        own.rest.add(other.rest.value());
+        own.damping.add(other.damping.value());
+        own.external.add(other.external.value());
+        own.projection.add(other.projection.value());
+        own.numerical.add(other.numerical.value());
+        let (own, other) = (&mut own.momentum, &other.momentum);
+        own.gravity.add(other.gravity.value());
+        own.support.add(other.support.value());
+        own.fields.add(other.fields.value());
+        own.rest.add(other.rest.value());
+        own.projection.add(other.projection.value());
+        own.numerical.add(other.numerical.value());
+    }
+
     /// What the bodies named have now.
     pub(crate) fn balance(&self, world: &World, states: &[BodyState], bodies: &[usize]) -> Balance {
         Balance {

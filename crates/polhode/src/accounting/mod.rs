@@ -6,9 +6,12 @@
 pub(crate) mod books;
 mod warnings;
 
+use crate::collision::contact_set::ContactId;
+use crate::event::EventKind;
 use crate::observer::Observer;
+use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, Energy, Event, RunReport, SimulationError};
+use crate::{Certificate, CrowdedStretch, Energy, Event, RunReport, SimulationError};
 use books::Books;
 use polhode_dynamics::BodyState;
 use polhode_response::{SolverReport, SolverStatus};
@@ -28,6 +31,8 @@ pub(crate) struct Accounts {
     next_sample: u64,
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
+    /// Stretches of crowded events.
+    crowded: Vec<CrowdedStretch>,
 }
 
 impl Accounts {
@@ -42,6 +47,7 @@ impl Accounts {
             steps: 0,
             next_sample: 0,
             last_sample_s: None,
+            crowded: Vec::new(),
         }
     }
 
@@ -63,6 +69,66 @@ impl Accounts {
             Ok(())
         } else {
             Err(SimulationError::ContactSolve { t, residual: report.residual })
+        }
+    }
+
+    /// Enters what a time step did: its books, its certificate, and its impacts as events.
+    pub(crate) fn note_time_step(&mut self, world: &World, states: &[BodyState], report: &TimeStepReport) {
+        self.books.enter(&report.books);
+        self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
+        self.certificate.fallbacks += report.fallbacks;
+        self.note_penetration(report.max_penetration_m);
+        for given in &report.impulses {
+            let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };
+            let event = Event {
+                t: given.t,
+                kind: EventKind::Impact,
+                body_a: given.id.a,
+                body_b: Some(given.id.b),
+                point: given.geometry.point,
+                normal: given.geometry.normal,
+                impulse: given.impulse,
+                energy_change_j,
+            };
+            self.add_contact_event(world, states, event, given.id);
+        }
+    }
+
+    /// Adds an event at a contact point; one that stands for its mirror image too is reported at both.
+    pub(crate) fn add_contact_event(&mut self, world: &World, states: &[BodyState], event: Event, id: ContactId) {
+        let Some(aside) = world.mirrored(states, id) else {
+            self.add_event(event);
+            return;
+        };
+        let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
+        for point in [event.point - aside, event.point + aside] {
+            self.add_event(Event { point, impulse, energy_change_j, ..event });
+        }
+    }
+
+    /// A stretch of crowded events of this many bodies begins at `t` (s).
+    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) {
+        self.warn(t, "events crowd: the bodies concerned go on by time steps for a while");
+        match self.crowded.last_mut() {
+            // It goes on where the last one ended.
+            Some(last) if last.to_s == t => last.bodies = last.bodies.max(bodies),
+            _ => self.crowded.push(CrowdedStretch { from_s: t, to_s: t, bodies, steps: 0, error: 0.0 }),
+        }
+    }
+
+    /// A time step of a stretch has been made, which ends at `t` (s), with this estimated error.
+    pub(crate) fn note_crowding(&mut self, t: f64, steps: u64, error: f64) {
+        if let Some(last) = self.crowded.last_mut() {
+            last.steps += steps;
+            last.error += error;
+            last.to_s = last.to_s.max(t);
+        }
+    }
+
+    /// A stretch ends at `t` (s).
+    pub(crate) fn end_crowding(&mut self, t: f64) {
+        if let Some(last) = self.crowded.last_mut() {
+            last.to_s = last.to_s.max(t);
         }
     }
 
@@ -112,17 +178,24 @@ impl Accounts {
         self.next_sample as f64 * world.scene.output_interval_s()
     }
 
-    /// Tells the observer the states at `t` (s), unless it has had a sample of that time.
-    pub(crate) fn emit_sample(&mut self, world: &World, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+    /// Tells the observer the states at `t` (s), unless it has had a sample of that time; whether it was told.
+    pub(crate) fn emit_sample(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        t: f64,
+        observer: &mut dyn Observer,
+    ) -> bool {
         while self.next_sample_s(world) <= t {
             self.next_sample += 1;
         }
         if self.last_sample_s == Some(t) {
-            return;
+            return false;
         }
         self.last_sample_s = Some(t);
         let samples: Vec<_> = states.iter().enumerate().map(|(body, state)| world.sample(body, state)).collect();
         observer.sample(t, &samples);
+        true
     }
 
     /// Writes the accounts into the report of a run that ends with these states.
@@ -133,6 +206,7 @@ impl Accounts {
         report.warnings = self.warnings.texts();
         report.steps = self.steps;
         report.events = self.event_count;
+        report.crowded.clone_from(&self.crowded);
         report.bodies = world.named_samples(states);
     }
 }

@@ -24,6 +24,10 @@ use std::ops::Range;
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
 
+/// Rounding of the directions of contact forces, of which one stage may differ from another: that of the normals, a few
+/// rounding units.
+const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
+
 /// What a stage that could not be evaluated shortens the step to.
 const FAILED_STAGE_FACTOR: f64 = 0.25;
 
@@ -228,21 +232,24 @@ impl Engine {
         let state = system.pack();
         let mut integrator = Dop853::new(state.len());
         integrator.attempt_unscaled(system, t, &state, h)?;
-        let error = self.error_of(core, &integrator, system, t + h);
+        let error = self.error_of(core, &integrator, system, (t, h));
         Ok(Attempt { integrator, error })
     }
 
     /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
-    fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, t_end: f64) -> f64 {
+    fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
         let mut worst = 0.0f64;
         let bodies = system.bodies();
-        let loads = system.loads_at(t_end, unpack(integrator.end_state()));
+        let loads = system.loads_at(t + h, unpack(integrator.end_state()));
         for (index, &body) in bodies.iter().enumerate() {
             let offset = index * WIDTH;
             let own = offset..offset + WIDTH;
             let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
             let (Some(rates), Some(end)) = (rates, end) else { continue };
-            for (quantity, allowed) in allowances(core, body, &self.states[body], rates, end, loads.of(body)) {
+            let allowances = allowances(core, body, &self.states[body], rates, end, loads.of(body));
+            let roundings = roundings(core, body, system.cancelling()[index], h);
+            for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
+                let allowed = allowed.max(rounding);
                 let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
                 // No error is none, also where nothing moves and nothing is allowed.
                 let ratio = if error == 0.0 { 0.0 } else { error / allowed };
@@ -314,6 +321,15 @@ fn allowances(
         (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
         (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
     ]
+}
+
+/// What contact forces whose magnitudes add up to `cancelling` (N, N m) leave by rounding in a step of `h` (s), for
+/// each quantity of a body: shorter steps do not make it less.
+fn roundings(core: &Core, body: usize, [force, moment]: [f64; 2], h: f64) -> [f64; 4] {
+    let Some(rigid) = &core.world.bodies[body].rigid else { return [0.0; 4] };
+    let inverse_moment = 1.0 / rigid.moments().min_element();
+    let (speed, spin) = (DIRECTION_ROUNDING * force * h, DIRECTION_ROUNDING * moment * h);
+    [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
 }
 
 /// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the motion

@@ -2,6 +2,7 @@
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
+use super::crowding::Crowd;
 use super::free_stepping::FreeStep;
 use super::hold::Forces;
 use super::instant::{Instant, free_end};
@@ -12,11 +13,12 @@ use crate::accounting::Accounts;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::scene::Integrator;
-use crate::simulation::{ContactView, IslandView};
+use crate::simulation::emit_sample;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
 use crate::{Acceleration, BodyId, Effects, SimulationError};
@@ -41,6 +43,8 @@ pub(super) enum Mode {
     Constrained,
     /// By the integrator of free motion.
     Stepped,
+    /// By time steps, while the events of its island crowd.
+    Crowded(Crowd),
     /// Not at all: its group is in certified equilibrium at zero velocity.
     Rest,
 }
@@ -58,6 +62,8 @@ pub(super) struct Track {
     pub(super) speed_scale: f64,
     /// Up to when its rest has been booked, s.
     rest_booked_s: f64,
+    /// Length of the last stretch of crowded events that it was in, s.
+    pub(super) last_stretch_s: f64,
     /// Whether forces on it have grown too strong for the splitting that the plan has chosen.
     gave_up_splitting: bool,
 }
@@ -72,6 +78,7 @@ impl Track {
             proposed_step_s: core.settings.step_s,
             speed_scale: 0.0,
             rest_booked_s: core.t,
+            last_stretch_s: 0.0,
             gave_up_splitting: false,
         }
     }
@@ -145,6 +152,13 @@ impl Engine {
             {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
+            Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.is_unsolved) => {
+                self.stretch_of_island(core, first, t).map(|()| Reached::Event)
+            }
+            Due::Island(first) if self.islands.get(&first).is_some_and(Island::is_crowd) => {
+                core.accounts.count_step();
+                self.next_crowd_step(core, first, t).map(|()| Reached::StepEnd)
+            }
             Due::Island(first) => {
                 core.accounts.count_step();
                 self.next_step(core, first, t).map(|()| Reached::StepEnd)
@@ -203,13 +217,18 @@ impl Engine {
             let states = self.states_at(core, t)?;
             core.accounts.observe(&core.world, &states, t)?;
             self.observed_s = t;
-            core.accounts.emit_sample(&core.world, &states, t, observer);
+            emit_sample(&*self, core, &states, t, observer);
         }
     }
 
     /// The island of a body that moves in one.
     pub(super) fn island_of(&self, body: usize) -> Option<&Island> {
         self.islands.get(&self.tracks[body].island?)
+    }
+
+    /// The island of this first body.
+    pub(super) fn island(&self, first: usize) -> Option<&Island> {
+        self.islands.get(&first)
     }
 
     /// Puts an island in; its first body.
@@ -390,6 +409,11 @@ fn write_states(core: &Core, island: &mut Island, t: f64, states: &mut [BodyStat
                 states[body] = state;
             }
         }
+        Step::Crowd(step) => {
+            for (&body, state) in island.bodies.iter().zip(step.states_at(t)) {
+                states[body] = state;
+            }
+        }
         Step::Waiting(_) => {}
     }
     Ok(())
@@ -403,7 +427,9 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
+            let states = self.states.clone();
+            let t = core.t;
+            emit_sample(&*self, core, &states, t, observer);
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
@@ -437,16 +463,15 @@ impl Tier for Engine {
         Ok(Reached::Limit)
     }
 
-    /// Motion in closed form in which no event can come needs no steps, but is stopped now and then for those who watch it.
+    /// Where no event can come, islands end their own steps, and motion in closed form needs none, but is stopped now and
+    /// then for those who watch it.
     fn stride(&self, core: &Core) -> f64 {
-        let is = |free: fn(&Mode) -> bool| self.tracks.iter().all(|track| free(&track.mode));
+        let rests = |track: &Track| matches!(track.mode, Mode::Fixed | Mode::Rest);
         if core.effects == Effects::All {
             core.settings.step_s
-        } else if is(|mode| matches!(mode, Mode::Fixed | Mode::Rest)) {
+        } else if self.tracks.iter().all(rests) {
             f64::INFINITY
-        } else if !core.world.may_collide_at_all()
-            && is(|mode| matches!(mode, Mode::Fixed | Mode::Prescribed | Mode::Flight(_)))
-        {
+        } else if !core.world.may_collide_at_all() {
             core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
         } else {
             core.settings.step_s
@@ -463,6 +488,11 @@ impl Tier for Engine {
                         states[body] = *state;
                     }
                 }
+                Step::Crowd(step) => {
+                    for (&body, state) in island.bodies.iter().zip(step.states_at(core.t)) {
+                        states[body] = state;
+                    }
+                }
                 Step::Waiting(_) => {}
             }
         }
@@ -477,10 +507,23 @@ impl Tier for Engine {
             match &track.mode {
                 Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
                 Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
-                Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped => {}
+                Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
             }
         }
-        for island in self.islands.values_mut().filter(|island| island.t != t) {
+        let crowds: Vec<usize> =
+            self.islands.iter().filter(|(_, own)| own.is_crowd()).map(|(&first, _)| first).collect();
+        for first in crowds {
+            let Some(island) = self.islands.remove(&first) else { continue };
+            if let Step::Crowd(step) = &island.step
+                && island.t != t
+            {
+                let (_, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                books.enter(&report.books);
+            }
+            self.islands.insert(first, island);
+        }
+        let smooth = |island: &&mut Island| island.t != t && !island.is_crowd();
+        for island in self.islands.values_mut().filter(smooth) {
             let before = books.balance(world, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
@@ -495,7 +538,7 @@ impl Tier for Engine {
                     }
                     received
                 }
-                Step::Waiting(_) => Received::default(),
+                Step::Crowd(_) | Step::Waiting(_) => Received::default(),
             };
             let after = books.balance(world, &states, &island.bodies);
             books.smooth_stage(before, after, received);
@@ -528,21 +571,20 @@ impl Tier for Engine {
         Ok(out)
     }
 
-    fn contacts(&self, core: &Core) -> Vec<ContactView> {
-        let states = self.states(core);
+    fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut solver = ComplementaritySolver::default();
         let mut forces_by_id = BTreeMap::new();
-        for (group, members) in self.present_groups(core, &states) {
-            let solved = Forces::solve(&core.world, core.t, &states, &group, &members, &mut solver);
+        for (group, members) in self.present_groups(core, states) {
+            let solved = Forces::solve(&core.world, t, states, &group, &members, &mut solver);
             let forces = solved.map_or_else(|_| vec![f64::NAN; members.len()], |solved| solved.solution.forces);
             forces_by_id.extend(members.iter().map(|touch| touch.id).zip(forces));
         }
         let mut views = Vec::new();
-        for touch in self.present_contacts(core, &states) {
+        for touch in self.present_contacts(core, states) {
             let (id, geometry) = (touch.id, touch.kinematics.geometry);
             let force = forces_by_id.get(&id).copied();
             // A contact that has opened since its bodies were last looked at touches no more.
-            if force.is_none() && geometry.separation > core.world.touch_distance(&states, id.a, id.b) {
+            if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
                 continue;
             }
             views.push(ContactView {
@@ -558,7 +600,17 @@ impl Tier for Engine {
         views
     }
 
-    fn islands(&self, _core: &Core) -> Vec<IslandView> {
+    fn motions(&self) -> Vec<MotionKind> {
+        let kind = |track: &Track| match track.mode {
+            Mode::Fixed | Mode::Prescribed => MotionKind::Given,
+            Mode::Flight(_) => MotionKind::Flight,
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
+            Mode::Rest => MotionKind::Rest,
+        };
+        self.tracks.iter().map(kind).collect()
+    }
+
+    fn islands(&self) -> Vec<IslandView> {
         let ids = |bodies: &[usize]| bodies.iter().map(|&body| BodyId::new(body)).collect();
         self.islands.values().map(|island| IslandView { bodies: ids(&island.bodies) }).collect()
     }

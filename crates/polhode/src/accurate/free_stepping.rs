@@ -4,6 +4,10 @@
 //! step; after an event it starts anew from the states. The states within its step are the method's own. Where such bodies
 //! may collide, their motion over the step is made of polynomials through eight of those states each, as many as the
 //! turning of the bodies needs.
+//!
+//! Where the plan has chosen splitting under error control, the scene names no step and nothing may collide, the steps
+//! follow the motion: a step that the integrator need not divide is followed by one twice as long, one that it has to divide
+//! into many by one half as long.
 
 use super::constrained_step::{end_of, step_limit};
 use crate::SimulationError;
@@ -27,6 +31,12 @@ const MOST_SPLITTINGS: u32 = 64;
 /// Polynomials of a step at the most: beyond, an impact found late shows in the certificate.
 const MOST_POLYNOMIALS: f64 = 4096.0;
 
+/// Parts of a step of an error-controlled splitting that it was not divided for: its estimate takes two.
+const UNDIVIDED: u32 = 2;
+
+/// Parts of a step from which on a shorter step serves better: twice as many as a step twice as long may take at order 4.
+const MUCH_DIVIDED: u32 = 8;
+
 /// A step of bodies by an integrator of free motion.
 #[derive(Debug)]
 pub(super) struct FreeStep {
@@ -47,6 +57,8 @@ pub(super) struct FreeStep {
     motions: Vec<Option<Piecewise>>,
     /// States at the present.
     present: Vec<BodyState>,
+    /// Length of the next step where steps follow the motion, s.
+    own_step_s: f64,
 }
 
 impl FreeStep {
@@ -73,6 +85,7 @@ impl FreeStep {
         let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         integrator.start(&FreeMotion::new(&rigid, world.gravity(), &fields), t, &start);
         let bodies = bodies.to_vec();
+        let own_step_s = core.settings.step_s;
         let mut step = Self {
             bodies,
             rigid,
@@ -84,6 +97,7 @@ impl FreeStep {
             present: start.clone(),
             start,
             motions: Vec::new(),
+            own_step_s,
         };
         step.advance(core)?;
         Ok(step)
@@ -105,11 +119,23 @@ impl FreeStep {
     }
 
     fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        let failed = |source| SimulationError::Integration { t: self.t, source };
-        self.end = end_of(core, &[], self.t, step_limit(core, &[], self.t));
+        let mut h = if follows_motion(core) { self.own_step_s } else { step_limit(core, &[], self.t) };
         self.from = self.integrator.time();
         let motion = Self::motion(&self.rigid, &self.fields, &core.world);
-        self.integrator.step(&motion, self.end - self.t).map_err(failed)?;
+        loop {
+            self.end = end_of(core, &[], self.t, h);
+            match self.integrator.step(&motion, self.end - self.t) {
+                Ok(()) => break,
+                // Only a step of the length that the scene allows tells that forces are too strong for splitting.
+                Err(_) if follows_motion(core) && h > core.settings.step_s => h = (0.5 * h).max(core.settings.step_s),
+                Err(source) => return Err(SimulationError::Integration { t: self.t, source }),
+            }
+        }
+        self.own_step_s = match self.integrator.inner_steps() {
+            ..=UNDIVIDED => 2.0 * h,
+            MUCH_DIVIDED.. => 0.5 * h,
+            _ => h,
+        };
         let error = &mut core.accounts.certificate.max_step_error;
         *error = error.max(self.integrator.step_error().unwrap_or(0.0));
         self.motions = self.polynomials(core)?;
@@ -238,6 +264,11 @@ impl Field for Restricted {
     fn potential_energy(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> f64 {
         0.0
     }
+}
+
+/// Whether steps follow the motion.
+fn follows_motion(core: &Core) -> bool {
+    core.settings.splits_by_choice() && !core.settings.step_is_asked && !core.world.may_collide_at_all()
 }
 
 fn tolerance(settings: &Settings) -> Tolerance {

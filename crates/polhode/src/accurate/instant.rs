@@ -51,6 +51,21 @@ impl Instant {
         held.map(|touch| (touch.id.a, touch.id.b)).collect()
     }
 
+    /// The error of steps that no longer advance time.
+    pub(super) fn no_progress(&self, core: &Core, stuck: NoAdvance) -> SimulationError {
+        let held = |touch: &&Touch| touch.hold == Hold::Held;
+        let touch = self.touches.iter().find(held).or(self.touches.first());
+        let point = touch.map_or(DVec3::ZERO, |touch| touch.kinematics.geometry.point);
+        let name = |body: usize| core.world.bodies[body].name.clone();
+        let touching = touch.map(|touch| [touch.id.a, touch.id.b]);
+        // Without a contact the bodies that the events are of say where to look.
+        let of = touching
+            .unwrap_or_else(|| [self.bodies.first(), self.bodies.last()].map(|body| body.copied().unwrap_or(0)));
+        let [body_a, body_b] = of.map(name);
+        let (steps, advanced_s) = (stuck.steps, stuck.advanced_s);
+        SimulationError::NoProgress { t: self.t, steps, advanced_s, body_a, body_b, point }
+    }
+
     /// All contacts with their numbers, as groups are formed from.
     pub(super) fn numbered(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
         self.touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b))
@@ -70,9 +85,55 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         let concerned = self.concerned(core, t, found_for)?;
         let mut instant = self.end_islands(core, t, concerned)?;
-        self.note_events(core, &instant)?;
-        self.resolve(core, &mut instant)?;
-        self.go_on(core, instant)
+        if let Some(crowd) = self.stretch_of(&instant) {
+            for &body in &instant.bodies {
+                self.scratch[body] = self.states[body];
+            }
+            return self.crowd_step(core, instant, crowd);
+        }
+        match self.note_events(core, &instant)? {
+            Some(stuck) => {
+                for &body in &instant.bodies {
+                    self.scratch[body] = self.states[body];
+                }
+                self.begin_stretch(core, instant, stuck)
+            }
+            None => match self.resolve(core, &mut instant) {
+                Ok(()) => self.go_on(core, instant),
+                Err(error) => self.stretch_instead(core, instant, error),
+            },
+        }
+    }
+
+    /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
+    fn stretch_instead(
+        &mut self,
+        core: &mut Core,
+        instant: Instant,
+        error: SimulationError,
+    ) -> Result<(), SimulationError> {
+        if !(matches!(error, SimulationError::ContactSolve { .. }) && core.settings.crowding.steps()) {
+            return Err(error);
+        }
+        core.accounts.certificate.fallbacks += 1;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
+    }
+
+    /// The forces of an island's contacts cannot be found: time steps carry it on from `t`.
+    ///
+    /// # Errors
+    /// When a time step is not possible.
+    pub(super) fn stretch_of_island(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let instant = self.end_islands(core, t, bodies)?;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        core.accounts.certificate.fallbacks += 1;
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
     }
 
     /// Movable bodies that an event at `t` concerns, ascending.
@@ -185,6 +246,15 @@ impl Engine {
                 let about = core.accounts.books.ledger.momentum.about;
                 free_end(&core.world, step, &island.bodies, &self.states, about, t)?
             }
+            Step::Crowd(step) => {
+                let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                for (&body, state) in island.bodies.iter().zip(states) {
+                    self.states[body] = state;
+                }
+                core.accounts.note_time_step(&core.world, &self.states, &report);
+                self.check(core, &island.bodies, &[], t)?;
+                return Ok(island.step);
+            }
             Step::Waiting(_) => return Ok(island.step),
         };
         let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
@@ -219,8 +289,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Counts an event for all bodies it concerns.
-    fn note_events(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
+    /// Counts an event for all bodies it concerns; whether time no longer advances.
+    fn note_events(&mut self, core: &mut Core, instant: &Instant) -> Result<Option<NoAdvance>, SimulationError> {
         let longest = core.settings.step_s;
         let moving = instant.bodies.iter().copied().filter(|&body| !matches!(self.tracks[body].mode, Mode::Rest));
         let moving: Vec<usize> = moving.collect();
@@ -233,9 +303,11 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].pace = pace;
         }
-        advance.map_err(|stuck| no_progress(core, instant, stuck))?;
         let limit = core.settings.max_events_per_step;
-        if pace.events() > limit { Err(SimulationError::TooManyEvents { limit, t: instant.t }) } else { Ok(()) }
+        if pace.events() > limit {
+            return Err(SimulationError::TooManyEvents { limit, t: instant.t });
+        }
+        Ok(advance.err())
     }
 
     /// Lets the bodies of a resolved instant go on.
@@ -300,6 +372,7 @@ impl Engine {
             t,
             step,
             changes: false,
+            is_unsolved: false,
             departing: BTreeSet::new(),
         }))
     }
@@ -355,7 +428,8 @@ impl Engine {
             self.scratch[body] = self.states[body];
         }
         if let Err(stuck) = advance {
-            return Err(no_progress_of(core, t, &held, stuck, &self.states));
+            let instant = self.end_islands(core, t, bodies)?;
+            return self.begin_stretch(core, instant, stuck);
         }
         let step = match step {
             Step::Free(step) if !core.is_end_of_run(t) => {
@@ -365,7 +439,16 @@ impl Engine {
             _ => self.first_step(core, &bodies, &held, t)?,
         };
         let of_island = bodies.clone();
-        let island = Island { due: f64::INFINITY, bodies, held, t, step, changes: false, departing: BTreeSet::new() };
+        let island = Island {
+            due: f64::INFINITY,
+            bodies,
+            held,
+            t,
+            step,
+            changes: false,
+            is_unsolved: false,
+            departing: BTreeSet::new(),
+        };
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &of_island, &firsts, t)
     }
@@ -387,8 +470,15 @@ impl Engine {
             island.due = if let Step::Waiting(_) = island.step { f64::INFINITY } else { island.end() };
             if let Step::Constrained(step) = &island.step {
                 let pace = self.pace_of(core, &island.bodies);
-                if let Some(change) = self.locate_contact_change(core, step, step.end, &pace)? {
-                    (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                match self.locate_contact_change(core, step, step.end, &pace) {
+                    Ok(Some(change)) => {
+                        (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                    }
+                    Ok(None) => {}
+                    Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {
+                        (island.due, island.is_unsolved) = (t, true);
+                    }
+                    Err(error) => return Err(error),
                 }
             }
             self.agenda.add(island.due, Due::Island(first));
@@ -429,25 +519,4 @@ pub(super) fn free_end(
         received += free_stage::received(world, stage, bodies, about);
     }
     Ok((parts.into_iter().next_back().map(|(_, states)| states).unwrap_or_default(), received))
-}
-
-/// The error of steps that no longer advance time at an event.
-fn no_progress(core: &Core, instant: &Instant, stuck: NoAdvance) -> SimulationError {
-    let held = |touch: &&Touch| touch.hold == Hold::Held;
-    let touch = instant.touches.iter().find(held).or(instant.touches.first());
-    let point = touch.map_or(DVec3::ZERO, |touch| touch.kinematics.geometry.point);
-    named_no_progress(core, instant.t, stuck, touch.map(|touch| touch.id), point)
-}
-
-/// The error of steps that no longer advance time without an event.
-fn no_progress_of(core: &Core, t: f64, held: &[ContactId], stuck: NoAdvance, states: &[BodyState]) -> SimulationError {
-    let kinematics = held.first().and_then(|&id| core.world.kinematics(states, id));
-    let point = kinematics.map_or(DVec3::ZERO, |kinematics| kinematics.geometry.point);
-    named_no_progress(core, t, stuck, held.first().copied(), point)
-}
-
-fn named_no_progress(core: &Core, t: f64, stuck: NoAdvance, id: Option<ContactId>, point: DVec3) -> SimulationError {
-    let name = |body: usize| core.world.bodies[body].name.clone();
-    let [body_a, body_b] = id.map_or_else(Default::default, |id| [name(id.a), name(id.b)]);
-    SimulationError::NoProgress { t, steps: stuck.steps, advanced_s: stuck.advanced_s, body_a, body_b, point }
 }

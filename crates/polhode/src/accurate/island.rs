@@ -5,6 +5,7 @@
 //! or at rest is in none. Bodies of different islands that may meet share nothing but the search for their impact.
 
 use super::constrained_step::ConstrainedStep;
+use super::crowding::CrowdStep;
 use super::free_stepping::FreeStep;
 use crate::collision::contact_set::ContactId;
 use std::collections::BTreeSet;
@@ -24,6 +25,8 @@ pub(super) struct Island {
     pub(super) due: f64,
     /// Whether the contacts change then.
     pub(super) changes: bool,
+    /// Whether the forces of the contacts could not be found.
+    pub(super) is_unsolved: bool,
     /// Contacts whose forces have been found to reach zero then.
     pub(super) departing: BTreeSet<ContactId>,
 }
@@ -35,6 +38,8 @@ pub(super) enum Step {
     Constrained(ConstrainedStep),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
+    /// By one time step of a stretch in which events crowd.
+    Crowd(Box<CrowdStep>),
     /// None yet: at the end of the run nobody may ever ask for one, and what acts is not asked beyond it.
     Waiting(f64),
 }
@@ -45,11 +50,17 @@ impl Island {
         self.bodies.first().copied()
     }
 
+    /// Whether its events crowd, so that it goes on by time steps.
+    pub(super) fn is_crowd(&self) -> bool {
+        matches!(self.step, Step::Crowd(_))
+    }
+
     /// End of the step, s.
     pub(super) fn end(&self) -> f64 {
         match &self.step {
             Step::Constrained(step) => step.end,
             Step::Free(step) => step.end,
+            Step::Crowd(step) => step.end,
             Step::Waiting(t) => *t,
         }
     }

@@ -19,12 +19,14 @@
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
 //! | `pace` | whether time advances |
+//! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
 
 mod agenda;
 mod constrained_step;
 mod contacts;
+mod crowding;
 mod engine;
 mod free_stepping;
 mod hold;

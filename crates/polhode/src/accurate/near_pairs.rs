@@ -14,7 +14,7 @@ use super::locate::DIP_SAMPLES;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
-use polhode_contact::{ImpactSearch, time_of_further_impact, time_of_impact};
+use polhode_contact::{Aabb, ImpactSearch, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
 use std::collections::BTreeMap;
@@ -100,12 +100,16 @@ impl Engine {
                 core.world.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
             }
             Mode::Flight(flight) => BodyMotion::Flight(flight),
-            Mode::Constrained | Mode::Stepped => match self.island_of(body).map(|island| &island.step) {
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => match self.island_of(body).map(|own| &own.step) {
                 Some(Step::Constrained(step)) => {
                     step.motion(body).map_or_else(still, |motion| BodyMotion::Within(motion))
                 }
                 Some(Step::Free(step)) => {
                     step.body_motion(body).map_or_else(still, |motion| BodyMotion::Within(motion))
+                }
+                Some(Step::Crowd(step)) => {
+                    let place = self.island_of(body).and_then(|own| own.bodies.binary_search(&body).ok());
+                    place.and_then(|place| step.way(place)).map_or_else(still, |way| BodyMotion::Within(way))
                 }
                 Some(Step::Waiting(_)) | None => still(),
             },
@@ -117,14 +121,17 @@ impl Engine {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => f64::INFINITY,
             Mode::Flight(_) | Mode::Prescribed => self.near.flight_end,
-            Mode::Constrained | Mode::Stepped => self.island_of(body).map_or(f64::INFINITY, |island| island.due),
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
+                self.island_of(body).map_or(f64::INFINITY, |island| island.due)
+            }
         }
     }
 
-    /// The first time on the grid of the flights' boxes after `t`, s.
+    /// The first time on the grid of the flights' boxes at least half a step after `t`, s: a search over a shorter time would
+    /// soon be made again.
     fn next_flight_end(core: &Core, t: f64) -> f64 {
         let step = core.settings.step_s;
-        let next = ((t / step).floor() + 1.0) * step;
+        let next = ((t / step + 0.5).floor() + 1.0) * step;
         // The quotient may round to the cell below.
         if next > t { next } else { next + step }
     }
@@ -165,11 +172,14 @@ impl Engine {
             return Ok(());
         }
         let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
-        for &body in bodies {
+        // The boxes of a crowd are those that it was gathered with.
+        for &body in bodies.iter().filter(|&&body| !matches!(self.tracks[body].mode, Mode::Crowded(_))) {
             let interval = match &self.tracks[body].mode {
                 Mode::Fixed | Mode::Rest => (t, t),
                 Mode::Flight(_) | Mode::Prescribed => (t, self.near.flight_end),
-                Mode::Constrained | Mode::Stepped => self.island_of(body).map_or((t, t), |own| (own.t, own.end())),
+                Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
+                    self.island_of(body).map_or((t, t), |own| (own.t, own.end()))
+                }
             };
             let margin = core.world.touch_distance(&self.states, body, body);
             near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
@@ -226,7 +236,7 @@ impl Engine {
 
     /// Takes a body out of all pairs.
     pub(super) fn remove_from_pairs(&mut self, body: usize) {
-        self.near.boxes.clear(body);
+        self.near.boxes.put(body, None);
         self.replace_partners(body, Vec::new());
     }
 
@@ -268,6 +278,9 @@ impl Engine {
     /// Searches one pair for its impact after `t`.
     fn search_pair(&mut self, core: &Core, a: usize, b: usize, t: f64) -> Result<(), SimulationError> {
         self.forget_watch(a, b);
+        if self.is_within_crowd(core, a, b) {
+            return Ok(());
+        }
         let until = self.known_until(a).min(self.known_until(b));
         if until <= t || !until.is_finite() {
             return Ok(());
@@ -282,12 +295,36 @@ impl Engine {
         Ok(())
     }
 
+    /// Whether a pair meets within the time steps of one crowd.
+    fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
+        let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
+        let given = |body: usize| !core.world.bodies[body].moves();
+        match (crowded(a), crowded(b)) {
+            (true, true) => self.tracks[a].island == self.tracks[b].island,
+            (true, false) => given(b),
+            (false, true) => given(a),
+            (false, false) => false,
+        }
+    }
+
+    /// Sets the box of a body.
+    pub(super) fn set_box(&mut self, body: usize, aabb: Option<Aabb>) {
+        self.near.boxes.put(body, aabb);
+    }
+
+    /// Bodies whose boxes meet that of `body` and that may collide with it.
+    pub(super) fn near_boxes(&self, core: &Core, body: usize) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.near.boxes.near(&core.world, body, |other| found.push(other));
+        found
+    }
+
     /// Whether a body stays where it is over an interval (s).
     fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => true,
             Mode::Prescribed => core.world.stands_still(body, start, end),
-            Mode::Flight(_) | Mode::Constrained | Mode::Stepped => false,
+            Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
         }
     }
 

@@ -5,7 +5,8 @@
 //! still found wrong is tolerated for a time that grows with every try (backoff). Steps also become short for good reasons
 //! (an event at which forces jump is approached by some sixty steps, each a part of the one before), but never thousands
 //! of them in a row: where a contact cannot be followed, because its place jumps or because bodies touch where no contact is
-//! found, a run would go on for ever. The counts travel with the bodies, so that one island's trouble is not another's.
+//! found, a run would go on for ever. And where bounces accumulate at many contacts of a pile, time does advance, but ever
+//! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so that one island's trouble is not another's.
 
 /// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
 const INSTANT_RELATIVE: f64 = 1e-9;
@@ -28,6 +29,17 @@ pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
     dt <= INSTANT_RELATIVE * longest_step_s
 }
 
+/// The same of bodies that have been through a stretch of crowded events: what crowds there again need not be found out
+/// at length.
+const MOST_STEPS_AGAIN: u64 = 128;
+
+/// Events of an island within one longest step that are too many to be located one by one: some ten times those of a pile
+/// that is followed with ease.
+const MOST_EVENTS: u64 = 256;
+
+/// The same of bodies that have been through a stretch of crowded events.
+const MOST_EVENTS_AGAIN: u64 = 32;
+
 /// The pace of one body, or of an island: that of its slowest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Pace {
@@ -43,6 +55,11 @@ pub(super) struct Pace {
     steps: u64,
     /// How often something wrong has been tolerated since then.
     backoffs: u32,
+    /// Events within the present window of one longest step, and its start, s.
+    window_events: u64,
+    window_start: f64,
+    /// Whether events have crowded before.
+    has_crowded: bool,
 }
 
 /// Time no longer advances.
@@ -57,7 +74,12 @@ pub(super) struct NoAdvance {
 impl Pace {
     /// At the start of a run or of a body's life, `t` (s).
     pub(super) fn starting_at(t: f64) -> Self {
-        Self { since: t, advanced_at: t, ..Self::default() }
+        Self { since: t, advanced_at: t, window_start: t, ..Self::default() }
+    }
+
+    /// After a time step of a stretch of crowded events that ends at `t` (s).
+    pub(super) fn after_stretch(t: f64) -> Self {
+        Self { has_crowded: true, ..Self::starting_at(t) }
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until
@@ -102,13 +124,22 @@ impl Pace {
             StepEnd::AtEvent => self.events + 1,
         };
         self.since = t;
+        if t - self.window_start >= longest_step_s {
+            (self.window_start, self.window_events) = (t, 0);
+        }
+        self.window_events += u64::from(ends == StepEnd::AtEvent);
+        let most = if self.has_crowded { MOST_EVENTS_AGAIN } else { MOST_EVENTS };
+        if self.window_events > most {
+            return Err(NoAdvance { steps: self.window_events, advanced_s: t - self.window_start });
+        }
         let advanced_s = t - self.advanced_at;
         if advanced_s >= ADVANCE_RELATIVE * longest_step_s {
             (self.advanced_at, self.steps, self.backoffs) = (t, 0, 0);
             return Ok(());
         }
         self.steps += 1;
-        if self.steps < MOST_STEPS { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
+        let most = if self.has_crowded { MOST_STEPS_AGAIN } else { MOST_STEPS };
+        if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
     }
 
     /// Events since a whole step was made.
@@ -124,6 +155,9 @@ impl Pace {
             stalls: self.stalls.max(other.stalls),
             events: self.events.max(other.events),
             backoffs: self.backoffs.max(other.backoffs),
+            window_events: self.window_events.max(other.window_events),
+            window_start: self.window_start.max(other.window_start),
+            has_crowded: self.has_crowded || other.has_crowded,
             ..slowest
         }
     }

@@ -125,7 +125,12 @@ impl Engine {
         core.accounts.books.impact(outcome.energy_change, given, work);
         for application in &outcome.applications {
             let touch = instant.touches[group.contacts[application.row]];
-            self.report_contact(core, &impulse_event(instant.t, &touch, application), touch.id);
+            core.accounts.add_contact_event(
+                &core.world,
+                &self.states,
+                impulse_event(instant.t, &touch, application),
+                touch.id,
+            );
         }
         warn_about_impact(core, instant.t, &outcome);
         if outcome.status == ImpactStatus::NotSolved {
@@ -185,22 +190,15 @@ impl Engine {
         Ok(forces)
     }
 
-    /// Reports an event at a contact point; one that stands for its mirror image too is reported at both.
-    fn report_contact(&self, core: &mut Core, event: &Event, id: ContactId) {
-        let Some(aside) = core.world.mirrored(&self.states, id) else {
-            core.accounts.add_event(*event);
-            return;
-        };
-        let (impulse, energy_change_j) = (0.5 * event.impulse, 0.5 * event.energy_change_j);
-        for point in [event.point - aside, event.point + aside] {
-            core.accounts.add_event(Event { point, impulse, energy_change_j, ..*event });
-        }
-    }
-
     fn set_hold(&self, core: &mut Core, instant: &mut Instant, i: usize, hold: Hold) {
         let touch = instant.touches[i];
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
-            self.report_contact(core, &contact_event(instant.t, EventKind::Detach, &touch), touch.id);
+            core.accounts.add_contact_event(
+                &core.world,
+                &self.states,
+                contact_event(instant.t, EventKind::Detach, &touch),
+                touch.id,
+            );
         }
         instant.touches[i].hold = hold;
         instant.touches[i].known = true;

@@ -19,7 +19,7 @@ use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
 use polhode_dynamics::{BodyState, RigidBody, System};
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::{LeastNormForces, ResponseError, least_norm_forces};
 use polhode_spatial::{DQuat, DVec3};
 
 /// Numbers after those of the bodies: what the outside gives.
@@ -52,6 +52,17 @@ pub(super) struct ContactSystem<'a> {
     /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
     /// that have turned parallel) bears no force; the location of contact changes ends the step where that begins.
     contacts: Vec<(ContactId, ContactKinematics)>,
+    /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m): the
+    /// largest of all stages so far. What they cancel to is known to their rounding only.
+    cancelling: Vec<[f64; 2]>,
+}
+
+/// Forces of the held contacts.
+#[derive(Debug, Default)]
+struct HeldForces {
+    forces: Vec<f64>,
+    /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
+    sums: Option<Vec<(usize, DVec3, DVec3)>>,
 }
 
 impl<'a> ContactSystem<'a> {
@@ -62,7 +73,15 @@ impl<'a> ContactSystem<'a> {
         held: &'a [ContactId],
         about: DVec3,
     ) -> Self {
-        Self { world, bodies, held, about, states, contacts: Vec::with_capacity(held.len()) }
+        Self {
+            world,
+            bodies,
+            held,
+            about,
+            states,
+            contacts: Vec::with_capacity(held.len()),
+            cancelling: vec![[0.0; 2]; bodies.len()],
+        }
     }
 
     /// The group's bodies.
@@ -79,6 +98,28 @@ impl<'a> ContactSystem<'a> {
         self.world.loads(t, self.states)
     }
 
+    /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m).
+    pub(super) fn cancelling(&self) -> &[[f64; 2]] {
+        &self.cancelling
+    }
+
+    /// Takes the forces of a stage into the largest sums of magnitudes.
+    fn note_magnitudes(&mut self, forces: &[f64]) {
+        let mut sums = vec![[0.0; 2]; self.bodies.len()];
+        for ((id, k), force) in self.contacts.iter().zip(forces) {
+            for body in [id.a, id.b] {
+                if let Ok(index) = self.bodies.binary_search(&body) {
+                    let arm = k.geometry.point - self.states[body].pose.translation;
+                    sums[index][0] += force.abs();
+                    sums[index][1] += force.abs() * arm.length();
+                }
+            }
+        }
+        for (largest, sum) in self.cancelling.iter_mut().zip(sums) {
+            *largest = [largest[0].max(sum[0]), largest[1].max(sum[1])];
+        }
+    }
+
     /// Flat state of the group.
     pub(super) fn pack(&self) -> Vec<f64> {
         let bodies = self.bodies.iter().flat_map(|&body| self.states[body].to_array());
@@ -86,22 +127,44 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Forces of the held contacts at the present states.
-    fn held_forces(&self, t: f64, loads: &Loads) -> Result<Vec<f64>, ResponseError> {
+    fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
         if self.contacts.is_empty() {
-            return Ok(Vec::new());
+            return Ok(HeldForces::default());
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
         let free = assembly.free_accelerations(self.world, self.states, loads);
-        let b = assembly.acceleration_constants(
-            self.world,
-            t,
-            self.states,
-            &free,
-            self.contacts.iter().map(|(id, k)| (*id, k)),
-        )?;
-        let delassus = assembly.problem.delassus();
-        LeastNormHold::factor(&delassus)?.solve(&delassus, &b)
+        let contacts = self.contacts.iter().map(|(id, k)| (*id, k));
+        let b = assembly.acceleration_constants(self.world, t, self.states, &free, contacts)?;
+        let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
+        Ok(HeldForces { sums: loads.map(|loads| assembly.split(&loads).collect()), forces })
+    }
+
+    /// Adds the contact forces to the rates one by one.
+    fn add_forces(&self, forces: &[f64], rates: &mut [f64]) {
+        for ((id, k), &force) in self.contacts.iter().zip(forces) {
+            for (body, signed) in [(id.a, force), (id.b, -force)] {
+                let vector = k.geometry.normal * signed;
+                let moment = (k.geometry.point - self.states[body].pose.translation).cross(vector);
+                self.add_load(body, vector, moment, rates);
+            }
+        }
+    }
+
+    /// Adds what the contact forces add up to on each body.
+    fn add_sums(&self, sums: &[(usize, DVec3, DVec3)], rates: &mut [f64]) {
+        for &(body, force, moment) in sums {
+            self.add_load(body, force, moment, rates);
+        }
+    }
+
+    fn add_load(&self, body: usize, force: DVec3, moment: DVec3, rates: &mut [f64]) {
+        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
+            return;
+        };
+        let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
+        add(&mut rate[LINEAR_VELOCITY..], force * rigid.inverse_mass());
+        add(&mut rate[ANGULAR_MOMENTUM..], moment);
     }
 
     /// Rates of what the outside gives.
@@ -164,20 +227,12 @@ impl System for ContactSystem<'_> {
         self.contacts.clear();
         self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
         let loads = self.world.loads(t, self.states);
-        let forces = self.held_forces(t, &loads)?;
+        let HeldForces { forces, sums } = self.held_forces(t, &loads)?;
+        self.note_magnitudes(&forces);
         self.free_rates(&loads, state, rates);
-        for ((id, k), &force) in self.contacts.iter().zip(&forces) {
-            for (body, signed) in [(id.a, force), (id.b, -force)] {
-                let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid)
-                else {
-                    continue;
-                };
-                let vector = k.geometry.normal * signed;
-                let moment = (k.geometry.point - self.states[body].pose.translation).cross(vector);
-                let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
-                add(&mut rate[LINEAR_VELOCITY..], vector * rigid.inverse_mass());
-                add(&mut rate[ANGULAR_MOMENTUM..], moment);
-            }
+        match sums {
+            Some(sums) => self.add_sums(&sums, rates),
+            None => self.add_forces(&forces, rates),
         }
         self.outside_rates(t, &forces, &mut rates[self.bodies.len() * WIDTH..]);
         Ok(())

@@ -43,9 +43,9 @@ impl Boxes {
         self.boxes[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
     }
 
-    /// Takes the box of a body away.
-    pub(crate) fn clear(&mut self, body: usize) {
-        self.boxes[body] = None;
+    /// Sets the box of a body, or takes it away.
+    pub(crate) fn put(&mut self, body: usize, aabb: Option<Aabb>) {
+        self.boxes[body] = aabb;
     }
 
     /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes meet.

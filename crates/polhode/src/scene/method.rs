@@ -12,6 +12,8 @@ pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, Rotati
 pub enum Tier {
     /// The thesis's section 3.5 to the letter: RK4, fixed step, propagation, least-force linear programme.
     Thesis,
+    /// Fixed steps at the level of velocities with exact complementarity; always gets through.
+    Stepped,
     /// Flight records, error-controlled contact phases, located impacts and force events, exact contact forces.
     Accurate,
 }
@@ -47,12 +49,29 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
+/// What happens where the events of an island crowd.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Crowding {
+    /// It goes on by time steps at the level of velocities until they thin out.
+    #[default]
+    Step,
+    /// The run ends with an error.
+    Error,
+}
+
+impl Crowding {
+    /// Whether time steps carry a run on.
+    pub(crate) fn steps(self) -> bool {
+        self == Self::Step
+    }
+}
+
 /// What a scene asks for; `None` leaves the choice to the plan.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Method {
     /// The tier.
     pub tier: Option<Tier>,
-    /// Step, s: the fixed step of `thesis`, the upper bound of a step of `accurate`.
+    /// Step, s: the fixed step of `thesis` and `stepped`, the upper bound of a step of `accurate`.
     pub step_s: Option<f64>,
     /// Integrator of bodies that no contact holds; contact phases of `accurate` are integrated by DOP853.
     pub integrator: Option<Integrator>,
@@ -70,6 +89,10 @@ pub struct Method {
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,
+    /// What happens where events crowd.
+    pub crowding: Option<Crowding>,
+    /// Error allowed in a stretch of crowded events for each longest step, relative to the size of each body.
+    pub crowding_tolerance: Option<f64>,
 }
 
 impl Method {
@@ -80,6 +103,9 @@ impl Method {
     pub fn validate(&self) -> Result<(), SceneError> {
         if let Some(step) = self.step_s {
             super::builder::positive("method.step", step)?;
+        }
+        if let Some(tolerance) = self.crowding_tolerance {
+            super::builder::positive("method.crowding_tolerance", tolerance)?;
         }
         if let Some(tolerance) = self.tolerance {
             super::builder::positive("method.tolerance", tolerance)?;
@@ -95,10 +121,17 @@ impl Method {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
         let tier = self.tier.unwrap_or(Tier::Accurate);
-        if (tier, self.contact) == (Tier::Accurate, Some(ContactMethod::LeastForce)) {
+        if tier != Tier::Thesis && self.contact == Some(ContactMethod::LeastForce) {
+            let tier = if tier == Tier::Stepped { "stepped" } else { "accurate" };
             return refuse(
-                "contact = \"least-force\" with tier = \"accurate\"",
+                &format!("contact = \"least-force\" with tier = \"{tier}\""),
                 "contact = \"active-set\", or tier = \"thesis\"",
+            );
+        }
+        if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {
+            return refuse(
+                &format!("integrator = \"{}\" with tier = \"stepped\"", integrator.name()),
+                "no integrator: the tier moves bodies by exact drift with a kick",
             );
         }
         let representation = self.orientation.is_some() || self.rotation_rate.is_some();

@@ -19,7 +19,9 @@ pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
-pub use method::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier};
+pub use method::{
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+};
 pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 

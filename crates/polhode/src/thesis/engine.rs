@@ -4,17 +4,19 @@ use super::system::LoadedBodies;
 use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::interaction::assembly::{Assembly, free_acceleration};
 use crate::interaction::groups::groups;
 use crate::interaction::impact::{impulse_event, strike, support};
 use crate::observer::Observer;
 use crate::scene::ContactMethod;
-use crate::simulation::{ContactView, IslandView};
+use crate::simulation::emit_sample;
 use crate::tier::{Reached, Tier};
-use crate::{Acceleration, Momentum, SimulationError};
+use crate::world::WorldBody;
+use crate::{Acceleration, BodyId, Momentum, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::Integrator;
@@ -51,6 +53,10 @@ pub(crate) struct ThesisEngine {
     boxes: Boxes,
     /// Number of pairs that touched when it was last looked.
     touching_pairs: usize,
+    /// Forces of the resting contacts in the last step, N.
+    resting: Vec<(ContactId, f64)>,
+    /// Which bodies move.
+    moves: Vec<bool>,
 }
 
 impl ThesisEngine {
@@ -64,6 +70,8 @@ impl ThesisEngine {
             loaded: LoadedBodies::default(),
             boxes: Boxes::new(&core.settings, states.len()),
             touching_pairs: 0,
+            resting: Vec::new(),
+            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
             states,
         };
         engine.detect(core)?;
@@ -76,6 +84,7 @@ impl ThesisEngine {
         self.apply_impulses(core, &touches, observer)?;
         let resting = self.resting_forces(core)?;
         let loads = loads(core, &self.states, &resting);
+        self.resting = resting.touches.iter().map(|touch| touch.id).zip(resting.forces.iter().copied()).collect();
 
         self.integrate(core, loads.clone(), t_next - core.t)?;
         self.emit_samples_within(core, t_next, observer)?;
@@ -100,18 +109,8 @@ impl ThesisEngine {
     /// # Errors
     /// When there are more bodies than the broad phase can number.
     fn detect(&mut self, core: &Core) -> Result<Vec<Touch>, SimulationError> {
-        for (body, state) in self.states.iter().enumerate() {
-            self.boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), 0.0);
-        }
-        let mut touches = Vec::new();
-        self.touching_pairs = 0;
-        let (states, touching) = (&self.states, &mut self.touching_pairs);
-        self.boxes.all_pairs(&core.world, |a, b| {
-            let reach = core.world.rounding(states, a, b);
-            let contacts = core.world.contacts_of_pair(states, a, b, reach);
-            *touching += usize::from(!contacts.is_empty());
-            touches.extend(contacts);
-        })?;
+        let touches = touching(core, &self.states, &mut self.boxes)?;
+        self.touching_pairs = touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)).count();
         Ok(touches)
     }
 
@@ -234,7 +233,7 @@ impl ThesisEngine {
                 .states_within(&motion, within, &mut movable)
                 .map_err(|source| SimulationError::Integration { t: core.t, source })?;
             let states = all_states(core, &self.states, &movable, t);
-            core.accounts.emit_sample(&core.world, &states, t, observer);
+            emit_sample(&*self, core, &states, t, observer);
         }
     }
 }
@@ -247,7 +246,8 @@ impl Tier for ThesisEngine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if core.accounts.steps() == 0 {
-            core.accounts.emit_sample(&core.world, &self.states, core.t, observer);
+            let (t, states) = (core.t, self.states.clone());
+            emit_sample(&*self, core, &states, t, observer);
         }
         while core.t < limit_s {
             let h = core.settings.step_s;
@@ -292,12 +292,32 @@ impl Tier for ThesisEngine {
         Ok(out)
     }
 
-    fn contacts(&self, _core: &Core) -> Vec<ContactView> {
-        Vec::new()
+    fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut views = Vec::new();
+        for touch in touching(core, states, &mut Boxes::new(&core.settings, states.len())).unwrap_or_default() {
+            let (id, geometry) = (touch.id, touch.kinematics.geometry);
+            let resting = self.resting.iter().find(|(known, _)| *known == id);
+            views.push(ContactView {
+                body_a: BodyId::new(id.a),
+                body_b: BodyId::new(id.b),
+                feature: id.feature,
+                point_m: geometry.point,
+                normal: geometry.normal,
+                separation_m: geometry.separation,
+                normal_force_n: resting.map_or(0.0, |(_, force)| *force),
+            });
+        }
+        views
     }
 
-    fn islands(&self, _core: &Core) -> Vec<IslandView> {
-        Vec::new()
+    fn motions(&self) -> Vec<MotionKind> {
+        self.moves.iter().map(|&moves| if moves { MotionKind::Integrated } else { MotionKind::Given }).collect()
+    }
+
+    fn islands(&self) -> Vec<IslandView> {
+        // Section 3.5 moves all bodies together.
+        let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
+        vec![IslandView { bodies: moving.map(|(body, _)| BodyId::new(body)).collect() }]
     }
 
     fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
@@ -313,18 +333,36 @@ impl Tier for ThesisEngine {
         Ok(())
     }
 
-    fn add_body(&mut self, _core: &Core, state: BodyState) {
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.moves.push(core.world.bodies[self.states.len()].moves());
         self.states.push(state);
         self.boxes.make_room();
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.boxes.clear(body);
+        self.boxes.put(body, None);
+        self.moves[body] = false;
     }
 
     fn touching_pairs(&self) -> usize {
         self.touching_pairs
     }
+}
+
+/// Every contact point of every pair that touches or overlaps.
+///
+/// # Errors
+/// When there are more bodies than the broad phase can number.
+fn touching(core: &Core, states: &[BodyState], boxes: &mut Boxes) -> Result<Vec<Touch>, SimulationError> {
+    for (body, state) in states.iter().enumerate() {
+        boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), 0.0);
+    }
+    let mut touches = Vec::new();
+    boxes.all_pairs(&core.world, |a, b| {
+        let reach = core.world.rounding(states, a, b);
+        touches.extend(core.world.contacts_of_pair(states, a, b, reach));
+    })?;
+    Ok(touches)
 }
 
 fn group_forces(

@@ -85,7 +85,9 @@ fn strange_forces_end_in_an_error_or_a_finite_motion() {
             let by_exact = scene(force.clone()).method(by(Integrator::Exact, 0.01));
             survives(&format!("{what} = {x} by exact"), by_exact);
             let thesis = Method { tier: Some(Tier::Thesis), ..Method::default() };
-            survives(&format!("{what} = {x} by the thesis"), scene(force).method(thesis));
+            survives(&format!("{what} = {x} by the thesis"), scene(force.clone()).method(thesis));
+            let stepped = Method { tier: Some(Tier::Stepped), ..Method::default() };
+            survives(&format!("{what} = {x} by time steps"), scene(force).method(stepped));
         }
     }
 }
@@ -110,7 +112,7 @@ fn strange_methods_end_in_an_error_or_a_finite_motion() {
     let force = || spring(100.0, 0.1, 0.0, DVec3::ZERO);
     for integrator in Integrator::ALL.map(Some).into_iter().chain([None]) {
         for step in STRANGE.into_iter().chain([1e-9, 1e3, 0.04, 0.05, 0.06]) {
-            for tier in [Tier::Accurate, Tier::Thesis] {
+            for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
                 let method = Method { tier: Some(tier), integrator, step_s: Some(step), ..Method::default() };
                 survives(&format!("{integrator:?} {tier:?} step {step}"), scene(force()).method(method));
             }
@@ -169,7 +171,7 @@ fn strange_pivots_end_in_an_error_or_a_finite_motion() {
 fn method_put_in_later_is_checked() {
     let scene = scene(spring(100.0, 0.1, 0.0, DVec3::ZERO)).build().unwrap();
     for step in [0.0, -1.0, 1e-300, f64::NAN] {
-        for tier in [Tier::Accurate, Tier::Thesis] {
+        for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
             let method = Method { tier: Some(tier), step_s: Some(step), ..Method::default() };
             let ended = match try_run(&scene.clone().with_method(method), STEPS) {
                 Ok((report, _)) => report.outcome == polhode::Outcome::Completed,

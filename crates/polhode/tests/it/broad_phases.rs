@@ -1,4 +1,4 @@
-//! The broad phase changes no result: every one gives the same bits, in both tiers, while bricks fall, hit and rest.
+//! The broad phase changes no result: every one gives the same bits, in all tiers, while bricks fall, hit and rest.
 
 use crate::support::{Sides, diamond, run};
 use polhode::Effects;
@@ -6,7 +6,7 @@ use polhode::scene::{BroadPhaseMethod, Method, Tier};
 
 #[test]
 fn every_broad_phase_gives_the_same_bits() {
-    for tier in [Tier::Accurate, Tier::Thesis] {
+    for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
         let with = |broad_phase| {
             let method = Method { tier: Some(tier), broad_phase: Some(broad_phase), ..Method::default() };
             let scene = diamond(5, Sides::Touch).method(method).duration_s(0.2).output_interval_s(0.05);

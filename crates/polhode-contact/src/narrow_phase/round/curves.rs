@@ -5,6 +5,12 @@
 //! almost flat along the line (small `b`) these two are the places where the line crosses the rim; they stay distinct
 //! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
 //!
+//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever
+//! `c sin^3 u > -b q`: all along when the line is on this side of the long axis (`q >= 0`), so that there is one minimum; else
+//! between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1` alone, so that there is one when `G'(u_1) <= 0 < G'(pi - u_1)`, and none
+//! otherwise. A minimum that has just come apart from a maximum lies as near to it as one likes, so that samples of `G'` alone
+//! would miss it.
+//!
 //! Two circles: to a place of one the other's nearest is a closed form, and all places where that distance is least are
 //! found (`minima.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
 //! crossings.
@@ -58,12 +64,14 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         let directed = |u: f64| half * slope(half * u);
         let mut last = 0.0;
         let mut before = directed(0.0);
+        let mut seen = false;
         let mut visit = |u: f64| {
             let value = directed(u);
             // A minimum: the slope rises through zero.
             if before <= 0.0 && value > 0.0 {
                 let angle = -falling_root(-u, -last, |u| directed(-u));
                 push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
+                seen = true;
             }
             (last, before) = (u, value);
         };
@@ -76,12 +84,29 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         }
         // A little farther than the other end, so that a minimum right there lies between two samples.
         visit(PI + OVERLAP);
+        // On the far side of the long axis the samples may have stepped over a minimum and the maximum beside it.
+        if !seen && let Some((from, to)) = rising_stretch(radius, half * line.dot(short_seen), sine) {
+            let rises = directed(from) <= 0.0 && directed(to) > 0.0;
+            if rises {
+                let angle = -falling_root(-to, -from, |u| directed(-u));
+                push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
+            }
+        }
     }
     // A slope that is zero to rounding all round belongs to a line through the centre along the axis: any place is nearest.
     if found.is_empty() {
         push_crossing(&mut found, (point, along), circle, 0.0, (long, short));
     }
     found
+}
+
+/// Where on the half `0 < u < pi` of a circle of this radius (m) the slope over `sin u` rises, for a line beyond the long axis:
+/// `across = b q/R` (m) is below zero there; `sine` is that of the angle between the line and the circle's axis. Nothing when
+/// it rises nowhere, or when the line is on this side.
+fn rising_stretch(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
+    let part = -across / (radius * sine * sine);
+    let least = libm::asin(libm::cbrt(part));
+    (part > 0.0 && part < 1.0).then_some((least, PI - least))
 }
 
 fn push_crossing(

@@ -81,7 +81,7 @@ impl<'a> Body<'a> {
     }
 
     /// Calls `visit` with the faces and discs.
-    fn each_plane(&self, mut visit: impl FnMut(SurfaceFeature)) {
+    pub(crate) fn each_plane(&self, mut visit: impl FnMut(SurfaceFeature)) {
         let count = match self.shape {
             _ if self.point.is_some() => 0,
             Shape::Convex(polyhedron) => polyhedron.face_count() as u32,
@@ -93,7 +93,7 @@ impl<'a> Body<'a> {
     }
 
     /// Calls `visit` with all other elements.
-    fn each_other(&self, mut visit: impl FnMut(SurfaceFeature)) {
+    pub(crate) fn each_other(&self, mut visit: impl FnMut(SurfaceFeature)) {
         use SurfaceFeature::{Cap, Edge, Rim, Side, Sphere, Vertex};
         let mut list = |features: &[SurfaceFeature]| features.iter().copied().for_each(&mut visit);
         if let Some((index, _)) = self.point {

@@ -1,22 +1,26 @@
 //! Tori: the distance of a circle from another body, less the radius of the tube.
 //!
-//! A ring is not convex and may touch a body at several places. Of another ring those are the common normals of the two
-//! circles. Of other bodies the signed distance is sampled along the middle line (`ring_samples.rs`, which says what samples
-//! may miss) and every minimum is polished: as the common normals of the circle and the element that is nearest there
-//! (`pairs.rs`), or, where the nearest element changes (a corner between two of them), by a golden-section search.
+//! A ring is not convex and may touch a body at several places: at every minimum of the distance along its middle line.
+//! Outside a convex body that distance is continuously differentiable, so that each minimum is a common normal of the middle
+//! line and the element of the body that is nearest there (`pairs.rs`). All elements are asked that come near enough, and of
+//! their common normals those count at which the element is the nearest: none is overlooked, also not one beside a lower one;
+//! only of several over the rim of one disc some may have no name that tells them from the others (`branch.rs`).
 //!
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
-//! lower bound of how far the ring would have to be moved.
+//! lower bound of how far the ring would have to be moved. There the distance has corners, where the nearest element
+//! changes. Unless a plane along the deciding normal keeps the middle line off the body, the signed distance is sampled for
+//! them (`ring_samples.rs`, which says what samples may miss), and each is found by a golden-section search.
 
 use super::branch::{Branch, is_one_place, is_told};
 use super::element::{Element, Locus};
 use super::gap::{self, Body, Gap};
-use super::pairs::{Place, Places, nearest_on, places};
-use super::ring_samples::{Dip, Sample, Wanted, each_minimum};
+use super::pairs::{Place, Places, lowest_of, nearest_on, places};
+use super::ring_samples::{Sample, Wanted, each_minimum};
 use super::stationary::chosen;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::nearest_feature;
-use crate::shape::round::{Circle, circles};
+use crate::shape::round::{Circle, circles, support};
+use crate::shape::support::across;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -57,6 +61,27 @@ impl FromPoint {
     }
 }
 
+/// Parts of an edge by which it is judged whether it comes near enough.
+const LINE_PARTS: f64 = 4.0;
+
+/// What minima are asked for, and what is known of the least one.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    /// Of the middle line, m.
+    reach: f64,
+    /// The distance of the middle line is no more than this, m: with the rounding of places.
+    least: f64,
+    /// The normal there.
+    above: Option<DVec3>,
+}
+
+impl Nearest {
+    /// Distances of the middle line above this are not asked for, m.
+    const fn limit(&self) -> f64 {
+        self.least.max(self.reach)
+    }
+}
+
 /// A ring in the frame of another body.
 pub(crate) struct Ring<'a> {
     circle: Circle,
@@ -68,8 +93,8 @@ pub(crate) struct Ring<'a> {
 }
 
 /// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach` (m);
-/// normals in the world. Of minima beside a lower one, on another element of a convex body, some may be missing. Nothing for a
-/// half-space, and when neither shape is a ring.
+/// normals in the world. Of those at which the middle line runs inside the other body, beside a lower one, some may be
+/// missing. Nothing for a half-space, and when neither shape is a ring.
 pub(crate) fn each(
     shape_a: &Shape,
     pose_a: &Pose,
@@ -201,62 +226,158 @@ impl<'a> Ring<'a> {
     fn each_minimum(&self, x: &Pose, shape: &Shape, reach: f64, mut report: impl FnMut(Gap)) {
         if let Shape::Torus(_) = self.other {
             let mut found = false;
-            self.each_common_normal(x, shape, SurfaceFeature::Rim(0), |_, gap| {
-                found = true;
-                report(gap);
-            });
+            let rims = (
+                Element::of(shape, SurfaceFeature::Rim(0), x),
+                Element::of(self.other, SurfaceFeature::Rim(0), &Pose::IDENTITY),
+            );
+            if let (Some(own), Some(other)) = rims {
+                self.each_common_normal(&own, &other, SurfaceFeature::Rim(0), f64::INFINITY, |_, gap| {
+                    found = true;
+                    report(gap);
+                });
+            }
             // Where the middle lines are one they have no common normal, and all places are as near.
             if !found {
                 report(self.corner(0.0));
             }
             return;
         }
+        let Some(rim) = Element::of(shape, SurfaceFeature::Rim(0), x) else { return };
+        let least = self.nearest(self.place(0.0)).distance + self.tolerance;
+        let wanted = Nearest { reach: reach + self.tube, least, above: None };
+        let wanted = self.each_of_elements(&rim, wanted, &mut report);
+        // Of places over a rim some have no name of their own (`branch.rs`): then the samples say how near they are.
+        let all_named = circles(self.other).is_empty();
+        if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
+            self.each_corner(&rim, wanted, report);
+        }
+    }
+
+    /// Reports the common normals with all elements of the other body that come near enough to the middle line.
+    fn each_of_elements(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) -> Nearest {
+        let (mut now, mut parallel) = (wanted, false);
+        let body = Body::whole(self.other, Pose::IDENTITY);
+        body.each_other(|feature| now.least = now.least.min(self.between(feature).1));
+        let mut visit = |feature: SurfaceFeature| {
+            let asked = self.comes_within(feature, now.limit());
+            let Some(element) = body.element(feature).filter(|_| asked) else { return };
+            if let Locus::Plane(_, normal) = element.locus {
+                parallel |= lowest_of(&self.circle, normal).is_none();
+            }
+            let limit = now.limit();
+            self.each_common_normal(rim, &element, feature, limit, |_, gap| {
+                let distance = gap.separation + self.tube;
+                if now.above.is_none() || distance + self.tolerance < now.least {
+                    now.above = Some(gap.normal);
+                }
+                now.least = now.least.min(distance + self.tolerance);
+                report(gap);
+            });
+        };
+        body.each_plane(&mut visit);
+        body.each_other(&mut visit);
+        // Over a face that the ring lies along all places are as near, and none is found by its slope.
+        if parallel { Nearest { above: None, ..now } } else { now }
+    }
+
+    /// Whether an element may be what is nearest to some place of the middle line, and no farther than this, m.
+    fn comes_within(&self, feature: SurfaceFeature, limit: f64) -> bool {
+        self.may_be_nearest_along(feature) && self.between(feature).0 <= limit
+    }
+
+    /// What the middle line is at least away from a vertex or an edge of a polyhedron, and at most from the polyhedron, m.
+    /// Nothing is known of other elements.
+    fn between(&self, feature: SurfaceFeature) -> (f64, f64) {
+        let Shape::Convex(polyhedron) = self.other else { return (f64::NEG_INFINITY, f64::INFINITY) };
+        let distance = |point: DVec3| {
+            let from = point - self.circle.center;
+            let height = self.circle.axis.dot(from);
+            let beside = (from - self.circle.axis * height).length() - self.circle.radius;
+            (beside * beside + height * height).sqrt()
+        };
+        let (nearest, reach) = match feature {
+            SurfaceFeature::Vertex(index) => (distance(polyhedron.vertices[index as usize]), 0.0),
+            // The distance changes no faster than the place moves.
+            SurfaceFeature::Edge(index) => {
+                let edge = &polyhedron.edges[index as usize];
+                let (from, reach) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
+                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (reach * f64::from(2 * k + 1)));
+                (places.map(distance).fold(f64::INFINITY, f64::min), reach)
+            }
+            _ => return (f64::NEG_INFINITY, f64::INFINITY),
+        };
+        (nearest - reach - self.tolerance, nearest + self.tolerance)
+    }
+
+    /// Whether an edge of a polyhedron may be what is nearest to some place of the middle line: that place lies beyond each of
+    /// its two faces, as seen along the other one's normal. Of other elements nothing is known.
+    fn may_be_nearest_along(&self, feature: SurfaceFeature) -> bool {
+        let (Shape::Convex(polyhedron), SurfaceFeature::Edge(index)) = (self.other, feature) else { return true };
+        let edge = &polyhedron.edges[index as usize];
+        let [first, second] = edge.faces.map(|face| polyhedron.faces[face as usize].normal);
+        let from = self.circle.center - polyhedron.vertices[edge.vertices[0] as usize];
+        let beyond = |own: DVec3, other: DVec3| {
+            let outward = across(other, own);
+            outward.dot(from) + self.circle.radius * across(outward, self.circle.axis).length() >= -self.tolerance
+        };
+        beyond(first, second) && beyond(second, first)
+    }
+
+    /// A lower bound of the distance of a place: of a polyhedron its height over the highest face.
+    fn above_faces(&self, place: DVec3) -> f64 {
+        let Shape::Convex(polyhedron) = self.other else { return f64::NEG_INFINITY };
+        polyhedron.faces().map(|face| face.normal.dot(place) - face.offset).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether a plane with this unit normal keeps all of the middle line off the other body.
+    fn is_above(&self, normal: DVec3) -> bool {
+        -self.circle.support(-normal) > support(self.other, normal) + self.tolerance
+    }
+
+    /// Reports the minima at which the nearest element changes.
+    fn each_corner(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) {
         let sample = |angle: f64| {
             let place = self.place(angle);
             let FromPoint { distance, feature, normal } = self.nearest(place);
             Sample { angle, arm: place - self.circle.center, distance, normal, feature }
         };
-        let wanted = Wanted { reach: reach + self.tube, tolerance: self.tolerance };
-        let mut best = f64::INFINITY;
-        let mut seen = None;
-        each_minimum(&self.circle, sample, wanted, |dip, lowest: &Sample, width: f64, least: f64| {
+        let mut best = wanted.least;
+        let limits = Wanted { reach: wanted.reach, least: wanted.least, tolerance: self.tolerance };
+        each_minimum(&self.circle, sample, limits, |lowest: &Sample, width: f64, least: f64| {
             best = best.min(least);
             // The distance changes no faster than the place moves.
-            if lowest.distance - self.circle.radius * width <= best.max(wanted.reach) {
-                let mut visit = |gap: Gap| {
-                    best = best.min(gap.separation + self.tube);
-                    report(gap);
-                };
-                match dip {
-                    Dip::Sampled => self.polished(x, shape, (lowest.angle, width), visit),
-                    Dip::Hidden if seen == Some(lowest.feature) => {}
-                    Dip::Hidden => self.each_common_normal(x, shape, lowest.feature, |_, gap| visit(gap)),
-                }
-                seen = Some(lowest.feature);
+            if lowest.distance - self.circle.radius * width > best.max(wanted.reach) {
+                return;
+            }
+            if let Some(corner) = self.corner_near(rim, (lowest.angle, width), wanted.limit()) {
+                best = best.min(corner.separation + self.tube);
+                report(corner);
             }
         });
     }
 
-    /// Reports the minimum at a sampled angle, no farther from it than the next samples, and others of the same element.
-    fn polished(&self, x: &Pose, shape: &Shape, (angle, step): (f64, f64), mut report: impl FnMut(Gap)) {
+    /// The minimum at a sampled angle, no farther from it than the next samples, unless it is a common normal that is known
+    /// within a limit (m).
+    fn corner_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
         let sampled = self.place(angle);
         let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
-        let mut found = false;
-        let mut visit = |feature: SurfaceFeature| {
-            self.each_common_normal(x, shape, feature, |place, gap| {
-                found |= place.on_a.distance(sampled) <= close;
-                report(gap);
-            });
+        let is_common_normal = |feature: SurfaceFeature| {
+            let mut found = false;
+            let element = Element::of(self.other, feature, &Pose::IDENTITY);
+            if let Some(element) = element.filter(|_| self.comes_within(feature, limit)) {
+                self.each_common_normal(rim, &element, feature, limit, |place, _| {
+                    found |= place.on_a.distance(sampled) <= close;
+                });
+            }
             found
         };
         // First with the element that is nearest at the sample, then, further down, at the minimum.
-        if visit(self.nearest(sampled).feature) {
-            return;
+        if is_common_normal(self.nearest(sampled).feature) {
+            return None;
         }
         let lowest = self.golden(angle, step);
-        if !visit(self.nearest(self.place(lowest)).feature) {
-            report(self.corner(lowest));
-        }
+        let known = is_common_normal(self.nearest(self.place(lowest)).feature);
+        (!known).then(|| self.corner(lowest))
     }
 
     /// The contact at an angle that is no common normal.
@@ -266,27 +387,42 @@ impl<'a> Ring<'a> {
         Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }
     }
 
-    /// Calls `visit` with the common normals of the middle line and an element of the other body where that is the nearest,
-    /// each named so that it is told from others of the two.
-    fn each_common_normal(&self, x: &Pose, shape: &Shape, feature: SurfaceFeature, mut visit: impl FnMut(&Place, Gap)) {
+    /// Calls `visit` with the common normals of the middle line and an element of the other body that are no longer than
+    /// `limit` (m) and where that is the nearest, each named so that it is told from others of the two.
+    fn each_common_normal(
+        &self,
+        rim: &Element<'_>,
+        element: &Element<'_>,
+        feature: SurfaceFeature,
+        limit: f64,
+        mut visit: impl FnMut(&Place, Gap),
+    ) {
         use Branch::{Entry, Exit, Nearest};
-        let elements =
-            (Element::of(shape, SurfaceFeature::Rim(0), x), Element::of(self.other, feature, &Pose::IDENTITY));
-        let (Some(rim), Some(element)) = elements else { return };
-        let all = places(&rim, &element);
+        let all = places(rim, element);
         // The element is the nearest at its place, and on the side that the place says.
+        let tolerance = self.tolerance.max(CONSISTENT * self.circle.radius);
+        let possible = |place: &Place| {
+            let claimed = place.separation(rim, element) + self.tube;
+            claimed <= limit && self.above_faces(place.on_a) <= claimed + tolerance
+        };
+        if !all.iter().any(possible) {
+            return;
+        }
         let consistent = |place: &Place| {
             let there = self.nearest(place.on_a).distance - self.tube;
-            (place.separation(&rim, &element) - there).abs() <= self.tolerance.max(CONSISTENT * self.circle.radius)
+            (place.separation(rim, element) - there).abs() <= tolerance
         };
         let round = matches!(feature, SurfaceFeature::Rim(_));
         let names = [[Exit, Nearest], [Entry, Nearest], [Exit, Entry], [Entry, Exit], [Nearest; 2]];
         let mut known = Places::none();
         for [own, other] in names.into_iter().filter(|&[_, other]| round || other == Nearest) {
-            let (rim, element) = (Element { branch: own, ..rim }, Element { branch: other, ..element });
+            let (rim, element) = (Element { branch: own, ..*rim }, Element { branch: other, ..*element });
             let told = chosen(&all, &rim, &element).filter(|place| is_told(place, &all, &rim, &element));
             let Some(place) = told else { continue };
-            if known.iter().any(|known| is_one_place(known, &place, self.circle.radius)) || !consistent(&place) {
+            if place.separation(&rim, &element) + self.tube > limit
+                || known.iter().any(|known| is_one_place(known, &place, self.circle.radius))
+                || !consistent(&place)
+            {
                 continue;
             }
             known.push(place);

@@ -1,4 +1,4 @@
-//! Samples of the distance of a circle from a body, as many as it takes to tell its minima apart.
+//! Samples of the distance of a circle from a body, as many as it takes to tell its least minima apart.
 //!
 //! The signed distance `d` of a convex body is a convex function of the place: with its gradient `g` at a sample `x_k`,
 //! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
@@ -51,25 +51,10 @@ pub(crate) struct Sample {
 pub(crate) struct Wanted {
     /// Minima up to this, m, and the least one.
     pub(crate) reach: f64,
+    /// Distance known of some place, m.
+    pub(crate) least: f64,
     /// Distances that differ by less are equal, m.
     pub(crate) tolerance: f64,
-}
-
-/// How a minimum shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Dip {
-    /// The samples fall and rise again.
-    Sampled,
-    /// There may be one of the element that both ends of a stretch see.
-    Hidden,
-}
-
-/// What becomes of a stretch.
-enum Stretch {
-    Divided(Sample),
-    /// Its bound lies below both ends, but one element is all that is seen.
-    OfOneElement,
-    Seen,
 }
 
 /// Calls `visit` with the minima of the distance from a convex body, as samples, with the angle to the farther one of the
@@ -78,28 +63,25 @@ pub(crate) fn each_minimum(
     circle: &Circle,
     sample: impl Fn(f64) -> Sample,
     wanted: Wanted,
-    visit: impl FnMut(Dip, &Sample, f64, f64),
+    visit: impl FnMut(&Sample, f64, f64),
 ) {
     let first: [Sample; FIRST] = equal(&sample);
-    let mut least = first.iter().map(|sample| sample.distance).fold(f64::INFINITY, f64::min);
+    let mut least = first.iter().map(|sample| sample.distance).fold(wanted.least, f64::min);
     let mut divisions = 0;
     let divide = |from: &Sample, to: &Sample| {
         let (bound, angle) = least_between(from, to, circle);
         let width = to.angle - from.angle;
         let unseen = bound < from.distance.min(to.distance) - wanted.tolerance && bound < least.max(wanted.reach);
         let of_one_element = from.feature == to.feature && width <= TAU / f64::from(FINE);
-        if !unseen || width <= SHORTEST || divisions >= MOST {
-            return Stretch::Seen;
-        }
-        if of_one_element {
-            return Stretch::OfOneElement;
+        if !unseen || of_one_element || width <= SHORTEST || divisions >= MOST {
+            return None;
         }
         divisions += 1;
         // Well inside, so that both parts are a good deal shorter where the bound is least at an end.
         let margin = width * LEAST_PART;
         let new = sample(angle.clamp(from.angle + margin, to.angle - margin));
         least = least.min(new.distance);
-        Stretch::Divided(new)
+        Some(new)
     };
     walk(&first, wanted, divide, visit);
 }
@@ -113,12 +95,12 @@ fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
 fn walk(
     samples: &[Sample],
     wanted: Wanted,
-    mut divide: impl FnMut(&Sample, &Sample) -> Stretch,
-    mut visit: impl FnMut(Dip, &Sample, f64, f64),
+    mut divide: impl FnMut(&Sample, &Sample) -> Option<Sample>,
+    mut visit: impl FnMut(&Sample, f64, f64),
 ) {
     let Some(&first) = samples.first() else { return };
     let (mut lowest, mut highest) = (first.distance, first.distance);
-    let mut least = samples.iter().map(|sample| sample.distance).fold(f64::INFINITY, f64::min);
+    let mut least = samples.iter().map(|sample| sample.distance).fold(wanted.least, f64::min);
     let is_lowest = |[before, at, after]: [&Sample; 3]| at.distance <= before.distance && at.distance < after.distance;
     let width = |[before, at, after]: [&Sample; 3]| (at.angle - before.angle).max(after.angle - at.angle);
     let turned = |sample: &Sample, by: f64| Sample { angle: sample.angle + by, ..*sample };
@@ -129,17 +111,10 @@ fn walk(
         let mut count = 1;
         while count > 0 {
             let to = ends[count - 1];
-            match divide(&from, &to) {
-                Stretch::Divided(new) if count < DEEPEST => {
-                    ends[count] = new;
-                    count += 1;
-                    continue;
-                }
-                Stretch::OfOneElement => {
-                    let lower = if from.distance < to.distance { &from } else { &to };
-                    visit(Dip::Hidden, lower, to.angle - from.angle, least);
-                }
-                _ => {}
+            if let Some(new) = divide(&from, &to).filter(|_| count < DEEPEST) {
+                ends[count] = new;
+                count += 1;
+                continue;
             }
             count -= 1;
             least = least.min(to.distance);
@@ -147,7 +122,7 @@ fn walk(
                 second = Some(to);
             }
             if let Some(three) = before.as_ref().map(|before| [before, &from, &to]).filter(|&three| is_lowest(three)) {
-                visit(Dip::Sampled, &from, width(three), least);
+                visit(&from, width(three), least);
             }
             (lowest, highest) = (lowest.min(to.distance), highest.max(to.distance));
             (before, from) = (Some(from), to);
@@ -158,7 +133,7 @@ fn walk(
     let three = [&last, &first, &second];
     // All equal: a ring that lies flat on a face.
     if is_lowest(three) || highest - lowest <= wanted.tolerance {
-        visit(Dip::Sampled, &first, width(three), least);
+        visit(&first, width(three), least);
     }
 }
 

@@ -28,7 +28,7 @@
 //! (which is zero but on a cone).
 
 use super::branch;
-use super::element::{Element, Locus};
+use super::element::{Border, Element, Locus};
 use super::pairs::{Place, places};
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::tangential::ContactMotion;
@@ -431,8 +431,13 @@ fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
     if !(curve(a) && curve(b)) {
         return place;
     }
-    let outward = |element: &Element<'_>, at: DVec3| match element.locus {
-        Locus::Circle(circle) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,
+    let outward = |element: &Element<'_>, at: DVec3| match (element.locus, element.border) {
+        (Locus::Circle(circle), Border::Rim { radial, axial }) => {
+            // Halfway between the disc's normal and the side's, which is perpendicular to the way in which the side runs into
+            // the rim: all normals of the rim lie within a right angle of it, also where a flat cone's side looks backwards.
+            (at - circle.center) / circle.radius * axial + circle.axis * (1.0 - radial)
+        }
+        (Locus::Circle(circle), _) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,
         _ => element.outward,
     };
     let toward_a = outward(b, place.on_b) - outward(a, place.on_a);

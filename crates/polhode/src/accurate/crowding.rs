@@ -1,0 +1,336 @@
+//! Stretches of time in which the events of an island crowd, passed by time steps at the level of velocities.
+//!
+//! Events crowd when steps no longer advance time (`pace.rs`): bounces that accumulate at several contacts at once, contacts
+//! whose place jumps, piles that settle. The bodies concerned then go on by the time steps of `crate::time_stepping`, all
+//! their touching and nearly touching contacts together, for a stretch of one longest step; after it the events of the tier
+//! are located again. Where they crowd again at once, the next stretch lasts twice as long.
+//!
+//! A stretch keeps its own promise: each time step is compared with two of half its length, and is as short as the tolerance
+//! of crowding asks; the estimates are summed and reported with the stretch. A body of another island whose box meets the
+//! boxes of the crowd joins it. The way of a body within one time step is a line with a steady turn, which is how other
+//! islands see it.
+//!
+//! Fails softly: at its shortest step a stretch goes on, and its reported error says what that cost.
+
+use super::engine::{Engine, Mode};
+use super::instant::Instant;
+use super::island::{Island, Step};
+use super::pace::{NoAdvance, Pace};
+use crate::SimulationError;
+use crate::core::Core;
+use crate::time_stepping::{TimeStepReport, TimeStepper};
+use polhode_contact::aabb_of;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
+use std::collections::BTreeSet;
+
+/// First time step that is tried, as a fraction of the longest step.
+const FIRST_STEP: f64 = 1e-2;
+
+/// Shortest time step, as a fraction of the longest step: there a stretch goes on whatever its error.
+const SHORTEST_STEP: f64 = 1e-5;
+
+/// Longest stretch, in longest steps.
+const LONGEST_STRETCH: f64 = 16.0;
+
+/// Impacts that a time step is split at, at the most.
+const MOST_SPLITS: u32 = 4;
+
+/// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
+const SWEEP_FACTOR: f64 = 2.0;
+
+/// The next time step aims at this fraction of what is allowed.
+const SAFETY: f64 = 0.8;
+
+/// Least and largest change of the time step from one to the next.
+const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
+
+/// A body's part in a stretch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Crowd {
+    /// When the stretch ends, s.
+    until: f64,
+    /// Length of the next time step, s.
+    step_s: f64,
+}
+
+/// One time step of a crowd.
+#[derive(Debug)]
+pub(super) struct CrowdStep {
+    /// Start and end, s.
+    t: f64,
+    pub(super) end: f64,
+    start: Vec<BodyState>,
+    states: Vec<BodyState>,
+    pairs: Vec<(usize, usize)>,
+    /// What the step did, and what was carried before it.
+    report: TimeStepReport,
+    stepper: TimeStepper,
+    ways: Vec<Way>,
+}
+
+impl CrowdStep {
+    /// Way of the body of this place.
+    pub(super) fn way(&self, place: usize) -> Option<&Way> {
+        self.ways.get(place)
+    }
+
+    /// States of the bodies at a time within the step.
+    pub(super) fn states_at(&self, t: f64) -> Vec<BodyState> {
+        if t >= self.end {
+            return self.states.clone();
+        }
+        let at = |(way, (start, end)): (&Way, (&BodyState, &BodyState))| {
+            let share = if self.end > self.t { (t - self.t) / (self.end - self.t) } else { 0.0 };
+            BodyState {
+                pose: way.pose(t),
+                linear_velocity: start.linear_velocity.lerp(end.linear_velocity, share),
+                angular_momentum: start.angular_momentum.lerp(end.angular_momentum, share),
+            }
+        };
+        self.ways.iter().zip(self.start.iter().zip(&self.states)).map(at).collect()
+    }
+}
+
+/// How a body goes through a time step.
+#[derive(Debug, Clone)]
+pub(super) enum Way {
+    /// From its start to its end along a line, with a steady turn.
+    Straight(ConstantVelocity),
+    /// Not at all, or not finite, which its states say.
+    Still(Still),
+}
+
+impl Way {
+    fn between((t, start): (f64, &Pose), (end_t, end): (f64, &Pose)) -> Self {
+        let h = end_t - t;
+        let turn = (end.rotation * start.rotation.inverse()).to_rotation_vector();
+        let velocity = Velocity::new((end.translation - start.translation) / h, turn / h);
+        ConstantVelocity::new(t, *start, velocity).map_or(Self::Still(Still(*start)), Self::Straight)
+    }
+}
+
+impl Motion for Way {
+    fn pose(&self, t: f64) -> Pose {
+        match self {
+            Self::Straight(motion) => motion.pose(t),
+            Self::Still(motion) => motion.pose(t),
+        }
+    }
+
+    fn velocity(&self, t: f64) -> Velocity {
+        match self {
+            Self::Straight(motion) => motion.velocity(t),
+            Self::Still(motion) => motion.velocity(t),
+        }
+    }
+
+    fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
+        match self {
+            Self::Straight(motion) => motion.bounds(t0, t1),
+            Self::Still(motion) => motion.bounds(t0, t1),
+        }
+    }
+}
+
+impl Engine {
+    /// Begins a stretch of time steps for the bodies of an instant whose events crowd.
+    ///
+    /// # Errors
+    /// When crowding ends a run, as [`SimulationError::NoProgress`] says, or a time step is not possible.
+    pub(super) fn begin_stretch(
+        &mut self,
+        core: &mut Core,
+        instant: Instant,
+        stuck: NoAdvance,
+    ) -> Result<(), SimulationError> {
+        // Time steps do not follow prescribed motions yet.
+        if !core.settings.crowding.steps() || !core.world.prescribed().is_empty() {
+            return Err(instant.no_progress(core, stuck));
+        }
+        let longest = core.settings.step_s;
+        let last = instant.bodies.iter().map(|&body| self.tracks[body].last_stretch_s).fold(0.0, f64::max);
+        let span = (2.0 * last).clamp(longest, LONGEST_STRETCH * longest);
+        for &body in &instant.bodies {
+            self.tracks[body].last_stretch_s = span;
+        }
+        core.accounts.begin_crowding(instant.t, instant.bodies.len());
+        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest };
+        self.crowd_step(core, instant, crowd)
+    }
+
+    /// Goes on with the stretch that the bodies of an instant are in; nothing when none is.
+    pub(super) fn stretch_of(&self, instant: &Instant) -> Option<Crowd> {
+        instant.bodies.iter().find_map(|&body| match self.tracks[body].mode {
+            Mode::Crowded(crowd) => Some(crowd),
+            _ => None,
+        })
+    }
+
+    /// Makes one time step of the bodies of an instant and of all that may meet them within it.
+    pub(super) fn crowd_step(
+        &mut self,
+        core: &mut Core,
+        mut instant: Instant,
+        crowd: Crowd,
+    ) -> Result<(), SimulationError> {
+        let t = instant.t;
+        let longest = core.settings.step_s;
+        let mut limit = core.horizon(t).min(t + longest);
+        // Samples are taken between time steps.
+        let sample = core.accounts.next_sample_s(&core.world);
+        if sample > t {
+            limit = limit.min(sample);
+        }
+        let mut h = crowd.step_s.min(limit - t);
+        let pairs = self.gather(core, &mut instant, h)?;
+        let about = core.accounts.books.ledger.momentum.about;
+        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
+        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let start: Vec<BodyState> = instant.bodies.iter().map(|&body| self.states[body]).collect();
+        let shortest = SHORTEST_STEP * longest;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let made = loop {
+            for (&body, state) in instant.bodies.iter().zip(&start) {
+                scratch[body] = *state;
+            }
+            let mut stepper = before.clone();
+            let made = stepper.advance_with_estimate(&core.world, &mut scratch, &instant.bodies, &pairs, (t, h));
+            let (report, error) = match made {
+                Ok(made) => made,
+                Err(source) => break Err(Core::response_error(t, source)),
+            };
+            let allowed = core.settings.crowding_tolerance * h / longest;
+            let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { STEP_CHANGE.1 };
+            if error <= allowed || h <= shortest {
+                let next = (h * ratio.clamp(STEP_CHANGE.0, STEP_CHANGE.1)).max(shortest);
+                break Ok((report, error, next.max(if h < crowd.step_s { crowd.step_s } else { 0.0 })));
+            }
+            h = (h * ratio.clamp(STEP_CHANGE.0, SAFETY)).max(shortest);
+        };
+        let states: Vec<BodyState> = instant.bodies.iter().map(|&body| scratch[body]).collect();
+        self.restore_scratch(core, scratch, &instant.bodies);
+        let (report, error, next) = made?;
+        let end = if h >= limit - t { limit } else { t + h };
+        core.accounts.note_crowding(end, report.steps, error);
+        for &body in &instant.bodies {
+            self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
+            self.tracks[body].pace = Pace::after_stretch(t);
+        }
+        let way = |(start, end_state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &end_state.pose));
+        let ways = start.iter().zip(&states).map(way).collect();
+        let step = Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, ways });
+        for pair in instant.pairs.iter().chain(&pairs) {
+            self.contacts.set(*pair, Vec::new());
+        }
+        let bodies = instant.bodies;
+        let island = Island {
+            bodies: bodies.clone(),
+            held: Vec::new(),
+            t,
+            step: Step::Crowd(step),
+            due: f64::INFINITY,
+            changes: false,
+            is_unsolved: false,
+            departing: BTreeSet::new(),
+        };
+        let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
+        self.look_ahead(core, &bodies, &firsts, t)
+    }
+
+    /// Takes into an instant all bodies that may meet its bodies within `h` seconds; the pairs that may meet.
+    fn gather(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        h: f64,
+    ) -> Result<Vec<(usize, usize)>, SimulationError> {
+        let t = instant.t;
+        loop {
+            for &body in &instant.bodies {
+                self.book_flight(core, body, t);
+                if !matches!(self.tracks[body].mode, Mode::Crowded(_)) {
+                    self.tracks[body].mode = Mode::Constrained;
+                }
+                self.set_crowd_box(core, body, h);
+            }
+            let mut pairs = BTreeSet::new();
+            let mut joins = BTreeSet::new();
+            for &body in &instant.bodies {
+                for other in self.near_boxes(core, body) {
+                    pairs.insert((body.min(other), body.max(other)));
+                    if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+                        joins.insert(other);
+                    }
+                }
+                let coupled = core.world.couplings.iter().filter(|together| together.contains(&body)).flatten();
+                joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
+            }
+            if joins.is_empty() {
+                return Ok(pairs.into_iter().collect());
+            }
+            let mut more = self.concerned(core, t, &joins.into_iter().collect::<Vec<_>>())?;
+            more.retain(|body| instant.bodies.binary_search(body).is_err());
+            let more = self.end_islands(core, t, more)?;
+            for &body in &more.bodies {
+                self.scratch[body] = self.states[body];
+            }
+            instant.bodies.extend(more.bodies);
+            instant.bodies.sort_unstable();
+            instant.pairs.extend(more.pairs);
+        }
+    }
+
+    /// Sets the box of a body of a crowd: where it may go within `h` seconds.
+    fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
+        let way = core.world.touch_distance(&self.states, body, body)
+            + SWEEP_FACTOR * h * (self.speed(core, body) + core.world.gravity().length() * h);
+        let shape = core.world.bodies[body].shape.as_ref();
+        let aabb = shape.map(|shape| aabb_of(shape, &self.states[body].pose).and_then(|aabb| aabb.inflated(way)));
+        self.set_box(body, aabb.and_then(Result::ok));
+    }
+
+    /// States at `t` of the bodies of a crowd's step, and what the step did up to then.
+    pub(super) fn crowd_end(
+        &mut self,
+        core: &Core,
+        step: &CrowdStep,
+        bodies: &[usize],
+        t: f64,
+    ) -> Result<(Vec<BodyState>, TimeStepReport), SimulationError> {
+        if t >= step.end {
+            return Ok((step.states.clone(), step.report.clone()));
+        }
+        let mut scratch = std::mem::take(&mut self.scratch);
+        for (&body, state) in bodies.iter().zip(&step.start) {
+            scratch[body] = *state;
+        }
+        let mut stepper = step.stepper.clone();
+        let made = stepper.advance(&core.world, &mut scratch, bodies, &step.pairs, (step.t, t - step.t));
+        let states = bodies.iter().map(|&body| scratch[body]).collect();
+        self.restore_scratch(core, scratch, bodies);
+        made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
+    }
+
+    /// The time step of a crowd ends: the next one, or the end of its stretch.
+    ///
+    /// # Errors
+    /// When a time step is not possible, or the instant at the end of the stretch cannot be resolved.
+    pub(super) fn next_crowd_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let mut instant = self.end_islands(core, t, bodies)?;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        let Some(crowd) = self.stretch_of(&instant) else { return Ok(()) };
+        if t < crowd.until && !core.is_end_of_run(t) {
+            return self.crowd_step(core, instant, crowd);
+        }
+        core.accounts.end_crowding(t);
+        for &body in &instant.bodies {
+            self.tracks[body].mode = Mode::Constrained;
+        }
+        self.resolve(core, &mut instant)?;
+        self.go_on(core, instant)
+    }
+}

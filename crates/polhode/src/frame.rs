@@ -1,0 +1,66 @@
+//! Everything that a viewer draws of one instant.
+
+use crate::observer::BodySample;
+use crate::{BodyId, Energy};
+use polhode_contact::ContactFeature;
+use polhode_spatial::DVec3;
+
+/// How a body moves at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MotionKind {
+    /// Never, or as its scene prescribes; or it has been removed.
+    Given,
+    /// In free flight, in closed form.
+    Flight,
+    /// Integrated, by forces and held contacts.
+    Integrated,
+    /// At rest: its contacts keep it in certified equilibrium.
+    Rest,
+}
+
+/// A contact that touches.
+///
+/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor) the
+/// least ones are given, and another method may give others for the same motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactView {
+    /// Body A.
+    pub body_a: BodyId,
+    /// Body B.
+    pub body_b: BodyId,
+    /// Which features touch.
+    pub feature: ContactFeature,
+    /// Where, world, m.
+    pub point_m: DVec3,
+    /// Unit normal from B to A, world.
+    pub normal: DVec3,
+    /// Signed distance along the normal, m; negative when the bodies overlap.
+    pub separation_m: f64,
+    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found.
+    pub normal_force_n: f64,
+}
+
+/// Bodies that move together: connected by contacts that hold, or by forces that couple them. Bodies in flight, at rest or
+/// immovable are in none.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IslandView {
+    /// The bodies, ascending.
+    pub bodies: Vec<BodyId>,
+}
+
+/// All bodies at one instant, with what connects them. The place of a body in the lists is its [`BodyId::index`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// s.
+    pub t_s: f64,
+    /// Poses and velocities.
+    pub bodies: Vec<BodySample>,
+    /// How each body moves.
+    pub motions: Vec<MotionKind>,
+    /// Contacts that touch, with their forces.
+    pub contacts: Vec<ContactView>,
+    /// Bodies that move together.
+    pub islands: Vec<IslandView>,
+    /// Energies; `initial_j` is that at the start of the run.
+    pub energy: Energy,
+}

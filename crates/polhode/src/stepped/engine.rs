@@ -1,0 +1,364 @@
+//! A run by fixed time steps, and one step of it.
+
+use super::islands::{Island, IslandSearch, islands};
+use crate::accounting::Accounts;
+use crate::accounting::books::Received;
+use crate::collision::contact_set::{ContactId, Touch};
+use crate::core::Core;
+use crate::event::{Event, EventKind};
+use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::interaction::assembly::{Assembly, free_acceleration};
+use crate::interaction::groups::groups;
+use crate::observer::Observer;
+use crate::simulation::emit_sample;
+use crate::tier::{Reached, Tier};
+use crate::time_stepping::{TimeStepReport, TimeStepper, given_by_gravity};
+use crate::{Acceleration, BodyId, SimulationError};
+use polhode_dynamics::{BodyState, Flight};
+use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
+use polhode_spatial::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen, further
+/// ones of a crowd where the last part begins.
+const MOST_SPLITS: u32 = 4;
+
+/// A contact that approaches or parts more slowly than gravity moves a body within this many steps is at rest, when
+/// accelerations are asked for.
+const RESTING_STEPS: f64 = 2.0;
+
+/// Overlap that may be left after it has been moved out, relative to the size of a body: as far as touch. More is told.
+const LEFT_RELATIVE: f64 = 1e-11;
+
+/// A run in progress.
+#[derive(Debug)]
+pub(crate) struct SteppedEngine {
+    /// Of all bodies at the present.
+    states: Vec<BodyState>,
+    /// Records of the bodies that have met nothing since their last step in an island.
+    flights: Vec<Option<Box<Flight>>>,
+    stepper: TimeStepper,
+    search: IslandSearch,
+    /// Pairs in contact after the last step.
+    touching: BTreeSet<(usize, usize)>,
+    /// Mean forces of the contacts over the last step, N.
+    forces: BTreeMap<ContactId, f64>,
+    /// Bodies of each island of the last step.
+    islands: Vec<Vec<usize>>,
+    /// Number of the last step that ended on the grid of steps, and whether any step has been made.
+    grid: u64,
+    begun: bool,
+}
+
+impl SteppedEngine {
+    /// Prepares a run.
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
+        let about = core.accounts.books.ledger.momentum.about;
+        Self {
+            flights: vec![None; states.len()],
+            states,
+            stepper: TimeStepper::new(core.settings.impact, about, MOST_SPLITS),
+            search: IslandSearch::new(&core.world, core.settings.broad_phase.build()),
+            touching: BTreeSet::new(),
+            forces: BTreeMap::new(),
+            islands: Vec::new(),
+            grid: 0,
+            begun: false,
+        }
+    }
+
+    /// One step to `t_next`.
+    ///
+    /// # Errors
+    /// When the state is no longer finite or a contact problem is not.
+    fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        let h = t_next - core.t;
+        let pairs = self.search.pairs(&core.world, &self.states, h).map_err(SimulationError::BroadPhase)?;
+        let islands = islands(&core.world, &pairs);
+        self.emit_samples_within(core, &islands, t_next, observer)?;
+        self.fly(core, &islands, t_next);
+        let mut touching = BTreeSet::new();
+        self.forces.clear();
+        for island in &islands {
+            let interval = (core.t, h);
+            let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
+            let report = report.map_err(|source| Core::response_error(core.t, source))?;
+            self.note(core, &report, h);
+            if let Some(&first) = island.bodies.first()
+                && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
+            {
+                let name = &core.world.bodies[first].name;
+                let what = format!("bodies about {name} could not be moved out of each other by more than touch");
+                core.accounts.warn(core.t, what);
+            }
+            touching.extend(report.touching.iter().copied());
+        }
+        self.islands = islands.into_iter().map(|island| island.bodies).collect();
+        core.t = t_next;
+        core.accounts.count_step();
+        self.report_pairs(core, touching);
+        core.accounts.emit_events(core.t, observer);
+        core.accounts.observe(&core.world, &self.states, core.t)?;
+        Ok(())
+    }
+
+    /// Moves all bodies that are in no island along their flights to `t_next`.
+    fn fly(&mut self, core: &mut Core, islands: &[Island], t_next: f64) {
+        let mut free = vec![true; self.states.len()];
+        for &body in islands.iter().flat_map(|island| &island.bodies) {
+            free[body] = false;
+            self.flights[body] = None;
+        }
+        let about = core.accounts.books.ledger.momentum.about;
+        let bodies: Vec<usize> = core.world.movable.iter().copied().filter(|&body| free[body]).collect();
+        for body in bodies.into_iter().filter(|&body| core.world.bodies[body].moves()) {
+            let start = self.states[body];
+            let Some(flight) = self.flight(core, body) else { continue };
+            let mut end = flight.state(t_next);
+            core.world.keep_in_plane(body, &mut end);
+            let before = core.accounts.books.balance(&core.world, &self.states, &[body]);
+            self.states[body] = end;
+            let after = core.accounts.books.balance(&core.world, &self.states, &[body]);
+            let mut received = Received::default();
+            if core.world.carries_momentum(body) {
+                received.gravity = given_by_gravity(&core.world, body, &start, t_next - core.t, about);
+            }
+            core.accounts.books.smooth_stage(before, after, received);
+        }
+    }
+
+    /// The record of a body's flight, made now when there is none.
+    fn flight(&mut self, core: &Core, body: usize) -> Option<&Flight> {
+        let rigid = core.world.bodies[body].rigid.as_ref()?;
+        let record = if core.world.plane.is_some() { Flight::steady } else { Flight::new };
+        let (t, state) = (core.t, &self.states[body]);
+        let acceleration = core.world.free_acceleration(body);
+        Some(self.flights[body].get_or_insert_with(|| Box::new(record(rigid, t, state, acceleration))))
+    }
+
+    /// Takes note of what an island's step of `h` did.
+    fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
+        core.accounts.note_time_step(&core.world, &self.states, report);
+        for given in &report.impulses {
+            *self.forces.entry(given.id).or_insert(0.0) += given.impulse / h;
+        }
+    }
+
+    /// Reports pairs that have begun or ceased to press on each other; those of the first step were there before.
+    fn report_pairs(&mut self, core: &mut Core, touching: BTreeSet<(usize, usize)>) {
+        let before = std::mem::replace(&mut self.touching, touching);
+        if !std::mem::replace(&mut self.begun, true) {
+            return;
+        }
+        let event = |kind, &(a, b): &(usize, usize)| {
+            let contacts = core.world.contacts_of_pair(&self.states, a, b, core.world.pair_size(a, b));
+            let geometries = contacts.iter().map(|touch| &touch.kinematics.geometry);
+            let nearest = geometries.min_by(|g, other| g.separation.total_cmp(&other.separation));
+            let moving = if core.world.bodies[a].moves() { a } else { b };
+            Event {
+                t: core.t,
+                kind,
+                body_a: a,
+                body_b: Some(b),
+                point: nearest.map_or(self.states[moving].pose.translation, |geometry| geometry.point),
+                normal: nearest.map_or(DVec3::ZERO, |geometry| geometry.normal),
+                impulse: 0.0,
+                energy_change_j: 0.0,
+            }
+        };
+        let ended = before.difference(&self.touching).map(|pair| event(EventKind::ContactEnd, pair));
+        let begun = self.touching.difference(&before).map(|pair| event(EventKind::ContactBegin, pair));
+        for event in ended.chain(begun).collect::<Vec<_>>() {
+            core.accounts.add_event(event);
+        }
+    }
+
+    /// Samples before the end of the step, each by a shorter step from the same states.
+    fn emit_samples_within(
+        &mut self,
+        core: &mut Core,
+        islands: &[Island],
+        t_next: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SimulationError> {
+        loop {
+            let t = core.accounts.next_sample_s(&core.world);
+            if t >= t_next {
+                return Ok(());
+            }
+            let mut states = self.states.clone();
+            if t > core.t {
+                let mut in_island = vec![false; states.len()];
+                for island in islands {
+                    island.bodies.iter().for_each(|&body| in_island[body] = true);
+                    let mut stepper = self.stepper.clone();
+                    stepper
+                        .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
+                        .map_err(|source| Core::response_error(core.t, source))?;
+                }
+                for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
+                    if let Some(flight) = self.flight(core, body) {
+                        states[body] = flight.state(t);
+                        core.world.keep_in_plane(body, &mut states[body]);
+                    }
+                }
+            }
+            emit_sample(&*self, core, &states, t, observer);
+        }
+    }
+
+    /// What the forces of contacts add to the accelerations of their bodies.
+    fn constrained(
+        &self,
+        core: &Core,
+        bodies: &[usize],
+        contacts: &[Touch],
+    ) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
+        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+        let assembly = Assembly::new(&core.world, &self.states, bodies, rows)?;
+        let loads = core.world.loads(core.t, &self.states);
+        let free = assembly.free_accelerations(&core.world, &self.states, &loads);
+        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+        let b = assembly.acceleration_constants(&core.world, core.t, &self.states, &free, kinematics)?;
+        let mut solver = ComplementaritySolver::default();
+        let delassus = assembly.problem.delassus();
+        let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;
+        Ok(assembly.split(&assembly.problem.response(&solution.forces)?).collect())
+    }
+}
+
+impl Tier for SteppedEngine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        if !self.begun {
+            let (t, states) = (core.t, self.states.clone());
+            emit_sample(&*self, core, &states, t, observer);
+        }
+        // Times are multiples of the step, so that rounding does not add up; a program may cut a step short.
+        let step = core.settings.step_s;
+        while self.grid as f64 * step <= core.t {
+            self.grid += 1;
+        }
+        let next = self.grid as f64 * step;
+        let t_next = if next >= limit_s { limit_s } else { next };
+        if t_next > core.t {
+            self.step(core, t_next, observer)?;
+        }
+        Ok(if core.t >= limit_s { Reached::Limit } else { Reached::StepEnd })
+    }
+
+    fn stride(&self, core: &Core) -> f64 {
+        // A step ends where the next one on the grid does, which a sum of steps may miss by a rounding.
+        2.0 * core.settings.step_s
+    }
+
+    fn states(&self, _core: &Core) -> Vec<BodyState> {
+        self.states.clone()
+    }
+
+    fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
+        // Every step is booked when it is made.
+        Ok(())
+    }
+
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        let failed = |source| Core::response_error(core.t, source);
+        let world = &core.world;
+        let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
+        let pairs = self.search.pairs(world, &self.states, 0.0).map_err(SimulationError::BroadPhase)?;
+        let mut touches = Vec::new();
+        for (a, b) in pairs {
+            let reach = world.touch_distance(&self.states, a, b);
+            touches.extend(world.contacts_of_pair(&self.states, a, b, reach));
+        }
+        touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
+        let loads = world.loads(core.t, &self.states);
+        let mut found: Vec<(DVec3, DVec3)> =
+            (0..self.states.len()).map(|body| free_acceleration(world, &self.states, &loads, body)).collect();
+        let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
+        for group in groups(world, all.into_iter()) {
+            let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
+            for (body, linear, angular) in self.constrained(core, &group.bodies, &members).map_err(failed)? {
+                found[body].0 += linear;
+                found[body].1 += angular;
+            }
+        }
+        let report = |(body, &(linear, angular)): (usize, &(DVec3, DVec3))| {
+            world.reported_acceleration(body, &self.states[body], linear, angular)
+        };
+        Ok(found.iter().enumerate().map(report).collect())
+    }
+
+    fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut views = Vec::new();
+        for &(a, b) in &self.touching {
+            for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
+                let (id, geometry) = (touch.id, touch.kinematics.geometry);
+                views.push(ContactView {
+                    body_a: BodyId::new(a),
+                    body_b: BodyId::new(b),
+                    feature: id.feature,
+                    point_m: geometry.point,
+                    normal: geometry.normal,
+                    separation_m: geometry.separation,
+                    normal_force_n: self.forces.get(&id).copied().unwrap_or(0.0),
+                });
+            }
+        }
+        views
+    }
+
+    fn motions(&self) -> Vec<MotionKind> {
+        let mut kinds = vec![MotionKind::Given; self.states.len()];
+        for (kind, flight) in kinds.iter_mut().zip(&self.flights) {
+            if flight.is_some() {
+                *kind = MotionKind::Flight;
+            }
+        }
+        for &body in self.islands.iter().flatten() {
+            kinds[body] = MotionKind::Integrated;
+        }
+        kinds
+    }
+
+    fn islands(&self) -> Vec<IslandView> {
+        let view = |bodies: &Vec<usize>| IslandView { bodies: bodies.iter().map(|&body| BodyId::new(body)).collect() };
+        self.islands.iter().map(view).collect()
+    }
+
+    fn interrupt(&mut self, _core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
+        // All bodies stand at the present between two steps; what flies is put on a new record.
+        for &body in bodies {
+            self.flights[body] = None;
+        }
+        Ok(())
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.states
+    }
+
+    fn resume(&mut self, _core: &mut Core, _moved: &[usize]) -> Result<(), SimulationError> {
+        Ok(())
+    }
+
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.states.push(state);
+        self.flights.push(None);
+        self.search = IslandSearch::new(&core.world, core.settings.broad_phase.build());
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.flights[body] = None;
+        self.search.forget(body);
+        self.touching.retain(|&(a, b)| a != body && b != body);
+    }
+
+    fn touching_pairs(&self) -> usize {
+        self.touching.len()
+    }
+}

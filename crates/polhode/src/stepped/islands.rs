@@ -1,0 +1,131 @@
+//! Islands: bodies that may touch within a step, or that forces couple.
+
+use crate::world::World;
+use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
+use polhode_dynamics::BodyState;
+use polhode_spatial::Still;
+
+/// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
+const SWEEP_FACTOR: f64 = 2.0;
+
+/// Bodies that are advanced together.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Island {
+    /// Movable, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Pairs that may touch, A < B, ascending.
+    pub(super) pairs: Vec<(usize, usize)>,
+}
+
+/// Finds the islands of a step; keeps its memory.
+#[derive(Debug)]
+pub(super) struct IslandSearch {
+    broad_phase: Box<dyn BroadPhase>,
+    colliders: Vec<usize>,
+    boxes: Vec<Aabb>,
+    box_pairs: Vec<(u32, u32)>,
+}
+
+impl IslandSearch {
+    pub(super) fn new(world: &World, broad_phase: Box<dyn BroadPhase>) -> Self {
+        let colliders = (0..world.bodies.len()).filter(|&body| world.bodies[body].shape.is_some()).collect();
+        Self { broad_phase, colliders, boxes: Vec::new(), box_pairs: Vec::new() }
+    }
+
+    /// A body is removed: it meets nothing any more.
+    pub(super) fn forget(&mut self, body: usize) {
+        self.colliders.retain(|&other| other != body);
+    }
+
+    /// Pairs that may touch within `h` seconds, A < B, ascending.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(super) fn pairs(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        h: f64,
+    ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
+        if !world.may_collide_at_all() {
+            return Ok(Vec::new());
+        }
+        self.boxes.clear();
+        for &body in &self.colliders {
+            self.boxes.push(swept_box(world, states, body, h));
+        }
+        self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
+        let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
+        let pairs = pairs.map(|(a, b)| (a.min(b), a.max(b)));
+        let mut pairs: Vec<_> = pairs.filter(|&(a, b)| world.scene.may_collide(a, b)).collect();
+        pairs.sort_unstable();
+        Ok(pairs)
+    }
+}
+
+/// The box of a body with what it may go within `h`.
+fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
+    let (own, state) = (&world.bodies[body], &states[body]);
+    let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
+    let mut way = world.touch_distance(states, body, body);
+    if own.moves() {
+        let velocity = world.velocity(body, state);
+        let speed = velocity.linear.length() + velocity.angular.length() * own.size;
+        way += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
+    }
+    let standing = swept_aabb(shape, &Still(state.pose), 0.0, 0.0);
+    // What cannot be bounded may be anywhere.
+    standing.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
+}
+
+/// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no
+/// field acts on, is in none; one that a field acts on is an island by itself.
+pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
+    let mut parent: Vec<usize> = (0..world.bodies.len()).collect();
+    let mut taken = vec![false; world.bodies.len()];
+    let mut join = |a: usize, b: usize| {
+        let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
+        parent[root_a.max(root_b)] = root_a.min(root_b);
+    };
+    for together in &world.couplings {
+        for &body in together {
+            join(together[0], body);
+        }
+    }
+    for &body in &world.movable {
+        taken[body] = world.is_loaded(body) && world.bodies[body].moves();
+    }
+    for &(a, b) in pairs {
+        let moves = [a, b].map(|body| world.bodies[body].moves());
+        taken[a] |= moves[0];
+        taken[b] |= moves[1];
+        if moves == [true, true] {
+            join(a, b);
+        }
+    }
+    let mut slots: Vec<Option<usize>> = vec![None; world.bodies.len()];
+    let mut islands: Vec<Island> = Vec::new();
+    for body in (0..taken.len()).filter(|&body| taken[body]) {
+        let slot = *slots[root(&mut parent, body)].get_or_insert_with(|| {
+            islands.push(Island::default());
+            islands.len() - 1
+        });
+        islands[slot].bodies.push(body);
+    }
+    for &(a, b) in pairs {
+        let member = if world.bodies[a].moves() { a } else { b };
+        if let Some(slot) = slots[root(&mut parent, member)] {
+            islands[slot].pairs.push((a, b));
+        }
+    }
+    islands
+}
+
+/// Representative of a body, with path halving.
+fn root(parent: &mut [usize], mut body: usize) -> usize {
+    while parent[body] != body {
+        parent[body] = parent[parent[body]];
+        body = parent[body];
+    }
+    body
+}

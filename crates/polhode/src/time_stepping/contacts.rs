@@ -1,0 +1,282 @@
+//! The contacts that may act within a step, with what is known of them where it begins, and the groups they form.
+
+use super::drift;
+use crate::collision::contact_set::ContactId;
+use crate::interaction::assembly::free_acceleration;
+use crate::interaction::groups::Group;
+use crate::world::{Loads, World};
+use polhode_contact::{ContactKinematics, Shape};
+use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
+
+/// A contact counts as sustained, and its restitution as zero, when it approaches more slowly than gravity and fields make
+/// its bodies approach within this many steps: a bounce at that speed lasts less than two steps and cannot be seen. At least
+/// one, so that what has fallen for a step rests; more loses bounces that could be followed.
+pub(super) const RESTING_STEPS: f64 = 2.0;
+
+/// Bodies that go less than this fraction of the smaller size in a step meet by the features that are nearest now: as far as
+/// touch.
+const STANDING_RELATIVE: f64 = 1e-11;
+
+/// How much farther than its bodies can go by themselves contacts are looked for: impulses of others may double a speed.
+const REACH_FACTOR: f64 = 2.0;
+
+/// A step, and what may be lost in it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    /// Its length, s.
+    pub(super) h: f64,
+    /// Height of a bounce that may be lost even though the step could follow it, relative to the size of the smaller body;
+    /// infinite where the step alone decides.
+    pub(super) unseen_bounce: f64,
+}
+
+/// A contact within reach of a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearContact {
+    pub(super) id: ContactId,
+    /// Where the step begins.
+    pub(super) kinematics: ContactKinematics,
+    /// `chi''` there without contact forces, m/s^2.
+    pub(super) acceleration: f64,
+    /// Speed of approach up to which the contact counts as sustained, m/s.
+    pub(super) resting_speed: f64,
+}
+
+impl NearContact {
+    /// Whether the contact touches, or is so close that it cannot be told from one that does in a step of `h` (s).
+    pub(super) fn touches(&self, h: f64, touch_distance: f64) -> bool {
+        self.kinematics.geometry.separation <= touch_distance.max(self.resting_speed * h)
+    }
+
+    /// The time to an impact within a step of `h` (s), s: when the contact closes before its end, faster than one that lasts.
+    pub(super) fn impact_time(&self, h: f64) -> Option<f64> {
+        let is_fast = self.kinematics.separation_rate < -self.resting_speed;
+        self.closing_time().filter(|&time| is_fast && time < h)
+    }
+
+    /// Whether the contact is struck where a step of `h` begins: it closes within `instant` (s), or it closes later in the
+    /// step and bounces. One that does not bounce would be stopped before it lands.
+    pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
+        let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
+        self.impact_time(h).is_some_and(|time| time <= instant || bounces())
+    }
+
+    /// The time from now at which the gap closes in flight, s, `gap + u s + a s^2/2 = 0`; none when it does not.
+    pub(super) fn closing_time(&self) -> Option<f64> {
+        let gap = self.kinematics.geometry.separation.max(0.0);
+        let (u, a) = (self.kinematics.separation_rate, self.acceleration);
+        let discriminant = u * u - 2.0 * a * gap;
+        // The smaller root without cancellation; one that is not a number is none.
+        let root = (discriminant >= 0.0).then(|| -u + discriminant.sqrt())?;
+        (root > 0.0).then(|| 2.0 * gap / root)
+    }
+}
+
+/// Linear and angular accelerations without contact forces of some bodies, ascending.
+#[derive(Debug)]
+pub(super) struct FreeAccelerations<'a> {
+    bodies: &'a [usize],
+    values: Vec<(DVec3, DVec3)>,
+}
+
+impl<'a> FreeAccelerations<'a> {
+    /// Under gravity and the fields at `t`.
+    pub(super) fn with_fields(world: &World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
+        let loads =
+            if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Loads::default() };
+        let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
+        Self { bodies, values }
+    }
+
+    fn of(&self, body: usize) -> (DVec3, DVec3) {
+        self.bodies.binary_search(&body).map_or((DVec3::ZERO, DVec3::ZERO), |index| self.values[index])
+    }
+
+    /// `chi''` of a contact under these accelerations, m/s^2.
+    pub(super) fn relative(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> f64 {
+        let geometry = &kinematics.geometry;
+        let at_point = |body: usize| {
+            let (linear, angular) = self.of(body);
+            linear + angular.cross(geometry.point - states[body].pose.translation)
+        };
+        geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias
+    }
+
+    /// Largest linear acceleration, m/s^2.
+    fn largest(&self) -> f64 {
+        self.values.iter().fold(0.0, |most, (linear, _)| linear.length().max(most))
+    }
+}
+
+/// A contact at the present states as impulses see it: its rate is that of the velocities of the bodies at its point,
+/// `n.(v_A - v_B)`, from which the rate of the separation differs where a place is all but at the end of a rim or an edge. What
+/// impulses do to the energy is exact in that rate alone.
+pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
+}
+
+fn with_rate_at_point(
+    world: &World,
+    states: &[BodyState],
+    id: ContactId,
+    kinematics: ContactKinematics,
+) -> ContactKinematics {
+    let point = kinematics.geometry.point;
+    let [a, b] = [id.a, id.b].map(|body| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
+    });
+    ContactKinematics { separation_rate: kinematics.geometry.normal.dot(a - b), ..kinematics }
+}
+
+/// Largest speed of any point of a body, m/s, bounded by its size.
+pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f64 {
+    let velocity = world.velocity(body, &states[body]);
+    velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+}
+
+/// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those by which the bodies
+/// would overlap at the end of their flight. While bodies are apart the features that will meet need not be nearest yet (the
+/// nearest places of two edges may lie beyond their ends).
+pub(super) fn near_contacts(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    pairs: &[(usize, usize)],
+    t: f64,
+    span: Span,
+) -> Vec<NearContact> {
+    let h = span.h;
+    let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
+    let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
+    if pairs.is_empty() {
+        return near;
+    }
+    let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    for (&body, state) in bodies.iter().zip(&start) {
+        states[body] = drift(world, body, state, h);
+    }
+    let mut ahead = Vec::new();
+    for (a, b) in pairs {
+        let reach = world.touch_distance(states, a, b);
+        ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
+    }
+    for (&body, state) in bodies.iter().zip(&start) {
+        states[body] = *state;
+    }
+    ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
+    let free = FreeAccelerations::with_fields(world, t, states, bodies);
+    for id in ahead {
+        let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
+        // Features that overlap already are not those by which the bodies will meet.
+        if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
+            near.push(near_contact(world, states, &free, id, kinematics, span));
+        }
+    }
+    near.sort_by_key(|contact| contact.id);
+    near
+}
+
+/// Whether the features by which two bodies meet may change within a step of `h` (s): the contacts of two spheres do not, nor
+/// those with a half-space, whose vertices are all within reach, nor those of bodies that stand.
+pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
+    let Some((shape_a, shape_b)) = world.shapes(a, b) else { return false };
+    let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
+    let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere(_));
+    let is_polyhedral = |shape: &Shape| matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_));
+    if (is_simple(shape_a) && is_polyhedral(shape_b)) || (is_simple(shape_b) && is_polyhedral(shape_a)) {
+        return false;
+    }
+    if is_sphere(shape_a) && is_sphere(shape_b) {
+        return false;
+    }
+    let way = h * (point_speed(world, states, a) + point_speed(world, states, b));
+    way > STANDING_RELATIVE * world.pair_size(a, b)
+}
+
+/// As [`near_contacts`], those that are within reach now.
+fn contacts_within_reach(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    pairs: &[(usize, usize)],
+    t: f64,
+    span: Span,
+) -> Vec<NearContact> {
+    let h = span.h;
+    let free = FreeAccelerations::with_fields(world, t, states, bodies);
+    let speed = bodies.iter().fold(0.0, |most, &body| point_speed(world, states, body).max(most));
+    let reach = REACH_FACTOR * h * (speed + free.largest() * h);
+    let mut near = Vec::new();
+    for &(a, b) in pairs {
+        let reach = reach + world.touch_distance(states, a, b);
+        for touch in world.contacts_of_pair(states, a, b, reach) {
+            let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
+            near.push(near_contact(world, states, &free, touch.id, kinematics, span));
+        }
+    }
+    near.sort_by_key(|contact| contact.id);
+    near
+}
+
+fn near_contact(
+    world: &World,
+    states: &[BodyState],
+    free: &FreeAccelerations<'_>,
+    id: ContactId,
+    kinematics: ContactKinematics,
+    span: Span,
+) -> NearContact {
+    let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
+    let pressing = pressing[0].max(pressing[1]);
+    // The speed of a fall from the height of a bounce that may be lost.
+    let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
+    NearContact {
+        id,
+        kinematics,
+        acceleration: free.relative(states, id, &kinematics),
+        resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
+    }
+}
+
+/// Groups of bodies that the contacts of these indices connect, ordered by their first bodies; immovable bodies connect
+/// nothing. `bodies` are the movable ones, ascending.
+pub(super) fn connected(bodies: &[usize], contacts: impl Iterator<Item = (usize, ContactId)> + Clone) -> Vec<Group> {
+    let mut parent: Vec<usize> = (0..bodies.len()).collect();
+    let place = |body: usize| bodies.binary_search(&body).ok();
+    for (_, id) in contacts.clone() {
+        if let (Some(a), Some(b)) = (place(id.a), place(id.b)) {
+            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+            parent[a.max(b)] = a.min(b);
+        }
+    }
+    let mut slots: Vec<Option<usize>> = vec![None; bodies.len()];
+    let mut groups: Vec<Group> = Vec::new();
+    for (index, id) in contacts {
+        let Some(member) = place(id.a).or(place(id.b)) else { continue };
+        let root = root(&mut parent, member);
+        let slot = *slots[root].get_or_insert_with(|| {
+            groups.push(Group::default());
+            groups.len() - 1
+        });
+        groups[slot].contacts.push(index);
+    }
+    for (index, &body) in bodies.iter().enumerate() {
+        let root = root(&mut parent, index);
+        if let Some(slot) = slots[root] {
+            groups[slot].bodies.push(body);
+        }
+    }
+    groups.sort_by(|a, b| a.bodies.first().cmp(&b.bodies.first()));
+    groups
+}
+
+/// Representative of a member, with path halving.
+fn root(parent: &mut [usize], mut member: usize) -> usize {
+    while parent[member] != member {
+        parent[member] = parent[parent[member]];
+        member = parent[member];
+    }
+    member
+}

@@ -1,0 +1,62 @@
+//! The error of a time step, by halving it: for stretches of time in which events crowd.
+//!
+//! A step of h is compared with two of h/2 from the same state. The largest displacement between the two, relative to the size
+//! of each body, estimates the error of the longer one; the two halves are kept. Between changes of contact it is
+//! of order h^3 and per second of order h^2; where a contact changes within the step it is of order h.
+
+use super::projection::displacement;
+use super::report::TimeStepReport;
+use super::step::TimeStepper;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_response::ResponseError;
+
+impl TimeStepper {
+    /// The same, which follows bounces higher than this fraction of a body's size: two steps that both lose a bounce would
+    /// agree on it.
+    pub(crate) fn following_bounces(mut self, height_relative: f64) -> Self {
+        self.unseen_bounce = height_relative;
+        self
+    }
+
+    /// Advances by one step of `h` (s) and by two halves, keeps the halves, and estimates the error of the whole: the largest
+    /// displacement between the two, relative to the size of the body.
+    ///
+    /// # Errors
+    /// As [`TimeStepper::advance`]; the states are unchanged then.
+    pub(crate) fn advance_with_estimate(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        pairs: &[(usize, usize)],
+        (t, h): (f64, f64),
+    ) -> Result<(TimeStepReport, f64), ResponseError> {
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let carried = self.carried.clone();
+        self.advance(world, states, bodies, pairs, (t, h)).inspect_err(|_| restore(states, bodies, &start))?;
+        let whole: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        restore(states, bodies, &start);
+        self.carried = carried;
+        let mut report = self.advance(world, states, bodies, pairs, (t, 0.5 * h));
+        if let Ok(first) = &mut report {
+            let second = self.advance(world, states, bodies, pairs, (t + 0.5 * h, 0.5 * h));
+            let second = second.inspect_err(|_| restore(states, bodies, &start))?;
+            first.append(second);
+        }
+        let report = report.inspect_err(|_| restore(states, bodies, &start))?;
+        let error = |(&body, whole): (&usize, &BodyState)| {
+            let apart = displacement(world, body, whole, &states[body]);
+            let size = world.bodies[body].size;
+            if size > 0.0 { apart / size } else { apart }
+        };
+        let estimate = bodies.iter().zip(&whole).map(error).fold(0.0, f64::max);
+        Ok((report, estimate))
+    }
+}
+
+fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
+    for (&body, state) in bodies.iter().zip(saved) {
+        states[body] = *state;
+    }
+}

@@ -1,0 +1,103 @@
+//! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
+//!
+//! Fields that depend on velocities are evaluated twice, at the velocity that comes in and at that with half the kick, so
+//! that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the momenta, so
+//! that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and after.
+
+use crate::accounting::books::{Books, Received};
+use crate::world::World;
+use crate::{Momentum, MomentumSum};
+use polhode_dynamics::BodyState;
+use polhode_dynamics::field::{Account, Dependence};
+use polhode_spatial::Velocity;
+
+/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), and says what the fields gave, moments about the
+/// point of the books.
+pub(super) fn kick(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    t: f64,
+    h: f64,
+    books: &Books,
+) -> Received {
+    if !bodies.iter().any(|&body| world.is_loaded(body)) {
+        return Received::default();
+    }
+    let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    let mut accounts = None;
+    if world.free_motion().dependence() == Dependence::Velocities {
+        push(world, states, bodies, t, 0.5 * h);
+        let loads = world.loads(t, states);
+        accounts = Some(wrenches(world, t, states));
+        restore(states, bodies, &before);
+        apply(world, states, bodies, &loads, h);
+    } else {
+        push(world, states, bodies, t, h);
+    }
+    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states));
+    received(world, states, bodies, &before, &accounts, h, books)
+}
+
+fn wrenches(world: &World, t: f64, states: &[BodyState]) -> [(Account, Vec<polhode_dynamics::field::Wrench>); 3] {
+    [Account::Potential, Account::Damping, Account::External]
+        .map(|account| (account, if world.has_fields() { world.wrenches_of(account, t, states) } else { Vec::new() }))
+}
+
+fn push(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64) {
+    let loads = world.loads(t, states);
+    apply(world, states, bodies, &loads, h);
+}
+
+fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &crate::world::Loads, h: f64) {
+    for &body in bodies {
+        if let Some(rigid) = &world.bodies[body].rigid {
+            let (state, load) = (&mut states[body], loads.of(body));
+            state.linear_velocity += load.force * (h * rigid.inverse_mass());
+            state.angular_momentum += load.torque * h;
+        }
+    }
+}
+
+fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
+    for (&body, state) in bodies.iter().zip(saved) {
+        states[body] = *state;
+    }
+}
+
+/// Momentum and work that the wrenches of each account (torques about the centres of mass) gave over `h`.
+fn received(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    before: &[BodyState],
+    accounts: &[(Account, Vec<polhode_dynamics::field::Wrench>)],
+    h: f64,
+    books: &Books,
+) -> Received {
+    let about = books.ledger.momentum.about;
+    let (mut received, mut fields) = (Received::default(), MomentumSum::default());
+    for (account, wrenches) in accounts {
+        let mut work = 0.0;
+        for (&body, start) in bodies.iter().zip(before) {
+            let (Some(slot), Some(rigid)) = (world.slot(body), &world.bodies[body].rigid) else { continue };
+            let Some(wrench) = wrenches.get(slot) else { continue };
+            let ends = [start, &states[body]].map(|state| rigid.center_of_mass_velocity(state));
+            let mean =
+                Velocity::new((ends[0].linear + ends[1].linear) * 0.5, (ends[0].angular + ends[1].angular) * 0.5);
+            work += h * (wrench.force.dot(mean.linear) + wrench.torque.dot(mean.angular));
+            if world.carries_momentum(body) {
+                let linear = wrench.force * h;
+                let angular = wrench.torque * h + (start.pose.translation - about).cross(linear);
+                fields.add(Momentum { linear, angular });
+            }
+        }
+        match account {
+            Account::Potential => {}
+            Account::Damping => received.damping_j -= work,
+            Account::External => received.external_j += work,
+        }
+    }
+    received.fields = fields.value();
+    received
+}

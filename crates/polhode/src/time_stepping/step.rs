@@ -1,0 +1,245 @@
+//! One time step, and steps that are split at impacts.
+
+use super::NO_WORK_J;
+use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed};
+use super::drift;
+use super::kick::kick;
+use super::report::TimeStepReport;
+use crate::Momentum;
+use crate::MomentumSum;
+use crate::accounting::books::Received;
+use crate::collision::contact_set::ContactId;
+use crate::scene::ImpactLaw;
+use crate::world::World;
+use polhode_contact::ContactFeature;
+use polhode_dynamics::BodyState;
+use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
+use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
+
+/// Impacts closer to each other than this fraction of a step are of one instant: far below what their order of contacts
+/// could be told by, and above what the prediction of a time errs by (of order h^2).
+const SAME_INSTANT: f64 = 1e-4;
+
+/// Bodies whose speeds where a step begins and ends are below this fraction of what gravity and the impulses of the step give
+/// them one by one are at rest: some thousand roundings.
+const REST_RELATIVE: f64 = 1e-12;
+
+/// The contacts that carried an impulse in the last step of their pair: the first guess of the next problem.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Carried {
+    by_pair: BTreeMap<(usize, usize), Vec<ContactFeature>>,
+}
+
+impl Carried {
+    pub(super) fn contains(&self, id: ContactId) -> bool {
+        self.by_pair.get(&(id.a, id.b)).is_some_and(|features| features.binary_search(&id.feature).is_ok())
+    }
+
+    /// Replaces what is known of `pairs`; `carrying` are sorted.
+    fn replace(&mut self, pairs: &[(usize, usize)], carrying: impl Iterator<Item = ContactId>) {
+        for pair in pairs {
+            self.by_pair.remove(pair);
+        }
+        for id in carrying {
+            self.by_pair.entry((id.a, id.b)).or_default().push(id.feature);
+        }
+    }
+}
+
+/// A step, or a part of one that is split.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    /// Where it begins, s.
+    pub(super) t: f64,
+    /// Its length, s.
+    pub(super) h: f64,
+    /// How close impacts are that count as of one instant, s.
+    pub(super) instant: f64,
+}
+
+/// Makes time steps; keeps its memory, and what carried last, from one to the next.
+#[derive(Debug, Clone)]
+pub(crate) struct TimeStepper {
+    pub(super) law: ImpactLaw,
+    /// The point that moments are booked about, m.
+    pub(super) about: DVec3,
+    /// Impacts that [`TimeStepper::advance`] splits a step at, at the most.
+    splits: u32,
+    /// See [`Span`].
+    pub(super) unseen_bounce: f64,
+    pub(super) solver: ComplementaritySolver,
+    pub(super) delassus: Delassus,
+    pub(super) carried: Carried,
+}
+
+impl TimeStepper {
+    /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
+    pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
+        let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
+        Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried: Carried::default() }
+    }
+
+    /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
+    /// one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
+    ///
+    /// The step is split where contacts close fast enough to bounce, as far as the flight of the bodies tells and the number
+    /// of splits allows: impacts are then struck where and when they happen. Without splits it is one step.
+    ///
+    /// # Errors
+    /// When a number is not finite; the states are those at the start of the part that failed.
+    pub(crate) fn advance(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        pairs: &[(usize, usize)],
+        (t, h): (f64, f64),
+    ) -> Result<TimeStepReport, ResponseError> {
+        let mut report = TimeStepReport::new(self.about);
+        let (mut done, instant) = (0.0, SAME_INSTANT * h);
+        for split in 0..=self.splits {
+            let left = h - done;
+            if left <= 0.0 {
+                break;
+            }
+            let near = near_contacts(
+                world,
+                states,
+                bodies,
+                pairs,
+                t + done,
+                Span { h: left, unseen_bounce: self.unseen_bounce },
+            );
+            let first = if split < self.splits { first_impact(&near, instant, left) } else { None };
+            let part = first.unwrap_or(left);
+            let interval = Part { t: t + done, h: part, instant };
+            report.append(self.step_by(world, states, bodies, (near, pairs), interval)?);
+            if first.is_none() {
+                break;
+            }
+            done += part;
+        }
+        Ok(report)
+    }
+
+    fn step_by(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        contacts: (Vec<NearContact>, &[(usize, usize)]),
+        interval: Part,
+    ) -> Result<TimeStepReport, ResponseError> {
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let made = self.make_step(world, states, bodies, contacts, interval);
+        if made.is_err() {
+            for (&body, state) in bodies.iter().zip(start) {
+                states[body] = state;
+            }
+        }
+        made
+    }
+
+    fn make_step(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
+        part: Part,
+    ) -> Result<TimeStepReport, ResponseError> {
+        let Part { t, h, .. } = part;
+        let mut report = TimeStepReport::new(self.about);
+        report.steps = 1;
+        self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
+        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
+
+        let before = report.books.balance(world, states, bodies);
+        let mut received = self.fly(world, states, bodies, 0.5 * h);
+        received += kick(world, states, bodies, t + 0.5 * h, h, &report.books);
+        let middle = report.books.balance(world, states, bodies);
+        report.books.smooth_stage(before, middle, received);
+
+        let carrying = self.sustain(world, states, bodies, &near, (t + 0.5 * h, h), &mut report)?;
+        let before = report.books.balance(world, states, bodies);
+        let received = self.fly(world, states, bodies, 0.5 * h);
+        let after = report.books.balance(world, states, bodies);
+        report.books.smooth_stage(before, after, received);
+
+        self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
+        rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
+        if !report.at_rest {
+            let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
+            let may_overlap =
+                |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
+            let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
+            self.project(world, states, bodies, &near_pairs, &mut report)?;
+        }
+        if let Some(index) = bodies.iter().position(|&body| !states[body].is_finite()) {
+            return Err(ResponseError::NotFinite { what: "states after a time step", index });
+        }
+        report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
+        report.touching.dedup();
+        Ok(report)
+    }
+
+    /// Free flight of all bodies for `h`, and what gravity gives.
+    fn fly(&self, world: &World, states: &mut [BodyState], bodies: &[usize], h: f64) -> Received {
+        let mut sum = MomentumSum::default();
+        for &body in bodies {
+            let start = states[body];
+            states[body] = drift(world, body, &start, h);
+            if world.carries_momentum(body) {
+                sum.add(given_by_gravity(world, body, &start, h, self.about));
+            }
+        }
+        Received { gravity: sum.value(), ..Received::default() }
+    }
+}
+
+/// Bodies that neither moved where the step began nor move where it ends stand where they stood.
+fn rest_exactly(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    (start, speeds): (&[BodyState], &[f64]),
+    h: f64,
+    report: &mut TimeStepReport,
+) {
+    let mut given = vec![h * world.gravity().length(); bodies.len()];
+    for impulse in &report.impulses {
+        for body in [impulse.id.a, impulse.id.b] {
+            if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
+                given[index] += impulse.impulse / rigid.mass();
+            }
+        }
+    }
+    let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
+        speed.max(point_speed(world, states, body)) <= REST_RELATIVE * given
+    };
+    report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
+    if report.at_rest {
+        let before = report.books.balance(world, states, bodies);
+        for (&body, start) in bodies.iter().zip(start) {
+            states[body] = BodyState::at_rest(start.pose);
+        }
+        let after = report.books.balance(world, states, bodies);
+        report.books.rest(before, after, NO_WORK_J);
+    }
+}
+
+/// How long from now the first impact is away that is not of this instant, s, within what is left of a step.
+fn first_impact(near: &[NearContact], instant: f64, left: f64) -> Option<f64> {
+    let times = near.iter().filter_map(|contact| contact.impact_time(left));
+    times.filter(|&time| time > instant).min_by(f64::total_cmp)
+}
+
+/// The impulse of a body's weight in a flight of `h` (s) from a state, its moment by the integral of the parabola.
+pub(crate) fn given_by_gravity(world: &World, body: usize, start: &BodyState, h: f64, about: DVec3) -> Momentum {
+    let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+    let linear = world.gravity() * (mass * h);
+    let mean = start.pose.translation + start.linear_velocity * (0.5 * h) + world.gravity() * (h * h / 6.0);
+    Momentum { linear, angular: (mean - about).cross(linear) }
+}

@@ -1,0 +1,257 @@
+//! The impulses of contacts over a step: one complementarity problem at the level of velocities.
+//!
+//! In the middle of the step, where the bodies have flown for h/2, let `chi` be the separation of a contact, `u-` its rate
+//! before and `u+` after the impulses, `a` the part of `chi''` that is not due to contacts. Flight for the other half
+//! gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not end overlapping:
+//!
+//! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
+//!
+//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and lands exactly;
+//! - the second takes over where bodies that already touch approach: they end at rest relative to each other;
+//! - the third is the law of energy: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
+//!
+//! For bodies that rest, all three agree: `u- = -g h/2` and `u+ = g h/2`, and they end exactly where they began. Since
+//! velocities that are reversed, `u+ = -u-`, satisfy all rows, the problem always has a solution.
+//!
+//! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
+//! there are none.
+
+use super::NO_WORK_J;
+use super::contacts::{NearContact, connected, kinematics_at_point};
+use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
+use super::step::TimeStepper;
+use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::groups::Group;
+use crate::interaction::impact::support;
+use crate::world::{Loads, World};
+use polhode_contact::ContactKinematics;
+use polhode_dynamics::BodyState;
+use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
+use polhode_spatial::CompensatedSum;
+
+/// A row that ends approaching by less than this fraction of its own rates is left out: some dozen roundings.
+const ROW_ROUNDING: f64 = 1e-14;
+
+/// The part of the rounding of two poses (eight units in the last place) that a separation may be wrong by: what projection
+/// leaves. In a short step it makes a velocity of its own.
+const SEPARATION_ROUNDING: f64 = 0.25;
+
+/// A contact in the middle of the step.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    contact: usize,
+    kinematics: ContactKinematics,
+    /// r, m/s.
+    bound: f64,
+    /// `h/2 a`, m/s.
+    half_fall: f64,
+    /// What the rounding of the separation makes of r, m/s.
+    rounding: f64,
+}
+
+impl Row {
+    /// Whether the contact would overlap with this rate of separation after the impulses.
+    fn closes(&self, rate: f64) -> bool {
+        rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
+    }
+
+    /// Whether the row is in the problem of a step of `h` (s) from the beginning.
+    fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
+        let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
+        let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
+        let presses = lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
+        presses || self.closes(self.kinematics.separation_rate)
+    }
+}
+
+impl TimeStepper {
+    /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, where the bodies have flown. Returns the
+    /// contacts (by index) that carry an impulse.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(super) fn sustain(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        near: &[NearContact],
+        (t, h): (f64, f64),
+        report: &mut TimeStepReport,
+    ) -> Result<Vec<usize>, ResponseError> {
+        let rows = rows(world, states, bodies, near, (t, h))?;
+        let mut taken: Vec<bool> =
+            rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
+        let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        loop {
+            let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
+            let members: Vec<_> = members().map(|(index, row)| (index, near[row.contact].id)).collect();
+            if members.is_empty() {
+                return Ok(Vec::new());
+            }
+            let mut solved = Vec::new();
+            for group in connected(bodies, members.iter().copied()) {
+                solved.push(self.solve_group(world, states, group, &rows, near, report)?);
+            }
+            for group in &solved {
+                group.apply(world, states, &rows, near);
+            }
+            let mut added = false;
+            for (row, taken) in rows.iter().zip(&mut taken).filter(|(_, taken)| !**taken) {
+                let now = kinematics_at_point(world, states, near[row.contact].id);
+                *taken = now.is_some_and(|now| row.closes(now.separation_rate));
+                added |= *taken;
+            }
+            if !added {
+                report.contacts = report.contacts.max(members.len());
+                return Ok(note(world, states, near, &rows, &solved, (t, h), report));
+            }
+            for (&body, state) in bodies.iter().zip(&before) {
+                states[body] = *state;
+            }
+        }
+    }
+
+    fn solve_group(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        group: Group,
+        rows: &[Row],
+        near: &[NearContact],
+        report: &mut TimeStepReport,
+    ) -> Result<SolvedGroup, ResponseError> {
+        let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
+        let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
+        let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
+        let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
+        assembly.problem.delassus_into(&mut self.delassus);
+        self.solver.set_settings(SolverSettings::default());
+        let start = WarmStart::new(carried);
+        let solution = self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?;
+        report.residual = report.residual.max(solution.report.residual);
+        let solved = solution.report.status == SolverStatus::Solved;
+        report.fallbacks += u64::from(!solved);
+        let mut impulses = solution.forces.clone();
+        if !solved {
+            // An answer that is not exact must not add energy: with p.u- + s p.G p/2 <= 0 the share s of it does not.
+            let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
+            let rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
+            let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
+            let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
+            for impulse in &mut impulses {
+                *impulse *= share;
+            }
+        }
+        Ok(SolvedGroup { group, impulses })
+    }
+}
+
+/// The contacts in the middle of the step; those whose features no longer define a contact are left out.
+fn rows(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    near: &[NearContact],
+    (t, h): (f64, f64),
+) -> Result<Vec<Row>, ResponseError> {
+    let here: Vec<(usize, ContactKinematics)> = near
+        .iter()
+        .enumerate()
+        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
+        .collect();
+    let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
+    let assembly = Assembly::new(world, states, bodies, geometries)?;
+    let free = assembly.free_accelerations(world, states, &Loads::default());
+    let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
+    let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
+    let row = |((contact, kinematics), acceleration): ((usize, ContactKinematics), f64)| {
+        let half_fall = 0.5 * h * acceleration;
+        let id = near[contact].id;
+        let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
+        let landing = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
+        // A gap that is a rounding is none.
+        let landing = if landing <= half_fall + rounding { half_fall } else { landing };
+        let bound = landing.max(kinematics.separation_rate);
+        Row { contact, kinematics, bound, half_fall, rounding }
+    };
+    Ok(here.into_iter().zip(accelerations).map(row).collect())
+}
+
+/// Books the impulses, lists them, and says which contacts carry.
+fn note(
+    world: &World,
+    states: &[BodyState],
+    near: &[NearContact],
+    rows: &[Row],
+    solved: &[SolvedGroup],
+    (t, h): (f64, f64),
+    report: &mut TimeStepReport,
+) -> Vec<usize> {
+    let mut carrying = Vec::new();
+    for group in solved {
+        let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
+        report.books.impact(group.energy_change(world, states, rows, near), given, NO_WORK_J);
+        for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
+            if impulse <= 0.0 {
+                continue;
+            }
+            let row = &rows[index];
+            let contact = &near[row.contact];
+            // How fast it approached where the step began.
+            let approach = -(row.kinematics.separation_rate - row.half_fall);
+            let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+                let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
+                ImpulseKind::Impact { energy_change_j }
+            } else {
+                ImpulseKind::Sustained
+            };
+            let geometry = row.kinematics.geometry;
+            report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, kind });
+            carrying.push(row.contact);
+        }
+    }
+    carrying.sort_unstable();
+    carrying
+}
+
+/// The impulses of one group.
+struct SolvedGroup {
+    group: Group,
+    impulses: Vec<f64>,
+}
+
+impl SolvedGroup {
+    /// Change of kinetic energy, J, `sum p.(u- + u+)/2` with the rates that the bodies now have: where impulses are large and
+    /// cancel, those are not to the last bit what the problem asked for.
+    fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
+        let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
+        let change = |(&index, &p): (&usize, &f64)| {
+            let row = &rows[index];
+            let after =
+                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
+            0.5 * p * (row.kinematics.separation_rate + after)
+        };
+        parts.map(change).collect::<CompensatedSum>().value()
+    }
+
+    fn impulses_of<'a>(
+        &'a self,
+        rows: &'a [Row],
+        near: &'a [NearContact],
+    ) -> impl Iterator<Item = (crate::collision::contact_set::ContactId, &'a polhode_contact::ContactGeometry, f64)>
+    {
+        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
+            let row = &rows[index];
+            (near[row.contact].id, &row.kinematics.geometry, p)
+        })
+    }
+
+    fn apply(&self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) {
+        apply_impulses(world, states, self.impulses_of(rows, near));
+        for &body in &self.group.bodies {
+            world.keep_in_plane(body, &mut states[body]);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Light bodies that carry heavy ones in tier accurate: steps and accuracy do not depend on the mass ratio.
+
+use crate::checks::{heavy_brick, worst_place};
+use crate::support::{accurate, floor};
+use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
+use polhode::{Body, Effects, Recorder, RunReport, Scene, Simulation};
+
+/// A box of 1 kg on the ground; on it slides one of `ratio` kg that is turned by `turn` (rad) about the vertical.
+fn slide(ratio: f64, turn: f64, on_top: bool) -> (RunReport, Recorder) {
+    let (low, high) = (DVec3::new(1.0, 1.0, 0.5), DVec3::new(0.9, 0.7, 0.3));
+    let turned = |body: Body, place: DVec3| {
+        let rotation = Rotation::from_rotation_vector(DVec3::Z * turn);
+        body.pose(Pose::new(rotation, place)).velocity(Velocity::new(DVec3::X * 0.05, DVec3::ZERO))
+    };
+    let place = DVec3::new(0.1, 0.05, 0.65);
+    let scene = Scene::builder("slide")
+        .method(accurate())
+        .duration_s(1.0)
+        .body(floor())
+        .body(heavy_brick("light", 1.0, low, DVec3::Z * 0.25))
+        .body(turned(heavy_brick("heavy", ratio, high, place), place));
+    let top = DVec3::new(0.0, 0.0, 0.9);
+    let scene = if on_top { scene.body(heavy_brick("top", 3.0, DVec3::new(0.4, 0.4, 0.2), top)) } else { scene };
+    let mut recorder = Recorder::default();
+    let report = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    (report, recorder)
+}
+
+/// Rounding of the forces between a light and a heavy body is no error of the integration: it does not ask for more
+/// steps, and moves the light body by less than a nanometre. With forces summed after they were rounded it took 102,
+/// 603, 5543 and 55,972 steps for ratios of 1e4 to 1e7.
+#[test]
+fn steps_do_not_grow_with_the_mass_ratio() {
+    for (turn, on_top) in [(0.0, false), (0.4, false), (0.4, true)] {
+        let alike = slide(1.0, turn, on_top).0.steps;
+        for exponent in [2, 3, 4, 6, 8, 9] {
+            let (report, recorder) = slide(10.0_f64.powi(exponent), turn, on_top);
+            assert!(report.steps <= alike + 2, "1e{exponent}: {} steps, {alike} for equal masses", report.steps);
+            let light = worst_place(&recorder, 1, |_| DVec3::Z * 0.25);
+            let heavy = worst_place(&recorder, 2, |t| DVec3::new(0.1 + 0.05 * t, 0.05, 0.65));
+            assert!(light < 1e-9 && heavy < 1e-12, "1e{exponent}: {light:e} m, {heavy:e} m");
+        }
+    }
+}
