@@ -3,8 +3,8 @@
 use crate::checks::{assert_closes, heavy_brick, root, worst_place};
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
-use polhode::scene::{Method, MotionTable, PrescribedMotion, Tier};
-use polhode::spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
+use polhode::scene::{Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
+use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -464,4 +464,55 @@ fn balls_in_a_shaken_box() {
     assert_closes(&report);
     assert!(report.ledger.numerical.value().abs() < 1e-9 * report.ledger.scale_j, "{:?}", report.ledger);
     assert!(report.warnings.is_empty(), "{:?}", report.warnings);
+}
+
+/// One of many slabs that spin, rock, drift and follow tables.
+fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
+    let vector = |k: u32| DVec3::new(random(k), random(k + 1), random(k + 2));
+    let motion = match seed % 4 {
+        0 => steady(DVec3::ZERO, DVec3::Y * (1.0 + 3.0 * random(1))),
+        1 => PrescribedMotion::sine(vector(1) * 0.1, vector(4) * 0.5, 0.5 + 2.0 * random(7), random(8)).unwrap(),
+        2 => steady(vector(1) - DVec3::new(0.5, 0.5, 0.0), vector(4) * 2.0),
+        _ => PrescribedMotion::table(&MotionTable {
+            times_s: vec![0.1, 0.4, 0.9, 1.4],
+            positions_m: Some(vec![DVec3::ZERO, vector(1) * 0.2, vector(4) * 0.3, DVec3::ZERO]),
+            orientations: Some(SampledOrientations::RotationVectors(vec![
+                DVec3::ZERO,
+                DVec3::Y * random(7),
+                DVec3::X * random(8),
+                DVec3::ZERO,
+            ])),
+        })
+        .unwrap(),
+    };
+    let shape = Shape::cuboid(DVec3::new(2.0, 2.0, 0.2)).unwrap();
+    Body::kinematic("slab", motion).geometry(Geometry::Shape(shape))
+}
+
+/// Bodies that fall on slabs that move in many ways come to no harm: the ledgers close, nothing is lost but in impacts,
+/// nothing sinks in.
+#[test]
+fn bodies_fall_on_moving_slabs() {
+    for seed in 0..16 {
+        let random = |k: u32| f64::from((seed * 7919 + k * 104_729 + 13) % 1000) / 1000.0;
+        let ground = floor().pose(Pose::from_translation(DVec3::Z * -1.5));
+        let mut builder = scene("slabs", 2.0).body(random_slab(seed, random)).body(ground);
+        for k in 0..3 {
+            let place = DVec3::new(0.7 * (f64::from(k) - 1.0), random(k + 10) - 0.5, 1.2 + 0.3 * f64::from(k));
+            let turned = Rotation::from_rotation_vector(DVec3::new(random(k + 20), random(k + 30), 0.3));
+            let body = match k {
+                1 => ball("ball", 0.6, RADIUS, place, DVec3::ZERO),
+                _ => brick(&format!("brick {k}"), DVec3::new(0.4, 0.3, 0.2), place).pose(Pose::new(turned, place)),
+            };
+            builder = builder.body(body.material(elastic(0.4 * random(6))));
+        }
+        let (report, _) = run(&builder.build().unwrap(), Effects::Planned);
+        assert_closes(&report);
+        let (ledger, scale) = (&report.ledger, report.ledger.scale_j);
+        assert!(ledger.external.value() > 0.1 && ledger.impact.value() > 0.1, "{seed} {ledger:?}");
+        assert!((0.0..1e-7 * scale).contains(&ledger.rest.value()), "{seed} {ledger:?}");
+        let lost = ledger.numerical.value().abs() + ledger.projection.value().abs();
+        assert!(lost < 1e-9 * scale, "{seed} {ledger:?}");
+        assert!(report.certificate.max_penetration_m < 1e-12, "{seed} {:?}", report.certificate);
+    }
 }
