@@ -64,7 +64,7 @@ pub struct MomentumLedger {
     pub about: DVec3,
     /// Given by gravity.
     pub gravity: MomentumSum,
-    /// Given by fixed bodies: impacts and the forces of resting contacts.
+    /// Given by fixed and kinematic bodies: impacts and the forces of resting contacts.
     pub support: MomentumSum,
     /// Given by force fields.
     pub fields: MomentumSum,

@@ -3,8 +3,8 @@
 use crate::checks::{assert_closes, heavy_brick, root, worst_place};
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
-use polhode::scene::{Method, MotionTable, PrescribedMotion, Tier};
-use polhode::spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
+use polhode::scene::{Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
+use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -385,7 +385,7 @@ fn ball_bounces_on_a_shaker_by_the_map() {
     let (mut t0, mut z, mut v) = (0.0, start, 0.0);
     for impact in impacts.iter().take(8) {
         let gap = |dt: f64| z + v * dt - 0.5 * G * dt * dt - top(t0 + dt);
-        let first = (1..).map(|k| 1e-3 * f64::from(k)).find(|&dt| gap(dt) < 0.0).unwrap();
+        let first = (1..10_000).map(|k| 1e-3 * f64::from(k)).find(|&dt| gap(dt) < 0.0).unwrap();
         let dt = root(first - 1e-3, first, gap);
         let (landing, under) = (v - G * dt, speed(t0 + dt));
         let impulse = 0.6 * (1.0 + e) * (under - landing);
@@ -433,4 +433,86 @@ fn pusher_that_touches_from_the_start() {
     let gained = at(fastest).1 * at(fastest).1;
     assert!((report.ledger.external.value() / gained - 1.0).abs() < 1e-9);
     assert_closes(&report);
+}
+
+/// Balls in a closed box that is shaken and rocked stay in it, never sink into its walls, and have what the box gives them.
+#[test]
+fn balls_in_a_shaken_box() {
+    let wall = |size: DVec3, place: DVec3| Shape::cuboid(size).unwrap().translated(place).unwrap();
+    let (wide, tall) = (DVec3::new(1.4, 1.4, 0.2), DVec3::new(0.2, 1.0, 1.0));
+    let mut walls = vec![wall(wide, DVec3::Z * -0.6), wall(wide, DVec3::Z * 0.6)];
+    for side in [-0.6, 0.6] {
+        walls.push(wall(tall, DVec3::X * side));
+        walls.push(wall(DVec3::new(1.0, 0.2, 1.0), DVec3::Y * side));
+    }
+    let shaking = PrescribedMotion::sine(DVec3::new(0.05, 0.03, 0.08), DVec3::new(0.15, 0.1, 0.05), 2.0, 0.0).unwrap();
+    let walls = Body::kinematic("walls", shaking).geometry(Geometry::Shape(Shape::compound(walls).unwrap()));
+    let trajectory = walls.trajectory().unwrap();
+    let mut builder = scene("box", 1.5).body(walls.material(elastic(0.7)));
+    for k in 0..6 {
+        let place = DVec3::new(0.25 * f64::from(k % 3) - 0.25, 0.3 * f64::from(k / 3) - 0.2, 0.03 * f64::from(k) - 0.2);
+        builder = builder.body(ball(&format!("ball {k}"), 0.3, 0.1, place, DVec3::ZERO).material(elastic(0.7)));
+    }
+    let (report, recorder) = run(&builder.build().unwrap(), Effects::Planned);
+    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+        for own in &row[1..] {
+            let seen = trajectory.pose(t).inverse_transform_point(own.pose.translation).abs().max_element();
+            assert!(seen < 0.4 + 1e-9, "{t} {seen}");
+        }
+    }
+    assert!(report.events > 30 && report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
+    assert_closes(&report);
+    assert!(report.ledger.numerical.value().abs() < 1e-9 * report.ledger.scale_j, "{:?}", report.ledger);
+    assert!(report.warnings.is_empty(), "{:?}", report.warnings);
+}
+
+/// One of many slabs that spin, rock, drift and follow tables.
+fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
+    let vector = |k: u32| DVec3::new(random(k), random(k + 1), random(k + 2));
+    let motion = match seed % 4 {
+        0 => steady(DVec3::ZERO, DVec3::Y * (1.0 + 3.0 * random(1))),
+        1 => PrescribedMotion::sine(vector(1) * 0.1, vector(4) * 0.5, 0.5 + 2.0 * random(7), random(8)).unwrap(),
+        2 => steady(vector(1) - DVec3::new(0.5, 0.5, 0.0), vector(4) * 2.0),
+        _ => PrescribedMotion::table(&MotionTable {
+            times_s: vec![0.1, 0.4, 0.9, 1.4],
+            positions_m: Some(vec![DVec3::ZERO, vector(1) * 0.2, vector(4) * 0.3, DVec3::ZERO]),
+            orientations: Some(SampledOrientations::RotationVectors(vec![
+                DVec3::ZERO,
+                DVec3::Y * random(7),
+                DVec3::X * random(8),
+                DVec3::ZERO,
+            ])),
+        })
+        .unwrap(),
+    };
+    let shape = Shape::cuboid(DVec3::new(2.0, 2.0, 0.2)).unwrap();
+    Body::kinematic("slab", motion).geometry(Geometry::Shape(shape))
+}
+
+/// Bodies that fall on slabs that move in many ways come to no harm: the ledgers close, nothing is lost but in impacts,
+/// nothing sinks in.
+#[test]
+fn bodies_fall_on_moving_slabs() {
+    for seed in 0..16 {
+        let random = |k: u32| f64::from((seed * 7919 + k * 104_729 + 13) % 1000) / 1000.0;
+        let ground = floor().pose(Pose::from_translation(DVec3::Z * -1.5));
+        let mut builder = scene("slabs", 2.0).body(random_slab(seed, random)).body(ground);
+        for k in 0..3 {
+            let place = DVec3::new(0.7 * (f64::from(k) - 1.0), random(k + 10) - 0.5, 1.2 + 0.3 * f64::from(k));
+            let turned = Rotation::from_rotation_vector(DVec3::new(random(k + 20), random(k + 30), 0.3));
+            let body = match k {
+                1 => ball("ball", 0.6, RADIUS, place, DVec3::ZERO),
+                _ => brick(&format!("brick {k}"), DVec3::new(0.4, 0.3, 0.2), place).pose(Pose::new(turned, place)),
+            };
+            builder = builder.body(body.material(elastic(0.4 * random(6))));
+        }
+        let (report, _) = run(&builder.build().unwrap(), Effects::Planned);
+        assert_closes(&report);
+        let (ledger, scale) = (&report.ledger, report.ledger.scale_j);
+        assert!(ledger.external.value() > 0.1 && ledger.impact.value() > 0.1, "{seed} {ledger:?}");
+        assert!((0.0..1e-7 * scale).contains(&ledger.rest.value()), "{seed} {ledger:?}");
+        let lost = ledger.numerical.value().abs() + ledger.projection.value().abs();
+        assert!(lost < 1e-9 * scale, "{seed} {ledger:?}");
+        assert!(report.certificate.max_penetration_m < 1e-12, "{seed} {:?}", report.certificate);
+    }
 }
