@@ -10,7 +10,7 @@ use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::scene::Tier as TierName;
+use crate::scene::{SceneError, Tier as TierName};
 use crate::settings::Settings;
 use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
@@ -101,6 +101,10 @@ impl Simulation {
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene)?;
+        if settings.tier == TierName::Stepped && !world.prescribed().is_empty() {
+            let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
+            return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());
+        }
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {

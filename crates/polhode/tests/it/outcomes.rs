@@ -58,7 +58,7 @@ fn stopped_run_is_degraded_by_what_it_has_done() {
         report.outcome
     };
     assert_eq!(end(1e-2, 0.1), Outcome::Stopped);
-    assert_eq!(end(1e-2, 2.9), Outcome::Degraded);
+    assert_eq!(end(1e-2, 1.5), Outcome::Degraded);
 }
 
 /// The tier `thesis` promises nothing of penetration: a ball that has sunk in by what it falls in one step is a completed run,
