@@ -36,7 +36,7 @@ const UNDIVIDED: u32 = 2;
 
 /// A step whose error, in units of what is allowed, is below this is followed by a longer one (dimensionless, 1e-9 to 1e-3):
 /// twice as long it errs 32 times as much, which over a run must stay far below what a fixed step leaves.
-const NEGLIGIBLE_ERROR: f64 = 1e-6;
+const NEGLIGIBLE_ERROR: f64 = 1e-3;
 
 /// Parts of a step from which on a shorter step serves better: twice as many as a step twice as long may take at order 4.
 const MUCH_DIVIDED: u32 = 8;
