@@ -60,9 +60,9 @@ fn write_package(root: &Path, users: &Path, name: &str, examples: &[PathBuf]) ->
     std::fs::write(folder.join("src/lib.rs"), "")?;
     let path = root.join("crates").join(name);
     let mut manifest = format!("[package]\nname = \"user-of-{name}\"\nedition = \"2024\"\n\n[dependencies]\n");
-    writeln!(manifest, "{name} = {{ path = {path:?} }}")?;
+    writeln!(manifest, "{name} = {{ path = \"{}\" }}", path.display())?;
     for example in examples {
-        write!(manifest, "\n[[bin]]\nname = {:?}\npath = {example:?}\n", stem(example))?;
+        write!(manifest, "\n[[bin]]\nname = {:?}\npath = \"{}\"\n", stem(example), example.display())?;
     }
     std::fs::write(folder.join("Cargo.toml"), manifest)?;
     Ok(())

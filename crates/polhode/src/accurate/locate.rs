@@ -104,7 +104,7 @@ impl Engine {
         let at = |t: f64| ContactChange { t, departing: BTreeSet::new() };
         loop {
             let Some(closing) = self.closing_time(core, step, wrong, states) else {
-                return self.opening(core, step, wrong, states);
+                return opening(core, step, wrong, states);
             };
             step.states_at(&core.world, closing, states);
             if closing >= wrong || self.penetrating(core, step, states, tolerated).is_none() {
@@ -246,44 +246,6 @@ impl Engine {
         Ok(first.is_some())
     }
 
-    /// When the forces of contacts that open after `wrong` reach zero: their accelerations, which grow from zero, are
-    /// extrapolated back from two times just after. The contacts are noted, because at that instant nothing but the
-    /// past tells them from those that hold.
-    fn opening(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        wrong: f64,
-        states: &mut [BodyState],
-    ) -> Result<ContactChange, SimulationError> {
-        let late = (wrong + EXTRAPOLATION * (step.end - step.t)).min(step.end);
-        let mut openings = Vec::with_capacity(2);
-        let mut departing = BTreeSet::new();
-        for t in [wrong, late] {
-            step.states_at(&core.world, t, states);
-            let contacts: Vec<Touch> = step
-                .held
-                .iter()
-                .filter_map(|&id| {
-                    let kinematics = core.world.kinematics(states, id)?;
-                    Some(Touch { id, kinematics, hold: Hold::Held, known: true })
-                })
-                .collect();
-            let forces = forces_of(core, step, t, states, &contacts)?;
-            let accelerations = forces.solution.residual_accelerations;
-            let opening = contacts.iter().zip(&accelerations).filter(|&(_, &w)| w > forces.opening);
-            departing.extend(opening.map(|(contact, _)| contact.id));
-            openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
-        }
-        let (first, second) = (openings[0], openings[1]);
-        if departing.is_empty() || second <= first {
-            return Ok(ContactChange { t: wrong, departing });
-        }
-        let back = first * (late - wrong) / (second - first);
-        let t = (wrong - back.min(LONGEST_EXTRAPOLATION * (late - wrong))).max(step.t);
-        Ok(ContactChange { t, departing })
-    }
-
     /// When a contact that was clear at the start of the step closes within it: the time at which its separation is
     /// zero, not that at which it shows as penetration.
     fn closing_time(&self, core: &Core, step: &ConstrainedStep, wrong: f64, states: &mut [BodyState]) -> Option<f64> {
@@ -307,6 +269,43 @@ impl Engine {
         }
         Some(closed)
     }
+}
+
+/// When the forces of contacts that open after `wrong` reach zero: their accelerations, which grow from zero, are
+/// extrapolated back from two times just after. The contacts are noted, because at that instant nothing but the
+/// past tells them from those that hold.
+fn opening(
+    core: &mut Core,
+    step: &ConstrainedStep,
+    wrong: f64,
+    states: &mut [BodyState],
+) -> Result<ContactChange, SimulationError> {
+    let late = (wrong + EXTRAPOLATION * (step.end - step.t)).min(step.end);
+    let mut openings = Vec::with_capacity(2);
+    let mut departing = BTreeSet::new();
+    for t in [wrong, late] {
+        step.states_at(&core.world, t, states);
+        let contacts: Vec<Touch> = step
+            .held
+            .iter()
+            .filter_map(|&id| {
+                let kinematics = core.world.kinematics(states, id)?;
+                Some(Touch { id, kinematics, hold: Hold::Held, known: true })
+            })
+            .collect();
+        let forces = forces_of(core, step, t, states, &contacts)?;
+        let accelerations = forces.solution.residual_accelerations;
+        let opening = contacts.iter().zip(&accelerations).filter(|&(_, &w)| w > forces.opening);
+        departing.extend(opening.map(|(contact, _)| contact.id));
+        openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
+    }
+    let (first, second) = (openings[0], openings[1]);
+    if departing.is_empty() || second <= first {
+        return Ok(ContactChange { t: wrong, departing });
+    }
+    let back = first * (late - wrong) / (second - first);
+    let t = (wrong - back.min(LONGEST_EXTRAPOLATION * (late - wrong))).max(step.t);
+    Ok(ContactChange { t, departing })
 }
 
 fn forces_of(

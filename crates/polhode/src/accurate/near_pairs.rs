@@ -206,7 +206,9 @@ impl Engine {
                     }
                 }
             })?;
-            found.iter_mut().for_each(|(_, partners)| partners.sort_unstable());
+            for (_, partners) in &mut found {
+                partners.sort_unstable();
+            }
         }
         self.near.boxes = near;
         for (body, partners) in found {

@@ -13,7 +13,7 @@ use polhode_spatial::Motion;
 #[derive(Debug)]
 pub(crate) struct Boxes {
     /// One for each body; none for a body without a shape.
-    boxes: Vec<Option<Aabb>>,
+    by_body: Vec<Option<Aabb>>,
     broad_phase: Box<dyn BroadPhase>,
     /// Buffers: boxes without gaps, their bodies, and the pairs found.
     packed: Vec<Aabb>,
@@ -25,7 +25,7 @@ impl Boxes {
     /// No boxes yet, for this many bodies.
     pub(crate) fn new(settings: &Settings, bodies: usize) -> Self {
         Self {
-            boxes: vec![None; bodies],
+            by_body: vec![None; bodies],
             broad_phase: settings.broad_phase.build(),
             packed: Vec::new(),
             bodies: Vec::new(),
@@ -35,17 +35,17 @@ impl Boxes {
 
     /// One body more.
     pub(crate) fn make_room(&mut self) {
-        self.boxes.push(None);
+        self.by_body.push(None);
     }
 
     /// Sets the box of a body that moves so over an interval (s), with a margin (m).
     pub(crate) fn set(&mut self, world: &World, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
-        self.boxes[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
+        self.by_body[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
     }
 
     /// Sets the box of a body, or takes it away.
     pub(crate) fn put(&mut self, body: usize, aabb: Option<Aabb>) {
-        self.boxes[body] = aabb;
+        self.by_body[body] = aabb;
     }
 
     /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes meet.
@@ -59,7 +59,7 @@ impl Boxes {
     ) -> Result<(), SimulationError> {
         self.packed.clear();
         self.bodies.clear();
-        for (body, aabb) in self.boxes.iter().enumerate() {
+        for (body, aabb) in self.by_body.iter().enumerate() {
             if let Some(aabb) = aabb {
                 self.packed.push(*aabb);
                 self.bodies.push(body);
@@ -77,8 +77,8 @@ impl Boxes {
 
     /// Calls `found` with every body that may collide with `body` and whose box meets its own, ascending.
     pub(crate) fn near(&self, world: &World, body: usize, mut found: impl FnMut(usize)) {
-        let Some(own) = &self.boxes[body] else { return };
-        for (other, aabb) in self.boxes.iter().enumerate() {
+        let Some(own) = &self.by_body[body] else { return };
+        for (other, aabb) in self.by_body.iter().enumerate() {
             if aabb.as_ref().is_some_and(|aabb| aabb.overlaps(own)) && world.scene.may_collide(body, other) {
                 found(other);
             }
