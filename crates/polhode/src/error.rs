@@ -1,6 +1,7 @@
 //! What can go wrong while simulating.
 
 use crate::scene::SceneError;
+use crate::snapshot::SnapshotError;
 use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_response::ResponseError;
@@ -14,6 +15,9 @@ pub enum SimulationError {
     /// The scene is refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// A snapshot is refused.
+    #[error(transparent)]
+    Snapshot(#[from] SnapshotError),
     /// The state is no longer finite.
     #[error("the state of body {body} is not finite at t = {t} s: the run diverged")]
     Diverged {

@@ -24,6 +24,7 @@ pub mod report;
 pub mod scene;
 mod settings;
 mod simulation;
+mod snapshot;
 mod thesis;
 mod tier;
 mod world;
@@ -39,6 +40,7 @@ pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
 pub use report::{Certificate, Energy, Outcome, RunReport};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, ContactView, IslandView, Simulation, StepEnd, StepOutcome};
+pub use snapshot::{Snapshot, SnapshotError};
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

@@ -11,6 +11,8 @@ use crate::planar::{self, PlanarFinding};
 use crate::report::{Energy, Outcome, RunReport};
 use crate::scene::Tier as TierName;
 use crate::settings::Settings;
+use crate::snapshot::content::{self, Content};
+use crate::snapshot::{self, Snapshot, SnapshotError};
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
@@ -271,6 +273,43 @@ impl Simulation {
         BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
     }
 
+    /// Everything that the run goes on from, to be kept: [`Simulation::restore`] goes on from it with the same bits.
+    ///
+    /// What the scene says is not in it; the hash of the scene is.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot::new(Content {
+            scene: self.scene.name().to_owned(),
+            scene_hash: snapshot::scene_hash(&self.scene),
+            all_effects: self.core.effects == Effects::All,
+            t: self.core.t,
+            ended: self.ended,
+            accounts: self.core.accounts.save(),
+            tier: self.tier.save(),
+        })
+    }
+
+    /// Goes back or on to a snapshot of a simulation of the same scene with the same effects. What follows has the same
+    /// bits as what followed when it was taken, samples, events and report included.
+    ///
+    /// # Errors
+    /// When it is of another scene or other effects, or contradicts itself; the simulation is then as it was.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
+        let content = snapshot.content_for(&self.scene, self.core.effects)?;
+        let accounts = Accounts::restored(&content.accounts, self.core.world.bodies.len())?;
+        let kept = (self.core.t, std::mem::replace(&mut self.core.accounts, accounts));
+        self.core.t = content.t;
+        match restored_tier(&mut self.core, &content.tier) {
+            Ok(tier) => {
+                (self.tier, self.ended) = (tier, content.ended);
+                Ok(())
+            }
+            Err(error) => {
+                (self.core.t, self.core.accounts) = kept;
+                Err(error)
+            }
+        }
+    }
+
     /// The report of the run up to the present.
     fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
         let mut accounts = self.core.accounts.clone();
@@ -291,5 +330,17 @@ impl Simulation {
         };
         accounts.fill(&self.core.world, &self.tier.states(&self.core), &mut report);
         Ok(report)
+    }
+}
+
+/// The tier as a snapshot has it.
+fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
+    if !core.t.is_finite() {
+        return Err(SnapshotError::Invalid("its time is not finite").into());
+    }
+    match (core.settings.tier, saved) {
+        (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
+        (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
+        _ => Err(SnapshotError::Invalid("it is of another tier than its scene").into()),
     }
 }

@@ -4,6 +4,7 @@
 //! the observer from here alone, in order of time.
 
 pub(crate) mod books;
+mod saved;
 mod warnings;
 
 use crate::observer::Observer;

@@ -1,5 +1,7 @@
 //! Warnings of a run: each text once, with the times of its first and last occasion and how often it came.
 
+use crate::snapshot::content;
+
 /// Warnings in the order in which each was first given.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Warnings {
@@ -25,6 +27,28 @@ impl Warnings {
             }
             None => self.list.push(Warning { what, first_s: t, last_s: t, count: 1 }),
         }
+    }
+
+    /// The warnings as plain data.
+    pub(super) fn save(&self) -> Vec<content::Warning> {
+        let save = |Warning { what, first_s, last_s, count }: &Warning| content::Warning {
+            what: what.clone(),
+            first_s: *first_s,
+            last_s: *last_s,
+            count: *count,
+        };
+        self.list.iter().map(save).collect()
+    }
+
+    /// The warnings of such data.
+    pub(super) fn restored(saved: &[content::Warning]) -> Self {
+        let restored = |content::Warning { what, first_s, last_s, count }: &content::Warning| Warning {
+            what: what.clone(),
+            first_s: *first_s,
+            last_s: *last_s,
+            count: *count,
+        };
+        Self { list: saved.iter().map(restored).collect() }
     }
 
     /// The warnings as they are reported.

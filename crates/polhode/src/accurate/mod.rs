@@ -20,6 +20,7 @@
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
 //! | `pace` | whether time advances |
 //! | `start` | the first instant |
+//! | `saved` | what a run goes on from, as plain data and back |
 
 mod agenda;
 mod constrained_step;
@@ -34,6 +35,7 @@ mod near_pairs;
 mod pace;
 mod penetration;
 mod resolve;
+mod saved;
 mod start;
 mod system;
 

@@ -7,6 +7,8 @@
 //! of them in a row: where a contact cannot be followed, because its place jumps or because bodies touch where no contact is
 //! found, a run would go on for ever. The counts travel with the bodies, so that one island's trouble is not another's.
 
+use crate::snapshot::content;
+
 /// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
 const INSTANT_RELATIVE: f64 = 1e-9;
 
@@ -58,6 +60,18 @@ impl Pace {
     /// At the start of a run or of a body's life, `t` (s).
     pub(super) fn starting_at(t: f64) -> Self {
         Self { since: t, advanced_at: t, ..Self::default() }
+    }
+
+    /// The pace as plain data.
+    pub(super) fn save(&self) -> content::Pace {
+        let Self { since, stalls, events, advanced_at, steps, backoffs } = *self;
+        content::Pace { since, stalls, events, advanced_at, steps, backoffs }
+    }
+
+    /// The pace of such data.
+    pub(super) fn restored(saved: &content::Pace) -> Self {
+        let content::Pace { since, stalls, events, advanced_at, steps, backoffs } = *saved;
+        Self { since, stalls, events, advanced_at, steps, backoffs }
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until
