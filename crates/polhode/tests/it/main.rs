@@ -17,5 +17,6 @@ mod momentum;
 mod pivots;
 mod planar;
 mod round_bodies;
+mod snapshots;
 mod support;
 mod table_edge;
