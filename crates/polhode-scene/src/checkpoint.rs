@@ -200,13 +200,13 @@ impl Checkpoint {
 /// # Errors
 /// When something does, or what stands there cannot be read.
 pub fn check_place(path: &Path) -> Result<(), CheckpointError> {
-    let mut file = match std::fs::File::open(path) {
+    let file = match std::fs::File::open(path) {
         Ok(file) => file,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         Err(source) => return Err(CheckpointError::Read { path: path.to_owned(), source }),
     };
     let mut first = Vec::new();
-    let read = file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut first);
+    let read = file.take(MAGIC.len() as u64).read_to_end(&mut first);
     read.map_err(|source| CheckpointError::Read { path: path.to_owned(), source })?;
     let in_the_way = || CheckpointError::InTheWay { path: path.to_owned() };
     if first.is_empty() || first == MAGIC { Ok(()) } else { Err(in_the_way()) }

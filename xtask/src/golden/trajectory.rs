@@ -2,7 +2,6 @@
 
 use super::hash_words;
 use crate::cases::Run;
-use glam::DVec3;
 use polhode::{BodySample, EventKind};
 use std::fmt::Write as _;
 
