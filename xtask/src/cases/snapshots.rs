@@ -88,3 +88,17 @@ impl Observer for Until {
         if t >= self.stop_s { Flow::Stop } else { Flow::Continue }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    //! A scene with impacts and rest is stopped and continued.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn a_bouncing_ball_goes_on() {
+        let context = Context::new(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), Amount::Part).unwrap();
+        assert_eq!(differing(&context, "bouncing-ball", 3, 1).unwrap(), "none");
+    }
+}

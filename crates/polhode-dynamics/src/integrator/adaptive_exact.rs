@@ -14,7 +14,7 @@
 use super::dop853::{Tolerance, allowances};
 use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
-use super::saved::{NotItsVariables, Reader, write_count, write_flag, write_flights, write_states};
+use super::saved::{NotItsVariables, Reader, write_count, write_flights, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator, blanes_moan};
 use crate::field::Wrench;
@@ -265,7 +265,7 @@ impl Integrator for AdaptiveExact {
 
     fn save(&self) -> Vec<f64> {
         let mut numbers = vec![self.from, self.t, self.error, f64::from(self.proposed), f64::from(self.inner)];
-        write_flag(self.loaded, &mut numbers);
+        numbers.push(f64::from(u8::from(self.loaded)));
         write_count(self.states.len(), &mut numbers);
         write_states(&self.before, &mut numbers);
         write_states(&self.states, &mut numbers);

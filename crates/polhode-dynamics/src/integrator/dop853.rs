@@ -17,7 +17,7 @@
 //! Steps end at the corners of signals. How it fails: another force that acts for a small part of a step (a pulse of a
 //! function of one's own, between two stages) can be missed; at a singularity the steps shrink until [`IntegrationError::StepTooSmall`].
 
-use super::saved::{NotItsVariables, Reader, write_count, write_flag, write_states};
+use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
 use crate::free_motion::BufferedMotion;
@@ -318,7 +318,7 @@ impl Integrator for AdaptiveDop853 {
 
     fn save(&self) -> Vec<f64> {
         let mut numbers = vec![self.from, self.t, self.error];
-        write_flag(self.proposed.is_some(), &mut numbers);
+        numbers.push(f64::from(u8::from(self.proposed.is_some())));
         numbers.push(self.proposed.unwrap_or(0.0));
         write_count(self.states.len(), &mut numbers);
         write_states(&self.states, &mut numbers);

@@ -17,7 +17,7 @@
 
 use super::blanes_moan;
 use super::drift_kick::{Stages, Stepper};
-use super::saved::{NotItsVariables, Reader, write_flag, write_flights};
+use super::saved::{NotItsVariables, Reader, write_flights};
 use super::{IntegrationError, Integrator};
 use crate::{BodyState, Flight, FreeMotion};
 
@@ -115,7 +115,7 @@ impl Integrator for Exact {
     fn save(&self) -> Vec<f64> {
         let mut numbers = Vec::new();
         self.stepper.write(&mut numbers);
-        write_flag(self.loaded, &mut numbers);
+        numbers.push(f64::from(u8::from(self.loaded)));
         write_flights(&self.flights, &mut numbers);
         numbers
     }

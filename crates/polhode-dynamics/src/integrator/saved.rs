@@ -118,11 +118,6 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Writes a flag.
-pub(crate) fn write_flag(flag: bool, numbers: &mut Vec<f64>) {
-    numbers.push(f64::from(u8::from(flag)));
-}
-
 /// Writes a count of bodies.
 pub(crate) fn write_count(count: usize, numbers: &mut Vec<f64>) {
     numbers.push(count as f64);
@@ -136,7 +131,7 @@ pub(crate) fn write_states(states: &[BodyState], numbers: &mut Vec<f64>) {
 /// Writes records of flight.
 pub(crate) fn write_flights(flights: &[Option<Flight>], numbers: &mut Vec<f64>) {
     for flight in flights {
-        write_flag(flight.is_some(), numbers);
+        numbers.push(f64::from(u8::from(flight.is_some())));
         if let Some(flight) = flight {
             numbers.push(flight.t0());
             write_states(&[*flight.start()], numbers);

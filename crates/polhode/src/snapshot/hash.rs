@@ -37,7 +37,8 @@ impl Write for Fnv1a {
     }
 }
 
-/// Hash of everything that a scene says: of its debug text, in which every number stands with all its digits.
+/// Hash of everything that a scene says: of its debug text, in which every number stands with all its digits. Of a field of
+/// the user's own it knows what that shows of itself.
 pub(super) fn of_scene(scene: &Scene) -> u64 {
     let mut hash = Fnv1a::default();
     // Taking bytes in cannot fail.

@@ -5,7 +5,7 @@ use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::mesh::solid_box;
-use polhode::scene::{Attachment, Force, Frame, Method, Signal, Tier};
+use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal, Tier};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
 use polhode::{
     Body, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot, SnapshotError,
@@ -158,6 +158,22 @@ fn bouncing_bodies_go_on_with_the_same_bits() {
     check(&thrown_brick(0.5).build().unwrap(), Effects::All);
     for integrator in [Integrator::Dop853, Integrator::Rk4, Integrator::MoserVeselov, Integrator::ExactAdaptive] {
         check(&thrown_brick(0.3).method(by(integrator)).duration_s(0.7).build().unwrap(), Effects::Planned);
+    }
+}
+
+/// Drag through the centre of mass turns nothing: the attitude is that of a free rotation, whose record is kept from step to
+/// step beside the integrated motion.
+#[test]
+fn bodies_in_air_go_on_with_the_same_bits() {
+    for rotational in [0.0, 0.02] {
+        let drag = Force::Drag {
+            body: 1,
+            law: DragLaw::Quadratic,
+            translational: 0.4,
+            rotational,
+            wind: DVec3::new(3.0, 1.0, 0.0),
+        };
+        check(&thrown_brick(0.5).force(drag).build().unwrap(), Effects::Planned);
     }
 }
 
