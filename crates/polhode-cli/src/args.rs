@@ -12,13 +12,15 @@ pub(crate) struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what its method \
-     promises); 2 usage or a bad scene; 3 input or output.";
+     promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Simulates a scene and reports energies, ledger and certificate
     Run(RunArgs),
+    /// Continues a run from a checkpoint, to the same bits as if it had never stopped
+    Resume(ResumeArgs),
     /// Says which effects of a scene are on or off, why, and what that saves
     Plan(PlanArgs),
     /// Shows what accuracy costs: error against time over methods and steps
@@ -84,6 +86,38 @@ pub(crate) struct RunArgs {
     /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) accuracy: Option<f64>,
+    #[command(flatten)]
+    pub(crate) checkpoints: CheckpointArgs,
+}
+
+/// Where and when checkpoints are written.
+#[derive(Debug, Args)]
+pub(crate) struct CheckpointArgs {
+    /// Writes a checkpoint at the first step end after every S seconds of simulated time, and at Ctrl-C
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub(crate) checkpoint_every: Option<f64>,
+    /// Where checkpoints are written, one over the other; alone: at Ctrl-C [default: the scene file's name with the ending
+    /// .checkpoint, in this folder; for `resume` the checkpoint itself]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) checkpoint: Option<PathBuf>,
+}
+
+/// Arguments of `resume`.
+#[derive(Debug, Args)]
+pub(crate) struct ResumeArgs {
+    /// Checkpoint of a run; its scene file must stand where it stood
+    pub(crate) from: PathBuf,
+    /// Writes the trajectory from here on; the kind follows the ending: .csv, .npy or .json (may be given several times)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Writes the events from here on as CSV
+    #[arg(long, value_name = "FILE")]
+    pub(crate) events: Option<PathBuf>,
+    /// Prints the report of the whole run as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) checkpoints: CheckpointArgs,
 }
 
 /// Arguments of `plan`.

@@ -1,6 +1,6 @@
 //! What went wrong, and the exit code it means.
 
-use polhode_scene::{CompareError, MeshFileError, OutputError, SceneFileError};
+use polhode_scene::{CheckpointError, CompareError, MeshFileError, OutputError, SceneFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -13,6 +13,9 @@ pub(crate) const USAGE: u8 = 2;
 /// Exit code of input and output.
 const INPUT_OUTPUT: u8 = 3;
 
+/// Exit code of a run that Ctrl-C has ended: 128 and the number of the signal, as shells have it.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// Why the program ends without success.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -22,6 +25,8 @@ pub(crate) enum Failure {
     Usage(String),
     /// Reading or writing failed.
     InputOutput(String),
+    /// Ctrl-C.
+    Interrupted(String),
     /// Whoever read the results has stopped reading.
     StdoutClosed,
 }
@@ -33,6 +38,7 @@ impl Failure {
             Self::Check(message) => (CHECK, message),
             Self::Usage(message) => (USAGE, message),
             Self::InputOutput(message) => (INPUT_OUTPUT, message),
+            Self::Interrupted(message) => (INTERRUPTED, message),
             Self::StdoutClosed => return ExitCode::SUCCESS,
         };
         if !message.is_empty() {
@@ -62,6 +68,16 @@ impl From<SceneFileError> for Failure {
 impl From<OutputError> for Failure {
     fn from(failure: OutputError) -> Self {
         if failure.is_input_output() { Self::InputOutput(error(&failure)) } else { Self::Usage(error(&failure)) }
+    }
+}
+
+impl From<CheckpointError> for Failure {
+    fn from(failure: CheckpointError) -> Self {
+        match failure {
+            CheckpointError::Scene(failure) => failure.into(),
+            failure if failure.is_input_output() => Self::InputOutput(error(&failure)),
+            failure => Self::Usage(error(&failure)),
+        }
     }
 }
 

@@ -1,13 +1,16 @@
 //! The `polhode` program.
 //!
 //! Results go to stdout, progress (a bar, on a terminal only) and messages to stderr. Exit codes: 0 fine; 1 a check
-//! failed, the run diverged or has not kept what its method promises (`degraded`); 2 usage or a bad scene; 3 input or output. The clock is read here and nowhere else.
+//! failed, the run diverged or has not kept what its method promises (`degraded`); 2 usage or a bad scene; 3 input or
+//! output; 130 interrupted. The clock is read here and nowhere else.
 //!
 //! | module | holds |
 //! |---|---|
 //! | `args` | the command line |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
-//! | `run`, `plan`, `check`, `mesh`, `compare` | the commands |
+//! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
+//! | `checkpoints` | when and where a run is kept to be continued |
+//! | `watch` | what a run shows and writes while it goes on, and Ctrl-C |
 //! | `cost` | the command that shows what accuracy costs |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
@@ -15,6 +18,7 @@
 
 mod args;
 mod check;
+mod checkpoints;
 mod compare;
 mod cost;
 mod failure;
@@ -24,6 +28,7 @@ mod run;
 mod scene;
 mod stdout;
 mod text;
+mod watch;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -41,6 +46,7 @@ fn main() -> ExitCode {
     };
     let outcome = match &cli.command {
         Command::Run(args) => run::run(args),
+        Command::Resume(args) => run::resume(args),
         Command::Plan(args) => plan::plan(args),
         Command::Cost(args) => cost::cost(args),
         Command::Check(args) => check::check(args),

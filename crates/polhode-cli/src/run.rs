@@ -1,12 +1,13 @@
-//! `polhode run`: simulates a scene.
+//! `polhode run` and `polhode resume`: simulate a scene, from its start or from a checkpoint.
 
-use crate::args::RunArgs;
+use crate::args::{ResumeArgs, RunArgs};
+use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
+use crate::watch::{Bar, Interrupt, Watch};
 use crate::{cost, scene, stdout, text};
-use indicatif::{ProgressBar, ProgressStyle};
-use polhode::{BodySample, Event, Flow, Observer, Outcome, RunReport};
-use polhode_scene::{Outputs, load_with, report_json};
-use std::io::IsTerminal;
+use polhode::{Outcome, RunReport, Simulation};
+use polhode_scene::{Checkpoint, LoadedScene, Outputs, load_with, report_json};
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
@@ -15,41 +16,50 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     if let Some(accuracy) = args.accuracy {
         changes.extend(cost::settings_for(&args.scene, accuracy)?);
     }
-    let loaded = load_with(&args.scene.scene, &changes)?;
-    let outputs = Outputs::create(&loaded.scene, &args.output, args.events.as_deref())?;
+    let file = &args.scene.scene;
+    let loaded = load_with(file, &changes)?;
+    let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
+    let files = Files { output: &args.output, events: args.events.as_deref(), inputs: &[file] };
+    let outputs = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    let mut simulation = scene::prepare(&loaded, &args.scene)?;
-    if !args.json {
-        match stdout::text(&text::plan(loaded.scene.name(), simulation.plan())) {
-            // Files are still wanted when nobody reads the report.
-            Err(Failure::StdoutClosed) => {}
-            printed => printed?,
-        }
-    }
-    let mut watch = Watch { outputs, bar: Bar::new(loaded.scene.duration_s()) };
-    let outcome = simulation.run(&mut watch);
-    let wall_s = started.elapsed().as_secs_f64();
-    watch.bar.clear();
-    match outcome {
-        Ok(report) => {
-            watch.outputs.finish()?;
-            if args.json {
-                stdout::json(&report_json(&report, wall_s))?;
-            } else {
-                stdout::text(&text::report(&report, wall_s))?;
+    let simulation = scene::prepare(&loaded, &args.scene)?;
+    Run { loaded, simulation, outputs, checkpoints, started, json: args.json }.finish()
+}
+
+/// Continues from a checkpoint: the report is that of the whole run.
+pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
+    let checkpoint = Checkpoint::read(&args.from)?;
+    let (loaded, simulation) = checkpoint.load(&args.from)?;
+    let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
+    let inputs = [&args.from, &checkpoint.scene];
+    let files = Files { output: &args.output, events: args.events.as_deref(), inputs: &inputs };
+    let outputs = files.create(&loaded, &checkpoints)?;
+    let started = Instant::now();
+    Run { loaded, simulation, outputs, checkpoints, started, json: args.json }.finish()
+}
+
+/// The files that a run writes, and those that it was made from.
+struct Files<'a> {
+    output: &'a [PathBuf],
+    events: Option<&'a Path>,
+    inputs: &'a [&'a PathBuf],
+}
+
+impl Files<'_> {
+    /// Opens the outputs.
+    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<Outputs, Failure> {
+        for path in self.output.iter().map(PathBuf::as_path).chain(self.events) {
+            if self.inputs.iter().any(|input| is_same(path, input)) {
+                let what =
+                    format!("error: {} is what the run is made from: an output never replaces it", path.display());
+                return Err(Failure::Usage(what));
             }
-            match report.outcome {
-                Outcome::Completed | Outcome::Stopped => Ok(()),
-                Outcome::Degraded => Err(Failure::Check(degraded(&report))),
+            if checkpoints.path().is_some_and(|checkpoint| is_same(path, checkpoint)) {
+                let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
+                return Err(Failure::Usage(what));
             }
         }
-        Err(error) => {
-            // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-            for path in watch.outputs.keep_partial()? {
-                failure::note(&format!("note: what was computed is in {}", path.display()));
-            }
-            Err(scene::failed(&loaded, error))
-        }
+        Ok(Outputs::create(&loaded.scene, self.output, self.events)?)
     }
 }
 
@@ -59,58 +69,101 @@ fn degraded(report: &RunReport) -> String {
     format!("degraded: {}: the run has not kept what its method promises: {first}", report.scene)
 }
 
-/// Writes files and shows progress.
-struct Watch {
+/// Whether two names are of one file.
+fn is_same(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| std::fs::canonicalize(path).or_else(|_| std::path::absolute(path));
+    a == b || place(a).is_ok_and(|a| place(b).is_ok_and(|b| a == b))
+}
+
+/// The name of a scene file's checkpoint, in the present folder.
+fn checkpoint_name(scene: &Path) -> PathBuf {
+    let mut name = scene.file_stem().unwrap_or(scene.as_os_str()).to_owned();
+    name.push(".checkpoint");
+    PathBuf::from(name)
+}
+
+/// A run that is ready to go on.
+struct Run {
+    loaded: LoadedScene,
+    simulation: Simulation,
     outputs: Outputs,
-    bar: Bar,
+    checkpoints: Checkpoints,
+    started: Instant,
+    json: bool,
 }
 
-impl Observer for Watch {
-    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
-        self.outputs.sample(t, bodies);
-    }
-
-    fn event(&mut self, event: &Event) {
-        self.outputs.event(event);
-    }
-
-    fn progress(&mut self, t: f64) -> Flow {
-        self.bar.advance(t);
-        self.outputs.progress(t)
-    }
-}
-
-/// Parts that the bar divides the duration into.
-const PARTS: f64 = 1000.0;
-
-/// A progress bar on stderr, when that is a terminal.
-struct Bar {
-    bar: Option<ProgressBar>,
-    duration_s: f64,
-}
-
-impl Bar {
-    fn new(duration_s: f64) -> Self {
-        let bar = std::io::stderr().is_terminal().then(|| {
-            let bar = ProgressBar::new(PARTS as u64);
-            match ProgressStyle::with_template("{wide_bar} {msg} {elapsed} (eta {eta})") {
-                Ok(style) => bar.with_style(style),
-                Err(_) => bar,
+impl Run {
+    /// Goes on to the end, and prints the report.
+    fn finish(self) -> Result<(), Failure> {
+        let Self { loaded, mut simulation, outputs, checkpoints, started, json } = self;
+        if !json {
+            match stdout::text(&text::plan(loaded.scene.name(), simulation.plan())) {
+                // Files are still wanted when nobody reads the report.
+                Err(Failure::StdoutClosed) => {}
+                printed => printed?,
             }
-        });
-        Self { bar, duration_s }
-    }
-
-    fn advance(&self, t: f64) {
-        if let Some(bar) = &self.bar {
-            bar.set_position((PARTS * t / self.duration_s) as u64);
-            bar.set_message(format!("{t:.3} of {} s", self.duration_s));
+        }
+        let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
+        let mut watch = Watch { outputs, bar, interrupt, stop_s: f64::INFINITY };
+        let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
+        watch.bar.clear();
+        match report {
+            Ok(_) if simulation.time() < loaded.scene.duration_s() && watch.interrupt.has_come() => {
+                keep_partial(watch.outputs)?;
+                if let Some(said) = checkpoints.write(&simulation)? {
+                    failure::note(&said);
+                }
+                let (t, duration) = (simulation.time(), loaded.scene.duration_s());
+                Err(Failure::Interrupted(format!("interrupted at t = {t} s of {duration} s")))
+            }
+            Ok(report) => {
+                watch.outputs.finish()?;
+                let wall_s = started.elapsed().as_secs_f64();
+                if json {
+                    stdout::json(&report_json(&report, wall_s))?;
+                } else {
+                    stdout::text(&text::report(&report, wall_s))?;
+                }
+                match report.outcome {
+                    Outcome::Completed | Outcome::Stopped => Ok(()),
+                    Outcome::Degraded => Err(Failure::Check(degraded(&report))),
+                }
+            }
+            Err(failure) => {
+                // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
+                keep_partial(watch.outputs)?;
+                Err(failure)
+            }
         }
     }
+}
 
-    fn clear(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
+/// Goes on to the end, to Ctrl-C or to a fault of writing, and keeps checkpoints on the way.
+fn go_on(
+    loaded: &LoadedScene,
+    simulation: &mut Simulation,
+    checkpoints: &Checkpoints,
+    watch: &mut Watch,
+) -> Result<RunReport, Failure> {
+    loop {
+        watch.stop_s = checkpoints.next_s(simulation.time());
+        let report = simulation.run(watch).map_err(|error| scene::failed(loaded, error))?;
+        // A run that has broken a promise says so whether it has ended or not.
+        let has_ended = report.outcome == Outcome::Completed || simulation.time() >= loaded.scene.duration_s();
+        let is_due = !has_ended && simulation.time() >= watch.stop_s;
+        if !is_due || watch.interrupt.has_come() {
+            return Ok(report);
+        }
+        if let Some(said) = checkpoints.write(simulation)? {
+            watch.bar.note(&said);
         }
     }
+}
+
+/// Keeps what has been written, and says where.
+fn keep_partial(outputs: Outputs) -> Result<(), Failure> {
+    for path in outputs.keep_partial()? {
+        failure::note(&format!("note: what was computed is in {}", path.display()));
+    }
+    Ok(())
 }

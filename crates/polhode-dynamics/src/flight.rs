@@ -43,6 +43,11 @@ impl Flight {
         self.t0
     }
 
+    /// The body.
+    pub const fn body(&self) -> &RigidBody {
+        &self.body
+    }
+
     /// State at the time of the record.
     pub const fn start(&self) -> &BodyState {
         &self.start

@@ -7,7 +7,7 @@
 //! and a sign lose half the digits near w = 0 (docs/REFERENCES.md, the thesis's errata).
 
 use glam::{DQuat, DVec3};
-use polhode_spatial::{Pose, Rotation};
+use polhode_spatial::{Pose, Rotation, RotationError};
 use thiserror::Error;
 
 /// Numbers per body in a flat state.
@@ -58,6 +58,20 @@ impl BodyState {
         let (p, v, l) = (self.pose.translation, self.linear_velocity, self.angular_momentum);
         let [qw, qx, qy, qz] = self.pose.rotation.to_wxyz();
         [p.x, p.y, p.z, qw, qx, qy, qz, v.x, v.y, v.z, l.x, l.y, l.z]
+    }
+
+    /// From the flat layout that [`BodyState::to_array`] has given, with the same bits: the quaternion, of length one up to
+    /// rounding, is not normalised once more.
+    ///
+    /// # Errors
+    /// When the quaternion is not finite or its length is not one.
+    pub fn from_stored(numbers: &[f64; WIDTH]) -> Result<Self, RotationError> {
+        let [px, py, pz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz] = *numbers;
+        Ok(Self {
+            pose: Pose::new(Rotation::from_stored_wxyz([qw, qx, qy, qz])?, DVec3::new(px, py, pz)),
+            linear_velocity: DVec3::new(vx, vy, vz),
+            angular_momentum: DVec3::new(lx, ly, lz),
+        })
     }
 
     /// From the first [`WIDTH`] numbers of a slice, as [`BodyState::from_array`].

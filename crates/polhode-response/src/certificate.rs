@@ -18,7 +18,7 @@
 //! Therefore `a - a* = (1 - Proj)(a_free) - (1 - Proj)(a_free - d)`, and since `1 - Proj` is nonexpansive for a
 //! projection on a convex set, `|a - a*|_M <= |d|_M = sqrt(y.G_PP y)`. Neither strict complementarity nor a unique set
 //! `P` is needed, and rows that depend on `P` only have to stay above zero. Where they fall below it by no more than
-//! the rounding of their terms ([`DEPENDENT_ROUNDING`]), the bound is that of a problem with `b_i` higher by as much:
+//! the rounding of their terms (`DEPENDENT_ROUNDING`), the bound is that of a problem with `b_i` higher by as much:
 //! the data do not tell the two apart. `b`, `J` and `M^-1` count as exact; `r` is summed in twice the precision.
 //!
 //! Source: natural map, Facchinei and Pang 2003; nonexpansive projection, Moreau 1965; bounds: derived for this project

@@ -13,7 +13,7 @@
 //! Mass ratios. A body of 1 kg between the ground and one of `R` kg bears forces of `R g` that cancel. Their rounding
 //! accelerates it by some `1e-16 R g`, whatever the solver, and forces that lift the heavy body have the eigenvalue
 //! `1/R`, which must not be taken for rows that depend on each other. Where masses differ by more than
-//! [`ALIKE_MASSES`], [`least_norm_forces`] therefore
+//! `ALIKE_MASSES`, [`least_norm_forces`] therefore
 //!
 //! - keeps `f` and `G f + b` in twice the working precision, summed body by body, and rounds what the forces add up to
 //!   on a body, `J^T f`, once, after the sum;

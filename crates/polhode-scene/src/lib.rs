@@ -9,6 +9,7 @@
 //! | [`error`] | [`SceneFileError`]: file, line, column, key and what is accepted, with the line shown |
 //! | [`mod@schema`] | [`schema`](schema()): the JSON Schema of the format |
 //! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events as CSV |
+//! | [`checkpoint`] | [`Checkpoint`]: a run that can be continued later |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
 //! | [`report`] | reports and plans as JSON |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
@@ -31,6 +32,7 @@
 //! # Ok::<(), polhode_scene::SceneFileError>(())
 //! ```
 
+pub mod checkpoint;
 pub mod compare;
 pub mod error;
 pub mod format;
@@ -47,6 +49,7 @@ mod csv;
 mod document;
 mod read;
 
+pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, Tolerance, compare};
 pub use document::Override;
 pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError};

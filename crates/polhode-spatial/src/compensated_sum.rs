@@ -25,6 +25,16 @@ impl CompensatedSum {
         Self { sum: value, compensation: 0.0 }
     }
 
+    /// The sum of the terms and its compensation, as [`CompensatedSum::parts`] has given them.
+    pub const fn from_parts([sum, compensation]: [f64; 2]) -> Self {
+        Self { sum, compensation }
+    }
+
+    /// The sum of the terms as it was rounded, and what makes up for that: all that a sum goes on from.
+    pub const fn parts(&self) -> [f64; 2] {
+        [self.sum, self.compensation]
+    }
+
     /// Adds one term.
     pub fn add(&mut self, term: f64) {
         let total = self.sum + term;

@@ -67,6 +67,17 @@ impl Rotation {
         }
     }
 
+    /// The rotation whose components, scalar first, [`Rotation::to_wxyz`] has given: it keeps their bits, which
+    /// [`Rotation::from_wxyz`] may round once more.
+    ///
+    /// # Errors
+    /// As [`Rotation::from_wxyz`].
+    pub fn from_stored_wxyz(wxyz: [f64; 4]) -> Result<Self, RotationError> {
+        Self::from_wxyz(wxyz)?;
+        let [w, x, y, z] = wxyz;
+        Ok(Self(DQuat::from_xyzw(x, y, z, w)))
+    }
+
     /// From a quaternion that arithmetic has moved off the unit sphere; any non-zero finite length is accepted, and
     /// anything else gives NaN, which the next check of the state reports.
     #[inline]

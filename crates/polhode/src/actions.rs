@@ -206,7 +206,7 @@ impl Simulation {
     }
 
     /// Derives the plan again after an action.
-    fn derive_plan_again(&mut self, what: &'static str) {
+    pub(crate) fn derive_plan_again(&mut self, what: &'static str) {
         let states = self.tier.states(&self.core);
         let core = &mut self.core;
         let choice = free_method::choose(&core.world, &states, &core.settings.as_resolved());
@@ -223,7 +223,7 @@ impl Simulation {
         let plan = Plan::derive(&core.world, &core.settings, core.effects, self.tier.touching_pairs(), &findings);
         let changes = plan.changes_from(&self.plan);
         if !changes.is_empty() {
-            self.plan_changes.push(PlanChange { t_s: core.t, action: what, changes });
+            self.plan_changes.push(PlanChange { t_s: core.t, action: what.to_owned(), changes });
         }
         self.plan = plan;
     }

@@ -2,6 +2,7 @@
 
 use crate::actions::ActionError;
 use crate::scene::SceneError;
+use crate::snapshot::SnapshotError;
 use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_response::ResponseError;
@@ -18,6 +19,9 @@ pub enum SimulationError {
     /// An action of the program is refused.
     #[error(transparent)]
     Action(#[from] ActionError),
+    /// A snapshot is refused.
+    #[error(transparent)]
+    Snapshot(#[from] SnapshotError),
     /// The state is no longer finite.
     #[error("the state of body {body} is not finite at t = {t} s: the run diverged")]
     Diverged {

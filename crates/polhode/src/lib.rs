@@ -28,6 +28,7 @@ pub mod report;
 pub mod scene;
 mod settings;
 mod simulation;
+mod snapshot;
 mod stepped;
 mod thesis;
 mod tier;
@@ -47,6 +48,7 @@ pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
 pub use report::{Certificate, CrowdedStretch, Energy, Outcome, PairAt, PlanChange, RunReport, Tolerated};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Acceleration, Simulation, StepEnd, StepOutcome};
+pub use snapshot::{Snapshot, SnapshotError};
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

@@ -42,6 +42,16 @@ pub struct MomentumSum {
 }
 
 impl MomentumSum {
+    /// Both parts of each component's sum, the linear ones first.
+    pub(crate) fn parts(&self) -> [[f64; 2]; 6] {
+        self.components.map(|sum| sum.parts())
+    }
+
+    /// The sum of such parts.
+    pub(crate) fn from_parts(parts: [[f64; 2]; 6]) -> Self {
+        Self { components: parts.map(CompensatedSum::from_parts) }
+    }
+
     /// Adds one term.
     pub fn add(&mut self, term: Momentum) {
         let numbers = term.linear.to_array().into_iter().chain(term.angular.to_array());

@@ -121,7 +121,7 @@ pub struct PlanChange {
     /// When, s.
     pub t_s: f64,
     /// The action, by the name of its method.
-    pub action: &'static str,
+    pub action: String,
     /// What changed, in words.
     pub changes: Vec<String>,
 }

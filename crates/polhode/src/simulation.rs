@@ -8,10 +8,12 @@ use crate::frame::{ContactView, Frame, IslandView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
-use crate::planar::{self, PlanarFinding};
+use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::scene::{SceneError, Tier as TierName};
+use crate::scene::{Integrator, SceneError, Tier as TierName};
 use crate::settings::Settings;
+use crate::snapshot::content::{self, Content};
+use crate::snapshot::{self, Snapshot, SnapshotError};
 use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
@@ -87,6 +89,8 @@ pub struct Simulation {
     pub(crate) core: Core,
     pub(crate) tier: Box<dyn Tier>,
     pub(crate) plan_changes: Vec<PlanChange>,
+    plan_at_start: Plan,
+    plane_at_start: Option<PlaneOfMotion>,
     /// Whether the end of the scene's duration has been passed.
     ended: bool,
 }
@@ -120,7 +124,16 @@ impl Simulation {
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
         let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
-        Ok(Self { scene: scene.clone(), plan, core, tier, plan_changes: Vec::new(), ended: false })
+        Ok(Self {
+            scene: scene.clone(),
+            plan_at_start: plan.clone(),
+            plane_at_start: core.world.plane,
+            plan,
+            core,
+            tier,
+            plan_changes: Vec::new(),
+            ended: false,
+        })
     }
 
     /// The plan.
@@ -257,6 +270,62 @@ impl Simulation {
         BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
     }
 
+    /// Everything that the run goes on from, to be kept: [`Simulation::restore`] goes on from it with the same bits.
+    ///
+    /// What the scene says is not in it; the hash of the scene is.
+    pub fn snapshot(&self) -> Snapshot {
+        let change = |change: &PlanChange| content::PlanChange {
+            t_s: change.t_s,
+            action: change.action.clone(),
+            changes: change.changes.clone(),
+        };
+        Snapshot::new(Content {
+            scene: self.scene.name().to_owned(),
+            scene_hash: snapshot::scene_hash(&self.core.world.scene),
+            all_effects: self.core.effects == Effects::All,
+            t: self.core.t,
+            ended: self.ended,
+            applied: self.core.world.applied(),
+            in_plane: self.core.world.plane.is_some(),
+            integrator: self.core.settings.integrator.name().to_owned(),
+            plan_changes: self.plan_changes.iter().map(change).collect(),
+            accounts: self.core.accounts.save(),
+            tier: self.tier.save(),
+        })
+    }
+
+    /// Goes back or on to a snapshot of a simulation of the same scene with the same effects, and with the same bodies added
+    /// and removed. What follows has the same bits as what followed when it was taken, samples, events and report included.
+    ///
+    /// # Errors
+    /// When it is of another scene or other effects, or contradicts itself; the simulation is then as it was.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
+        let content = snapshot.content_for(&self.core.world.scene, self.core.effects)?;
+        let mut world = self.core.world.clone();
+        world.replace_applied(&content.applied)?;
+        world.plane = self.plane_at_start.filter(|_| content.in_plane);
+        let mut settings = self.core.settings;
+        settings.integrator = Integrator::from_name(&content.integrator)
+            .map_err(|_| SnapshotError::Invalid("its integrator is none that there is"))?;
+        let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
+        let solver = ComplementaritySolver::default();
+        let mut core = Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver };
+        let tier = restored_tier(&mut core, &content.tier)?;
+        (self.core, self.tier, self.ended) = (core, tier, content.ended);
+        self.plan_changes.clear();
+        self.plan = self.plan_at_start.clone();
+        if !content.plan_changes.is_empty() {
+            self.derive_plan_again("restore");
+            let change = |change: &content::PlanChange| PlanChange {
+                t_s: change.t_s,
+                action: change.action.clone(),
+                changes: change.changes.clone(),
+            };
+            self.plan_changes = content.plan_changes.iter().map(change).collect();
+        }
+        Ok(())
+    }
+
     /// The report of the run up to the present.
     fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
         let mut accounts = self.core.accounts.clone();
@@ -302,5 +371,18 @@ pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState]
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
+    }
+}
+
+/// The tier as a snapshot has it.
+fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
+    if !core.t.is_finite() {
+        return Err(SnapshotError::Invalid("its time is not finite").into());
+    }
+    match (core.settings.tier, saved) {
+        (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
+        (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
+        (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
+        _ => Err(SnapshotError::Invalid("it is of another tier than its scene").into()),
     }
 }

@@ -7,6 +7,7 @@ use crate::accounting::Accounts;
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::observer::Observer;
+use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
 
@@ -86,4 +87,7 @@ pub(crate) trait Tier: std::fmt::Debug {
 
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
+
+    /// What the tier goes on from, as plain data.
+    fn save(&self) -> content::Tier;
 }

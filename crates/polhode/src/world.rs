@@ -9,6 +9,7 @@ use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
 use crate::prescribed;
 use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError, Trajectory};
+use crate::snapshot::SnapshotError;
 use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::energy::potential_energy;
 use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, FieldError, Frame, Wrench};
@@ -156,6 +157,26 @@ impl World {
             self.make_fields()?;
         }
         made
+    }
+
+    /// Force and torque that a program holds on bodies, by number (N, N m), as plain numbers.
+    pub(crate) fn applied(&self) -> Vec<(usize, [[f64; 3]; 2])> {
+        let numbers = |(&body, wrench): (&usize, &Wrench)| (body, [wrench.force.to_array(), wrench.torque.to_array()]);
+        self.applied.iter().map(numbers).collect()
+    }
+
+    /// Replaces all of them.
+    ///
+    /// # Errors
+    /// When one is not finite or of a body that there is not.
+    pub(crate) fn replace_applied(&mut self, applied: &[(usize, [[f64; 3]; 2])]) -> Result<(), SnapshotError> {
+        let refused = SnapshotError::Invalid("a force that a program holds is not one on a body of the scene");
+        if applied.iter().any(|&(body, _)| body >= self.bodies.len()) {
+            return Err(refused);
+        }
+        let wrench = |[force, torque]: [[f64; 3]; 2]| Wrench { force: force.into(), torque: torque.into() };
+        self.applied = applied.iter().map(|&(body, numbers)| (body, wrench(numbers))).collect();
+        self.make_fields().map_err(|_| refused)
     }
 
     /// Adds a body, which has passed the checks of a scene, at `t` (s); its number and state.

@@ -37,9 +37,11 @@ mod resting_contact;
 mod rigid_ipc;
 mod run;
 mod setting;
+mod snapshots;
 mod speed;
 mod stackings;
 mod stacks;
+mod strict_hash;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;
@@ -53,6 +55,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 pub(crate) use run::Run;
+pub(crate) use strict_hash::strict_hash;
 
 /// What a case returns: rows, or why it could not measure anything.
 pub(crate) type CaseResult = Result<Vec<Row>, Box<dyn Error>>;
@@ -209,6 +212,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "Rigid IPC scenes", rows: rigid_ipc::own },
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },
 ];

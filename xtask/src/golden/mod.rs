@@ -8,7 +8,7 @@
 mod comparator;
 mod trajectory;
 
-use crate::cases::{CaseResult, Context, Run, guarded};
+use crate::cases::{CaseResult, Context, Run, guarded, strict_hash};
 use crate::row::{Row, Tolerance};
 use comparator::{Comparison, ToleranceComparator};
 use polhode::Effects;
@@ -62,8 +62,8 @@ pub(crate) fn check(context: &Context, scene: &str) -> Vec<Row> {
 fn compare(context: &Context, scene: &str, case: &str) -> CaseResult {
     let first = context.shipped.run(scene)?;
     let second = Run::of(&first.scene, Effects::Planned)?;
-    let hash = trajectory::strict_hash(&first.record);
-    let again = trajectory::strict_hash(&second.record);
+    let hash = strict_hash(&first.record);
+    let again = strict_hash(&second.record);
     let mut rows = vec![Row::exact(case, "same bits when run twice", hash_words(hash), hash_words(again))];
     let folder = context.root.join("fixtures/golden");
     let comparison = snapshot(&folder, scene, &trajectory::text(&first, hash))?;

@@ -14,6 +14,7 @@
 use super::dop853::{Tolerance, allowances};
 use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
+use super::saved::{NotItsVariables, Reader, write_count, write_flights, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator, blanes_moan};
 use crate::field::Wrench;
@@ -259,6 +260,35 @@ impl Integrator for AdaptiveExact {
             states.copy_from_slice(&self.before);
         }
         follow(&self.flights, t, states);
+        Ok(())
+    }
+
+    fn save(&self) -> Vec<f64> {
+        let mut numbers = vec![self.from, self.t, self.error, f64::from(self.proposed), f64::from(self.inner)];
+        numbers.push(f64::from(u8::from(self.loaded)));
+        write_count(self.states.len(), &mut numbers);
+        write_states(&self.before, &mut numbers);
+        write_states(&self.states, &mut numbers);
+        write_flights(&self.flights, &mut numbers);
+        numbers
+    }
+
+    fn restore(&mut self, motion: &FreeMotion<'_>, saved: &[f64]) -> Result<(), NotItsVariables> {
+        let mut numbers = Reader::new(motion, saved);
+        let [from, t, error] = numbers.array()?;
+        let (proposed, inner) = (numbers.integer()?, numbers.integer()?);
+        if !((1..=MOST_STEPS).contains(&proposed) && (1..=2 * MOST_STEPS).contains(&inner)) {
+            return numbers.refused();
+        }
+        let loaded = numbers.flag()?;
+        let count = numbers.count()?;
+        let (before, states) = (numbers.states(count)?, numbers.states(count)?);
+        let flights = numbers.flights(motion, &states)?;
+        numbers.end()?;
+        (self.from, self.t, self.error, self.proposed, self.inner) = (from, t, error, proposed, inner);
+        // Looking begins at the start of the step again.
+        (self.passed, self.cursor) = (0, before.clone());
+        (self.loaded, self.before, self.states, self.flights) = (loaded, before, states, flights);
         Ok(())
     }
 }

@@ -17,6 +17,7 @@
 //! Steps end at the corners of signals. How it fails: another force that acts for a small part of a step (a pulse of a
 //! function of one's own, between two stages) can be missed; at a singularity the steps shrink until [`IntegrationError::StepTooSmall`].
 
+use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
 use crate::free_motion::BufferedMotion;
@@ -312,6 +313,37 @@ impl Integrator for AdaptiveDop853 {
         for (state, numbers) in states.iter_mut().zip(self.flat.as_chunks::<WIDTH>().0) {
             *state = BodyState::from_array(numbers);
         }
+        Ok(())
+    }
+
+    fn save(&self) -> Vec<f64> {
+        let mut numbers = vec![self.from, self.t, self.error];
+        numbers.push(f64::from(u8::from(self.proposed.is_some())));
+        numbers.push(self.proposed.unwrap_or(0.0));
+        write_count(self.states.len(), &mut numbers);
+        write_states(&self.states, &mut numbers);
+        write_count(self.inner.len(), &mut numbers);
+        for (start, h, state) in &self.inner {
+            numbers.extend([*start, *h]);
+            numbers.extend_from_slice(state);
+        }
+        numbers
+    }
+
+    fn restore(&mut self, motion: &FreeMotion<'_>, saved: &[f64]) -> Result<(), NotItsVariables> {
+        let mut numbers = Reader::new(motion, saved);
+        let [from, t, error] = numbers.array()?;
+        let (is_proposed, proposed) = (numbers.flag()?, numbers.number()?);
+        let count = numbers.count()?;
+        let states = numbers.states(count)?;
+        let width = count * WIDTH;
+        let inner =
+            (0..numbers.integer()?).map(|_| Ok((numbers.number()?, numbers.number()?, numbers.numbers(width)?)));
+        let inner = inner.collect::<Result<Vec<_>, _>>()?;
+        numbers.end()?;
+        (self.from, self.t, self.error, self.proposed) = (from, t, error, is_proposed.then_some(proposed));
+        (self.method, self.dense, self.flat) = (Dop853::new(width), None, vec![0.0; width]);
+        (self.states, self.inner) = (states, inner);
         Ok(())
     }
 }

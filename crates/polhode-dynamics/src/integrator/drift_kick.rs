@@ -9,6 +9,7 @@
 //! Uniform gravity is in the drift of a free body, where it is exact, and in the kick of a pivoted one.
 
 use super::IntegrationError;
+use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use crate::field::{Dependence, Wrench};
 use crate::{BodyState, FreeMotion, RigidBody, exact_rotation};
@@ -36,6 +37,22 @@ impl Stepper {
             own.clear();
             own.extend_from_slice(states);
         }
+    }
+
+    /// Writes what the next step and a look at the last one go on from.
+    pub(super) fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.extend([self.from, self.t]);
+        write_count(self.states.len(), numbers);
+        write_states(&self.before, numbers);
+        write_states(&self.states, numbers);
+    }
+
+    /// Reads what [`Stepper::write`] has written.
+    pub(super) fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        let [from, t] = numbers.array()?;
+        let count = numbers.count()?;
+        let (before, states) = (numbers.states(count)?, numbers.states(count)?);
+        Ok(Self { from, t, before, states, ..Self::default() })
     }
 
     /// Composes a step of `h` (s) from the present states, then lets `finish` correct the states at its end.

@@ -17,6 +17,7 @@
 
 use super::blanes_moan;
 use super::drift_kick::{Stages, Stepper};
+use super::saved::{NotItsVariables, Reader, write_flights};
 use super::{IntegrationError, Integrator};
 use crate::{BodyState, Flight, FreeMotion};
 
@@ -108,6 +109,24 @@ impl Integrator for Exact {
     ) -> Result<(), IntegrationError> {
         self.stepper.states_within(motion, t, self.stages(), states)?;
         follow(&self.flights, t, states);
+        Ok(())
+    }
+
+    fn save(&self) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        self.stepper.write(&mut numbers);
+        numbers.push(f64::from(u8::from(self.loaded)));
+        write_flights(&self.flights, &mut numbers);
+        numbers
+    }
+
+    fn restore(&mut self, motion: &FreeMotion<'_>, saved: &[f64]) -> Result<(), NotItsVariables> {
+        let mut numbers = Reader::new(motion, saved);
+        let stepper = Stepper::read(&mut numbers)?;
+        let loaded = numbers.flag()?;
+        let flights = numbers.flights(motion, &stepper.states)?;
+        numbers.end()?;
+        (self.stepper, self.loaded, self.flights) = (stepper, loaded, flights);
         Ok(())
     }
 }

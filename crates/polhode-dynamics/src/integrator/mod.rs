@@ -50,6 +50,7 @@ mod one_step;
 pub mod orientation;
 pub mod rk4;
 pub mod rkmk4;
+mod saved;
 pub mod semi_implicit_euler;
 mod single_evaluation;
 mod split_step;
@@ -68,6 +69,7 @@ pub use moser_veselov::{MoserVeselov, MoserVeselov4};
 pub use orientation::{Orientation, RotationRate};
 pub use rk4::Rk4;
 pub use rkmk4::Rkmk4;
+pub use saved::NotItsVariables;
 pub use semi_implicit_euler::SemiImplicitEuler;
 pub use splitting::{Splitting, Splitting4};
 
@@ -119,6 +121,16 @@ pub trait Integrator: Debug + Send {
         t: f64,
         states: &mut [BodyState],
     ) -> Result<(), IntegrationError>;
+
+    /// The method's own variables, of the start of the last step and of the time reached: what [`Integrator::restore`]
+    /// goes on from with the same bits.
+    fn save(&self) -> Vec<f64>;
+
+    /// Goes on from variables that a method of the same kind and settings has saved for the bodies of this motion.
+    ///
+    /// # Errors
+    /// When the numbers are not such variables; nothing has changed then.
+    fn restore(&mut self, motion: &FreeMotion<'_>, saved: &[f64]) -> Result<(), NotItsVariables>;
 }
 
 /// Why a step could not be made.

@@ -5,6 +5,7 @@
 //! everything as it was. The state within a step is the map's own step of that length from the same start, which is
 //! as accurate as the method and continuous with it at both ends.
 
+use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
 use crate::{BodyState, FreeMotion, RigidBody};
@@ -20,6 +21,12 @@ pub(crate) trait Variables: Copy + Debug + Send {
 
     /// Whether every number is finite.
     fn is_finite(&self) -> bool;
+
+    /// Writes the numbers.
+    fn write(&self, numbers: &mut Vec<f64>);
+
+    /// Reads the numbers that [`Variables::write`] has written.
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables>;
 
     /// Writes the states of the variables of all bodies, where [`Variables::shown`] looks for them.
     fn show(bodies: &[RigidBody], variables: &[Self], states: &mut [BodyState]) {
@@ -49,6 +56,14 @@ impl Variables for BodyState {
         let q = self.pose.rotation.quaternion() * 0.0;
         let v = self.pose.translation * 0.0 + self.linear_velocity * 0.0 + self.angular_momentum * 0.0;
         (v.x + v.y) + (v.z + q.w) + (q.x + q.y) + q.z == 0.0
+    }
+
+    fn write(&self, numbers: &mut Vec<f64>) {
+        write_states(&[*self], numbers);
+    }
+
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        numbers.state()
     }
 
     /// States are shown where they are kept.
@@ -175,6 +190,28 @@ impl<M: StepMap> Integrator for OneStep<M> {
         }
         Ok(())
     }
+
+    fn save(&self) -> Vec<f64> {
+        let mut numbers = vec![self.start, self.time];
+        write_count(self.now.len(), &mut numbers);
+        for variables in self.before.iter().chain(&self.now) {
+            variables.write(&mut numbers);
+        }
+        write_states(&self.states, &mut numbers);
+        numbers
+    }
+
+    fn restore(&mut self, motion: &FreeMotion<'_>, saved: &[f64]) -> Result<(), NotItsVariables> {
+        let mut numbers = Reader::new(motion, saved);
+        let [start, time] = numbers.array()?;
+        let count = numbers.count()?;
+        let mut variables = || (0..count).map(|_| M::Variables::read(&mut numbers)).collect::<Result<Vec<_>, _>>();
+        let (before, now) = (variables()?, variables()?);
+        let states = numbers.states(count)?;
+        numbers.end()?;
+        (self.start, self.time, self.before, self.now, self.states) = (start, time, before, now, states);
+        Ok(())
+    }
 }
 
 fn check_count(motion: &FreeMotion<'_>, states: usize) -> Result<(), IntegrationError> {
@@ -217,6 +254,18 @@ macro_rules! integrator_by_driver {
                 states: &mut [$crate::BodyState],
             ) -> Result<(), $crate::integrator::IntegrationError> {
                 self.0.states_within(motion, t, states)
+            }
+
+            fn save(&self) -> Vec<f64> {
+                self.0.save()
+            }
+
+            fn restore(
+                &mut self,
+                motion: &$crate::FreeMotion<'_>,
+                saved: &[f64],
+            ) -> Result<(), $crate::integrator::NotItsVariables> {
+                self.0.restore(motion, saved)
             }
         }
     };

@@ -12,7 +12,8 @@ use super::one_step::{OneStep, Span, Variables, integrator_by_driver};
 use super::orientation::euler_angles::EulerAngles;
 use super::orientation::matrix::{Matrix, MatrixUnorthogonalized};
 use super::orientation::quaternion::{Quaternion, QuaternionThreeNumbers, QuaternionUnnormalized};
-use super::orientation::{Frame, Orientation, Representation, RotationRate};
+use super::orientation::{Frame, Orientation, Representation, RotationRate, Stored};
+use super::saved::{NotItsVariables, Reader};
 use super::{IntegrationError, Integrator};
 use crate::{BodyState, RigidBody};
 use glam::DVec3;
@@ -186,6 +187,22 @@ impl<R: Representation, V: RateVariable> Variables for Kept<R, V> {
             && kept.rotation_rate.is_finite()
             && kept.position.is_finite()
             && kept.velocity.is_finite()
+    }
+
+    fn write(&self, numbers: &mut Vec<f64>) {
+        let kept = &self.0;
+        kept.orientation.write(numbers);
+        numbers.extend([kept.rotation_rate, kept.position, kept.velocity].iter().flat_map(DVec3::to_array));
+    }
+
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        Ok(Self(Coordinates {
+            orientation: R::Coordinates::read(numbers)?,
+            rotation_rate: numbers.vector()?,
+            position: numbers.vector()?,
+            velocity: numbers.vector()?,
+            variable: PhantomData,
+        }))
     }
 }
 

@@ -32,6 +32,7 @@ mod random_bodies;
 mod random_rotations;
 mod rigid_body;
 mod runge_kutta;
+mod saved_variables;
 mod special_functions;
 mod stepping;
 mod support;

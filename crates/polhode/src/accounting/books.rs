@@ -46,7 +46,7 @@ pub(crate) struct Books {
     pub(crate) ledger: Ledger,
     /// Potential energy at the start, J, zero at the world's origin: what reported energies contain and the ledger does
     /// not.
-    initial_potential_j: f64,
+    pub(super) initial_potential_j: f64,
 }
 
 impl Books {

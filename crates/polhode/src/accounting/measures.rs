@@ -1,6 +1,7 @@
 //! What a run is judged by, measured: the worst over the run, with bodies and time.
 
 use super::occurrences::Occurrences;
+use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
 use polhode_spatial::CompensatedSum;
@@ -73,6 +74,21 @@ impl Worst {
     }
 }
 
+impl Worst {
+    fn save(&self) -> content::Worst {
+        let save = |&Measure { t, pair, value, allowed }: &Measure| content::Measure { t, pair, value, allowed };
+        content::Worst { largest: self.largest, worst: self.worst.as_ref().map(save) }
+    }
+
+    fn restored(saved: &content::Worst, bodies: usize) -> Result<Self, SnapshotError> {
+        let worst = saved.worst.map(|content::Measure { t, pair, value, allowed }| Measure { t, pair, value, allowed });
+        if worst.is_some_and(|worst| worst.pair.0.max(worst.pair.1) >= bodies) {
+            return Err(SnapshotError::Invalid("a measure is of a body that the scene does not have"));
+        }
+        Ok(Self { largest: saved.largest, worst })
+    }
+}
+
 /// All that a run is judged by.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Measures {
@@ -89,6 +105,31 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
+    /// The measures as plain data.
+    pub(super) fn save(&self) -> content::Measures {
+        content::Measures {
+            penetration: self.penetration.save(),
+            projection: self.projection.save(),
+            projection_energy: self.projection_energy.save(),
+            drift_energy: self.drift_energy.parts(),
+            unsolved: self.unsolved.save(),
+        }
+    }
+
+    /// The measures of a scene with this many bodies.
+    ///
+    /// # Errors
+    /// When one is of a body that there is not.
+    pub(super) fn restored(saved: &content::Measures, bodies: usize) -> Result<Self, SnapshotError> {
+        Ok(Self {
+            penetration: Worst::restored(&saved.penetration, bodies)?,
+            projection: Worst::restored(&saved.projection, bodies)?,
+            projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
+            drift_energy: CompensatedSum::from_parts(saved.drift_energy),
+            unsolved: Occurrences::restored(&saved.unsolved),
+        })
+    }
+
     /// Writes what was measured into the certificate.
     pub(crate) fn fill(&self, ledger: &Ledger, certificate: &mut Certificate) {
         certificate.max_penetration_m = self.penetration.largest;

@@ -6,6 +6,7 @@
 pub(crate) mod books;
 pub(crate) mod measures;
 mod occurrences;
+mod saved;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;

@@ -2,6 +2,7 @@
 //! came.
 
 use crate::report::Tolerated;
+use crate::snapshot::content;
 use std::collections::BTreeMap;
 
 /// Occurrences in the order in which each came first.
@@ -22,6 +23,30 @@ impl Occurrences {
         }
         self.places.insert(what.clone(), self.list.len());
         self.list.push(Tolerated { what, count: 1, first_s: t, last_s: t });
+    }
+
+    /// The occurrences as plain data.
+    pub(super) fn save(&self) -> Vec<content::Warning> {
+        let save = |Tolerated { what, count, first_s, last_s }: &Tolerated| content::Warning {
+            what: what.clone(),
+            first_s: *first_s,
+            last_s: *last_s,
+            count: *count,
+        };
+        self.list.iter().map(save).collect()
+    }
+
+    /// The occurrences of such data.
+    pub(super) fn restored(saved: &[content::Warning]) -> Self {
+        let restored = |content::Warning { what, first_s, last_s, count }: &content::Warning| Tolerated {
+            what: what.clone(),
+            count: *count,
+            first_s: *first_s,
+            last_s: *last_s,
+        };
+        let list: Vec<Tolerated> = saved.iter().map(restored).collect();
+        let places = list.iter().enumerate().map(|(place, known)| (known.what.clone(), place)).collect();
+        Self { list, places }
     }
 
     /// How often anything has happened.

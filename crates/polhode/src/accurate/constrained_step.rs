@@ -44,6 +44,8 @@ pub(super) struct ConstrainedStep {
     pub(super) t: f64,
     /// End of the step, s: `t + h`, or exactly the horizon.
     pub(super) end: f64,
+    /// Its length, s.
+    pub(super) h: f64,
     dense: DenseStep,
     end_state: Vec<f64>,
     /// Motion of each body, for the search of impacts.
@@ -162,6 +164,17 @@ impl Engine {
         }
     }
 
+    /// A step from `t` over `h` (s) that has been accepted before: the same bits from the same start.
+    pub(super) fn repeated_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        (t, h): (f64, f64),
+    ) -> Option<ConstrainedStep> {
+        self.attempt_step(core, bodies, held, (t, h)).ok().map(|accepted| accepted.step)
+    }
+
     /// Attempts a step; the factor for this one again on failure.
     fn attempt_step(
         &mut self,
@@ -194,6 +207,7 @@ impl Engine {
             held: held.to_vec(),
             t,
             end: end_of(core, held, t, h),
+            h,
             end_state: attempt.integrator.end_state().to_vec(),
             dense,
             motions,

@@ -49,9 +49,9 @@ const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crowd {
     /// When the stretch ends, s.
-    until: f64,
+    pub(super) until: f64,
     /// Length of the next time step, s.
-    step_s: f64,
+    pub(super) step_s: f64,
 }
 
 /// One time step of a crowd.
@@ -62,7 +62,7 @@ pub(super) struct CrowdStep {
     pub(super) end: f64,
     start: Vec<BodyState>,
     states: Vec<BodyState>,
-    pairs: Vec<(usize, usize)>,
+    pub(super) pairs: Vec<(usize, usize)>,
     /// What the step did, and what was carried before it.
     report: TimeStepReport,
     stepper: TimeStepper,
@@ -236,6 +236,31 @@ impl Engine {
         };
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &bodies, &firsts, t)
+    }
+
+    /// The time step of a crowd, made again from its start with the same bits.
+    ///
+    /// # Errors
+    /// When it is not possible.
+    pub(super) fn repeated_crowd_step(
+        &mut self,
+        core: &Core,
+        bodies: &[usize],
+        pairs: Vec<(usize, usize)>,
+        (t, end): (f64, f64),
+    ) -> Result<CrowdStep, SimulationError> {
+        let about = core.accounts.books.ledger.momentum.about;
+        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
+        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
+        let made = before.clone().advance_with_estimate(&core.world, &mut scratch, bodies, &pairs, (t, end - t));
+        let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
+        self.restore_scratch(core, scratch, bodies);
+        let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
+        let way = |(start, state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &state.pose));
+        let ways = start.iter().zip(&states).map(way).collect();
+        Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, ways })
     }
 
     /// Takes into an instant all bodies that may meet its bodies within `h` seconds; the pairs that may meet.

@@ -19,6 +19,7 @@ use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::scene::Integrator;
 use crate::simulation::emit_sample;
+use crate::snapshot::content;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
 use crate::{Acceleration, BodyId, Effects, SimulationError};
@@ -61,11 +62,11 @@ pub(super) struct Track {
     /// Largest speed so far of the body or of any it has met, or what gravity gives over its size, m/s.
     pub(super) speed_scale: f64,
     /// Up to when its rest has been booked, s.
-    rest_booked_s: f64,
+    pub(super) rest_booked_s: f64,
     /// Length of the last stretch of crowded events that it was in, s.
     pub(super) last_stretch_s: f64,
     /// Whether forces on it have grown too strong for the splitting that the plan has chosen.
-    gave_up_splitting: bool,
+    pub(super) gave_up_splitting: bool,
 }
 
 impl Track {
@@ -93,7 +94,7 @@ pub(crate) struct Engine {
     /// A copy of `states` to evaluate other times in.
     pub(super) scratch: Vec<BodyState>,
     pub(super) tracks: Vec<Track>,
-    islands: BTreeMap<usize, Island>,
+    pub(super) islands: BTreeMap<usize, Island>,
     pub(super) contacts: Contacts,
     pub(super) near: NearPairs,
     pub(super) agenda: Agenda,
@@ -106,7 +107,7 @@ pub(crate) struct Engine {
     /// Whether a program goes on after the end of the run.
     pub(super) goes_on: bool,
     /// When energies and momenta were last taken note of, s.
-    observed_s: f64,
+    pub(super) observed_s: f64,
 }
 
 impl Engine {
@@ -630,6 +631,10 @@ impl Tier for Engine {
 
     fn touching_pairs(&self) -> usize {
         self.contacts.pairs()
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Accurate(self.saved())
     }
 }
 

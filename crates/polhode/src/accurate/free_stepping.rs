@@ -13,6 +13,8 @@ use super::constrained_step::{end_of, step_limit};
 use crate::SimulationError;
 use crate::core::Core;
 use crate::settings::Settings;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
@@ -76,34 +78,67 @@ impl FreeStep {
         states: &[BodyState],
         t: f64,
     ) -> Result<Self, SimulationError> {
+        let mut step = Self::unstarted(core, bodies, t);
+        step.start = bodies.iter().map(|&body| states[body]).collect();
+        step.present = step.start.clone();
+        let motion = Self::motion(&step.rigid, &step.fields, &core.world);
+        step.integrator.start(&motion, t, &step.start);
+        step.advance(core)?;
+        Ok(step)
+    }
+
+    /// No step yet of these bodies, at `t` (s).
+    fn unstarted(core: &Core, bodies: &[usize], t: f64) -> Self {
         let world = &core.world;
         let rigid: Vec<RigidBody> = bodies.iter().filter_map(|&body| world.bodies[body].rigid).collect();
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| world.slot(body)).collect();
         let own = Restricted { fields: world.shared_fields(), all: world.shared_rigid(), slots };
         let fields: Vec<Box<dyn Field>> = if world.has_fields() { vec![Box::new(own)] } else { Vec::new() };
-        let mut integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
+        let integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
             Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(MOST_SPLITTINGS))
         } else {
             core.settings.build_integrator()
         };
-        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
-        integrator.start(&FreeMotion::new(&rigid, world.gravity(), &fields), t, &start);
-        let bodies = bodies.to_vec();
+        let (start, present, motions) = (Vec::new(), Vec::new(), Vec::new());
         let own_step_s = core.settings.step_s;
-        let mut step = Self {
-            bodies,
-            rigid,
-            fields,
-            integrator,
-            t,
-            from: t,
-            end: t,
-            present: start.clone(),
-            start,
-            motions: Vec::new(),
-            own_step_s,
-        };
-        step.advance(core)?;
+        let bodies = bodies.to_vec();
+        Self { bodies, rigid, fields, integrator, t, from: t, end: t, start, motions, present, own_step_s }
+    }
+
+    /// The step as plain data.
+    pub(super) fn save(&self) -> content::FreeStep {
+        content::FreeStep {
+            from: self.from,
+            end: self.end,
+            start: write_states(&self.start),
+            present: write_states(&self.present),
+            integrator: self.integrator.save(),
+            own_step_s: self.own_step_s,
+        }
+    }
+
+    /// The step of such data, which these bodies began at `t` (s).
+    ///
+    /// # Errors
+    /// When the data are not of these bodies.
+    pub(super) fn restored(
+        core: &Core,
+        bodies: &[usize],
+        t: f64,
+        saved: &content::FreeStep,
+    ) -> Result<Self, SimulationError> {
+        let mut step = Self::unstarted(core, bodies, t);
+        (step.from, step.end, step.own_step_s) = (saved.from, saved.end, saved.own_step_s);
+        step.start = read_states(&saved.start, bodies.len())?;
+        step.present = read_states(&saved.present, bodies.len())?;
+        let motion = Self::motion(&step.rigid, &step.fields, &core.world);
+        let refused = SnapshotError::Invalid("the variables of an integrator are not those of its bodies");
+        step.integrator.restore(&motion, &saved.integrator).map_err(|_| refused.clone())?;
+        let is_within = t <= step.end && step.from <= step.integrator.time();
+        if !is_within || step.integrator.states().len() != bodies.len() {
+            return Err(refused.into());
+        }
+        step.motions = step.polynomials(core)?;
         Ok(step)
     }
 

@@ -22,6 +22,7 @@
 //! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
+//! | `saved` | what a run goes on from, as plain data and back |
 
 mod agenda;
 mod constrained_step;
@@ -38,6 +39,7 @@ mod pace;
 mod penetration;
 mod program;
 mod resolve;
+mod saved;
 mod start;
 mod system;
 

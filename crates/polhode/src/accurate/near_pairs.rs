@@ -14,6 +14,7 @@ use super::locate::DIP_SAMPLES;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
+use crate::snapshot::{SnapshotError, content};
 use polhode_contact::{Aabb, ImpactSearch, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
@@ -57,6 +58,46 @@ impl NearPairs {
     pub(super) fn make_room(&mut self) {
         self.boxes.make_room();
         self.partners.push(Vec::new());
+    }
+
+    /// The pairs as plain data.
+    pub(super) fn save(&self) -> content::NearPairs {
+        let watch =
+            |(&(a, b), &Watch { until, impact }): (&(usize, usize), &Watch)| content::Watch { a, b, until, impact };
+        content::NearPairs {
+            boxes: self.boxes.save(),
+            watches: self.watches.iter().map(watch).collect(),
+            partners: self.partners.clone(),
+            flight_end: self.flight_end,
+        }
+    }
+
+    /// The pairs of such data.
+    ///
+    /// # Errors
+    /// When they are of bodies that there are not.
+    pub(super) fn restored(core: &Core, saved: &content::NearPairs) -> Result<Self, SnapshotError> {
+        let bodies = core.world.bodies.len();
+        let is_list = |(body, list): (usize, &Vec<usize>)| {
+            list.is_sorted_by(|x, y| x < y) && list.iter().all(|&other| other < bodies && other != body)
+        };
+        if saved.partners.len() != bodies || !saved.partners.iter().enumerate().all(is_list) {
+            return Err(SnapshotError::Invalid("the lists of bodies that may meet are not those of its bodies"));
+        }
+        let mut watches = BTreeMap::new();
+        for &content::Watch { a, b, until, impact } in &saved.watches {
+            if a >= b || b >= bodies {
+                return Err(SnapshotError::Invalid("a pair that may meet is not one of its bodies"));
+            }
+            watches.insert((a, b), Watch { until, impact });
+        }
+        let boxes = Boxes::restored(&core.world, &core.settings, &saved.boxes)?;
+        Ok(Self { boxes, watches, partners: saved.partners.clone(), flight_end: saved.flight_end })
+    }
+
+    /// The impacts found: when (s) and of whom.
+    pub(super) fn impacts(&self) -> impl Iterator<Item = (f64, (usize, usize))> {
+        self.watches.iter().map(|(&pair, watch)| (watch.impact, pair))
     }
 
     /// The bodies that may meet `body`, ascending.

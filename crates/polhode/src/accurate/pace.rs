@@ -8,6 +8,8 @@
 //! found, a run would go on for ever. And where bounces accumulate at many contacts of a pile, time does advance, but ever
 //! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so that one island's trouble is not another's.
 
+use crate::snapshot::content;
+
 /// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
 const INSTANT_RELATIVE: f64 = 1e-9;
 
@@ -80,6 +82,29 @@ impl Pace {
     /// After a time step of a stretch of crowded events that ends at `t` (s).
     pub(super) fn after_stretch(t: f64) -> Self {
         Self { has_crowded: true, ..Self::starting_at(t) }
+    }
+
+    /// The pace as plain data.
+    pub(super) fn save(&self) -> content::Pace {
+        let Self { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded } =
+            *self;
+        content::Pace { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded }
+    }
+
+    /// The pace of such data.
+    pub(super) fn restored(saved: &content::Pace) -> Self {
+        let content::Pace {
+            since,
+            stalls,
+            events,
+            advanced_at,
+            steps,
+            backoffs,
+            window_events,
+            window_start,
+            has_crowded,
+        } = *saved;
+        Self { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded }
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until

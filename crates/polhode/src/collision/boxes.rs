@@ -5,9 +5,11 @@
 
 use crate::SimulationError;
 use crate::settings::Settings;
+use crate::snapshot::SnapshotError;
+use crate::snapshot::numbers::Vector;
 use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, Shape, swept_aabb};
-use polhode_spatial::Motion;
+use polhode_spatial::{DVec3, Motion};
 
 /// The boxes of all bodies that have a shape.
 #[derive(Debug)]
@@ -46,6 +48,33 @@ impl Boxes {
     /// Sets the box of a body, or takes it away.
     pub(crate) fn put(&mut self, body: usize, aabb: Option<Aabb>) {
         self.by_body[body] = aabb;
+    }
+
+    /// Lower and upper bounds of all boxes.
+    pub(crate) fn save(&self) -> Vec<Option<[Vector; 2]>> {
+        let bounds = |aabb: &Aabb| [aabb.min().to_array(), aabb.max().to_array()];
+        self.by_body.iter().map(|aabb| aabb.as_ref().map(bounds)).collect()
+    }
+
+    /// The boxes of such bounds.
+    ///
+    /// # Errors
+    /// When bounds are reversed, or there is not one entry for each body.
+    pub(crate) fn restored(
+        world: &World,
+        settings: &Settings,
+        saved: &[Option<[Vector; 2]>],
+    ) -> Result<Self, SnapshotError> {
+        if saved.len() != world.bodies.len() {
+            return Err(SnapshotError::Invalid("it does not have one box for each body"));
+        }
+        let mut boxes = Self::new(settings, saved.len());
+        for (own, bounds) in boxes.by_body.iter_mut().zip(saved) {
+            let Some([min, max]) = *bounds else { continue };
+            let aabb = Aabb::new(DVec3::from_array(min), DVec3::from_array(max));
+            *own = Some(aabb.map_err(|_| SnapshotError::Invalid("the bounds of a box are reversed"))?);
+        }
+        Ok(boxes)
     }
 
     /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes meet.

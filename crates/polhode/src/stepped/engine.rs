@@ -11,6 +11,9 @@ use crate::interaction::assembly::{Assembly, free_acceleration};
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::simulation::emit_sample;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
+use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{TimeStepReport, TimeStepper, given_by_gravity};
 use crate::{Acceleration, BodyId, SimulationError};
@@ -65,6 +68,35 @@ impl SteppedEngine {
             grid: 0,
             begun: false,
         }
+    }
+
+    /// The run of such data.
+    ///
+    /// # Errors
+    /// When the data are not of this scene.
+    pub(crate) fn restored(core: &Core, saved: &content::Stepped) -> Result<Self, SnapshotError> {
+        let world = &core.world;
+        let bodies = world.bodies.len();
+        let states = read_states(&saved.states, bodies)?;
+        let mut engine = Self::new(core, states);
+        let refused = SnapshotError::Invalid("it does not say of each body how it moves");
+        let are_bodies = |list: &Vec<usize>| list.iter().all(|&body| body < bodies);
+        let are_pairs = saved.touching.iter().all(|&(a, b)| a < b && b < bodies);
+        if saved.flights.len() != bodies || !saved.islands.iter().all(are_bodies) || !are_pairs {
+            return Err(refused);
+        }
+        for (body, flight) in saved.flights.iter().enumerate() {
+            let Some(flight) = flight else { continue };
+            let rigid = world.bodies[body].rigid.as_ref().ok_or_else(|| refused.clone())?;
+            engine.flights[body] = Some(Box::new(restored_flight(rigid, flight)?));
+        }
+        let carried = saved.carried.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
+        engine.stepper.carry(carried);
+        engine.touching = saved.touching.iter().copied().collect();
+        engine.forces = restored_forces(world, &saved.forces)?.into_iter().collect();
+        engine.islands.clone_from(&saved.islands);
+        (engine.grid, engine.begun) = (saved.grid, saved.begun);
+        Ok(engine)
     }
 
     /// One step to `t_next`.
@@ -352,5 +384,18 @@ impl Tier for SteppedEngine {
 
     fn touching_pairs(&self) -> usize {
         self.touching.len()
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Stepped(content::Stepped {
+            states: write_states(&self.states),
+            flights: self.flights.iter().map(|flight| flight.as_deref().map(save_flight)).collect(),
+            carried: self.stepper.carried().map(save_contact).collect(),
+            touching: self.touching.iter().copied().collect(),
+            forces: self.forces.iter().map(|(&id, &force)| (save_contact(id), force)).collect(),
+            islands: self.islands.clone(),
+            grid: self.grid,
+            begun: self.begun,
+        })
     }
 }

@@ -14,6 +14,9 @@ use crate::interaction::impact::{impulse_event, strike, support};
 use crate::observer::Observer;
 use crate::scene::ContactMethod;
 use crate::simulation::emit_sample;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::parts::save_contact;
+use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
 use crate::world::WorldBody;
 use crate::{Acceleration, BodyId, Momentum, SimulationError};
@@ -76,6 +79,26 @@ impl ThesisEngine {
         };
         engine.detect(core)?;
         Ok(engine)
+    }
+
+    /// The run of such data; the time and the accounts are those of it already.
+    ///
+    /// # Errors
+    /// When the data are not of this scene.
+    pub(crate) fn restored(core: &Core, saved: &content::Thesis) -> Result<Self, SnapshotError> {
+        let mut integrator = core.settings.build_integrator();
+        let restored = integrator.restore(&core.world.free_motion(), &saved.integrator);
+        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator are not those of its bodies"))?;
+        let bodies = core.world.bodies.len();
+        Ok(Self {
+            states: read_states(&saved.states, bodies)?,
+            integrator,
+            loaded: LoadedBodies::default(),
+            boxes: Boxes::new(&core.settings, bodies),
+            touching_pairs: saved.touching_pairs,
+            resting: crate::snapshot::parts::restored_forces(&core.world, &saved.resting)?,
+            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
+        })
     }
 
     /// One step of section 3.5, to `t_next`.
@@ -337,6 +360,15 @@ impl Tier for ThesisEngine {
 
     fn touching_pairs(&self) -> usize {
         self.touching_pairs
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Thesis(content::Thesis {
+            states: write_states(&self.states),
+            resting: self.resting.iter().map(|&(id, force)| (save_contact(id), force)).collect(),
+            touching_pairs: self.touching_pairs,
+            integrator: self.integrator.save(),
+        })
     }
 }
 

@@ -80,6 +80,19 @@ impl TimeStepper {
         Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried: Carried::default() }
     }
 
+    /// The contacts that carried an impulse in the last step of their pair, in order.
+    pub(crate) fn carried(&self) -> impl Iterator<Item = ContactId> + '_ {
+        let of_pair = |(&(a, b), features): (&(usize, usize), &Vec<ContactFeature>)| {
+            features.iter().map(move |&feature| ContactId { a, b, feature }).collect::<Vec<_>>()
+        };
+        self.carried.by_pair.iter().flat_map(of_pair)
+    }
+
+    /// Goes on as if these contacts, which are in order, had carried an impulse in the last step of their pair.
+    pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {
+        self.carried.replace(&[], contacts.into_iter());
+    }
+
     /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
     /// one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
     ///

@@ -23,6 +23,7 @@ mod planar;
 mod prescribed_motion;
 mod program;
 mod round_bodies;
+mod snapshots;
 mod stepped;
 mod support;
 mod table_edge;

@@ -14,8 +14,9 @@ pub(crate) mod matrix;
 pub(crate) mod quaternion;
 
 use super::one_step::Span;
+use super::saved::{NotItsVariables, Reader};
 use crate::integrator::IntegrationError;
-use glam::DVec3;
+use glam::{DMat3, DQuat, DVec3};
 use polhode_spatial::Rotation;
 use std::fmt::Debug;
 
@@ -68,6 +69,45 @@ impl Frame for Rotation {
     }
 }
 
+/// Coordinates as numbers, to be kept.
+pub(crate) trait Stored: Sized {
+    /// Writes them.
+    fn write(&self, numbers: &mut Vec<f64>);
+
+    /// Reads what [`Stored::write`] has written.
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables>;
+}
+
+impl Stored for DQuat {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.extend(self.to_array());
+    }
+
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        numbers.array().map(Self::from_array)
+    }
+}
+
+impl Stored for DMat3 {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.extend(self.to_cols_array());
+    }
+
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        numbers.array().map(|columns| Self::from_cols_array(&columns))
+    }
+}
+
+impl Stored for DVec3 {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.extend(self.to_array());
+    }
+
+    fn read(numbers: &mut Reader<'_>) -> Result<Self, NotItsVariables> {
+        numbers.vector()
+    }
+}
+
 /// A representation of orientation.
 pub(crate) trait Representation: Copy + Debug + Send {
     /// The numbers, or their rates.
@@ -75,6 +115,7 @@ pub(crate) trait Representation: Copy + Debug + Send {
         + Debug
         + Default
         + Send
+        + Stored
         + std::ops::Add<Output = Self::Coordinates>
         + std::ops::Mul<f64, Output = Self::Coordinates>;
     /// What they turn vectors by, errors included.

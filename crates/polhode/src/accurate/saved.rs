@@ -1,0 +1,232 @@
+//! What a run goes on from, as plain data and back.
+//!
+//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps, contacts
+//! and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their bits; the agenda
+//! follows from what the islands and pairs say.
+
+use super::agenda::{Agenda, Due};
+use super::contacts::Contacts;
+use super::crowding::Crowd;
+use super::engine::{Engine, Mode, Track};
+use super::free_stepping::FreeStep;
+use super::island::{Island, Step};
+use super::near_pairs::NearPairs;
+use super::pace::Pace;
+use crate::SimulationError;
+use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::core::Core;
+use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
+use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
+use crate::snapshot::{SnapshotError, content};
+use crate::world::World;
+use polhode_dynamics::Flight;
+use std::collections::BTreeMap;
+
+impl Engine {
+    /// The run as plain data.
+    pub(super) fn saved(&self) -> content::Accurate {
+        let touch = |touch: &Touch| content::Touch {
+            id: save_contact(touch.id),
+            kinematics: write_kinematics(&touch.kinematics),
+            held: touch.hold == Hold::Held,
+            known: touch.known,
+        };
+        content::Accurate {
+            states: numbers::write_states(&self.states),
+            tracks: self.tracks.iter().map(save_track).collect(),
+            islands: self.islands.values().map(save_island).collect(),
+            contacts: self.contacts.all().map(touch).collect(),
+            near: self.near.save(),
+            spins: self.spins.iter().map(|(&body, spin)| (body, save_flight(spin))).collect(),
+            begun: self.begun,
+            goes_on: self.goes_on,
+            observed_s: self.observed_s,
+        }
+    }
+
+    /// The run of such data; the time and the accounts are those of it already.
+    ///
+    /// # Errors
+    /// When the data are not of this scene or contradict themselves.
+    pub(crate) fn restored(core: &mut Core, saved: &content::Accurate) -> Result<Self, SimulationError> {
+        let world = &core.world;
+        let states = read_states(&saved.states, world.bodies.len())?;
+        let mut engine = Self {
+            scratch: states.clone(),
+            states,
+            tracks: restored_tracks(world, &saved.tracks)?,
+            islands: BTreeMap::new(),
+            contacts: restored_contacts(world, &saved.contacts)?,
+            near: NearPairs::restored(core, &saved.near)?,
+            agenda: Agenda::default(),
+            spins: restored_spins(world, &saved.spins)?,
+            begun: saved.begun,
+            goes_on: saved.goes_on,
+            observed_s: saved.observed_s,
+            interrupted: None,
+        };
+        for island in &saved.islands {
+            let island = engine.restored_island(core, island)?;
+            engine.insert_island(island);
+        }
+        engine.rebuild_agenda();
+        Ok(engine)
+    }
+
+    /// Puts in what the islands and pairs say is due.
+    fn rebuild_agenda(&mut self) {
+        for (&first, island) in &self.islands {
+            self.agenda.add(island.due, Due::Island(first));
+        }
+        for (t, (a, b)) in self.near.impacts() {
+            self.agenda.add(t, Due::Impact(a, b));
+        }
+        self.agenda.add(self.near.flight_end, Due::FlightBoxes);
+    }
+
+    fn restored_island(&mut self, core: &mut Core, saved: &content::Island) -> Result<Island, SimulationError> {
+        self.check_island(&core.world, &saved.bodies)?;
+        let (bodies, t) = (saved.bodies.clone(), saved.t);
+        let held = restored_ids(&core.world, &saved.held)?;
+        let departing = restored_ids(&core.world, &saved.departing)?.into_iter().collect();
+        let step = match &saved.step {
+            content::Step::Waiting(t) => Step::Waiting(*t),
+            content::Step::Crowd(end, pairs) => {
+                let can_touch = |&(a, b): &(usize, usize)| a < b && b < self.states.len();
+                if !pairs.iter().all(can_touch) || !(t < *end && end.is_finite()) {
+                    return Err(SnapshotError::Invalid("a time step of a crowd is not one of its bodies").into());
+                }
+                Step::Crowd(Box::new(self.repeated_crowd_step(core, &bodies, pairs.clone(), (t, *end))?))
+            }
+            content::Step::Free(step) => Step::Free(Box::new(FreeStep::restored(core, &bodies, t, step)?)),
+            content::Step::Constrained(h) => {
+                let step = self.repeated_step(core, &bodies, &held, (t, *h));
+                Step::Constrained(step.ok_or(SnapshotError::Invalid("a step cannot be made again from its start"))?)
+            }
+        };
+        Ok(Island {
+            bodies,
+            held,
+            t,
+            step,
+            due: saved.due,
+            changes: saved.changes,
+            is_unsolved: saved.is_unsolved,
+            departing,
+        })
+    }
+
+    /// Checks that bodies can make an island: that they move, in none of the islands before.
+    fn check_island(&self, world: &World, bodies: &[usize]) -> Result<(), SnapshotError> {
+        let moves = |body: usize| {
+            let track = self.tracks.get(body);
+            let moves =
+                track.is_some_and(|track| matches!(track.mode, Mode::Constrained | Mode::Stepped | Mode::Crowded(_)));
+            moves && world.bodies[body].moves() && self.islands.values().all(|island| !island.bodies.contains(&body))
+        };
+        let is_island =
+            !bodies.is_empty() && bodies.is_sorted_by(|x, y| x < y) && bodies.iter().all(|&body| moves(body));
+        if is_island { Ok(()) } else { Err(SnapshotError::Invalid("an island is not one of bodies that move")) }
+    }
+}
+
+fn restored_ids(world: &World, saved: &[Contact]) -> Result<Vec<ContactId>, SnapshotError> {
+    let ids = saved.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
+    if ids.is_sorted_by(|x, y| x < y) { Ok(ids) } else { Err(SnapshotError::Invalid("contacts are not in order")) }
+}
+
+fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts, SnapshotError> {
+    let touch = |touch: &content::Touch| {
+        let hold = if touch.held { Hold::Held } else { Hold::Open };
+        let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
+        Ok(Touch { id, kinematics, hold, known: touch.known })
+    };
+    let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
+    if !touches.is_sorted_by(|x, y| x.id < y.id) {
+        return Err(SnapshotError::Invalid("contacts are not in order"));
+    }
+    let mut contacts = Contacts::new(world.bodies.len());
+    for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
+        contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+    }
+    Ok(contacts)
+}
+
+fn save_island(island: &Island) -> content::Island {
+    content::Island {
+        bodies: island.bodies.clone(),
+        held: island.held.iter().copied().map(save_contact).collect(),
+        t: island.t,
+        step: match &island.step {
+            Step::Constrained(step) => content::Step::Constrained(step.h),
+            Step::Free(step) => content::Step::Free(step.save()),
+            Step::Crowd(step) => content::Step::Crowd(step.end, step.pairs.clone()),
+            Step::Waiting(t) => content::Step::Waiting(*t),
+        },
+        due: island.due,
+        changes: island.changes,
+        is_unsolved: island.is_unsolved,
+        departing: island.departing.iter().copied().map(save_contact).collect(),
+    }
+}
+
+fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<BTreeMap<usize, Flight>, SnapshotError> {
+    let spin = |(body, spin): &(usize, content::Flight)| {
+        let rigid = world.bodies.get(*body).and_then(|body| body.rigid.as_ref());
+        let rigid = rigid.ok_or(SnapshotError::Invalid("a body that turns is none that moves"))?;
+        Ok((*body, restored_flight(rigid, spin)?))
+    };
+    saved.iter().map(spin).collect()
+}
+
+fn save_track(track: &Track) -> content::Track {
+    // The island follows from the islands.
+    let Track { mode, island: _, pace, proposed_step_s, speed_scale, rest_booked_s, last_stretch_s, gave_up_splitting } =
+        track;
+    content::Track {
+        mode: match mode {
+            Mode::Fixed => content::Mode::Fixed,
+            Mode::Prescribed => content::Mode::Prescribed,
+            Mode::Flight(flight) => content::Mode::Flight(save_flight(flight)),
+            Mode::Constrained => content::Mode::Constrained,
+            Mode::Stepped => content::Mode::Stepped,
+            Mode::Crowded(crowd) => content::Mode::Crowded { until: crowd.until, step_s: crowd.step_s },
+            Mode::Rest => content::Mode::Rest,
+        },
+        pace: pace.save(),
+        proposed_step_s: *proposed_step_s,
+        speed_scale: *speed_scale,
+        rest_booked_s: *rest_booked_s,
+        last_stretch_s: *last_stretch_s,
+        gave_up_splitting: *gave_up_splitting,
+    }
+}
+
+fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>, SnapshotError> {
+    if saved.len() != world.bodies.len() {
+        return Err(SnapshotError::Invalid("it does not say of each body how it moves"));
+    }
+    let track = |(body, track): (usize, &content::Track)| {
+        let mode = match (&track.mode, &world.bodies[body].rigid) {
+            (content::Mode::Fixed, _) if !world.bodies[body].moves() && world.trajectory(body).is_none() => Mode::Fixed,
+            (content::Mode::Prescribed, None) if world.trajectory(body).is_some() => Mode::Prescribed,
+            (content::Mode::Flight(flight), Some(rigid)) => Mode::Flight(Box::new(restored_flight(rigid, flight)?)),
+            (content::Mode::Constrained, Some(_)) => Mode::Constrained,
+            (content::Mode::Stepped, Some(_)) => Mode::Stepped,
+            (&content::Mode::Crowded { until, step_s }, Some(_)) => Mode::Crowded(Crowd { until, step_s }),
+            (content::Mode::Rest, Some(_)) => Mode::Rest,
+            _ => return Err(SnapshotError::Invalid("a body that never moves moves, or the other way round")),
+        };
+        Ok(Track {
+            mode,
+            island: None,
+            pace: Pace::restored(&track.pace),
+            proposed_step_s: track.proposed_step_s,
+            speed_scale: track.speed_scale,
+            rest_booked_s: track.rest_booked_s,
+            last_stretch_s: track.last_stretch_s,
+            gave_up_splitting: track.gave_up_splitting,
+        })
+    };
+    saved.iter().enumerate().map(track).collect()
+}

@@ -1,0 +1,337 @@
+//! What a snapshot holds: plain data, from which everything else of a run is computed again.
+//!
+//! Left out are what is a pure function of these data (polynomials of steps, the agenda, mass properties) and buffers. What
+//! a program has changed in a running simulation belongs into [`Content`] too, beside the accounts.
+
+use super::numbers::{Contact, Kinematics, State, Vector};
+use serde::{Deserialize, Serialize};
+
+/// A simulation at a time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Content {
+    pub(crate) scene: String,
+    pub(crate) scene_hash: u64,
+    /// Whether all effects were asked for.
+    pub(crate) all_effects: bool,
+    /// The present, s.
+    pub(crate) t: f64,
+    /// Whether the end of the scene's duration has been passed.
+    pub(crate) ended: bool,
+    /// Force and torque that a program holds on bodies, by number (N, N m).
+    pub(crate) applied: Vec<(usize, [Vector; 2])>,
+    /// Whether the motion is confined to the plane of its start.
+    pub(crate) in_plane: bool,
+    /// Name of the integrator of free motion that the plan has chosen.
+    pub(crate) integrator: String,
+    pub(crate) plan_changes: Vec<PlanChange>,
+    pub(crate) accounts: Accounts,
+    pub(crate) tier: Tier,
+}
+
+/// [`crate::PlanChange`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PlanChange {
+    pub(crate) t_s: f64,
+    pub(crate) action: String,
+    pub(crate) changes: Vec<String>,
+}
+
+/// What has been booked, warned of and told so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Accounts {
+    pub(crate) books: Books,
+    pub(crate) certificate: Certificate,
+    pub(crate) warnings: Vec<Warning>,
+    pub(crate) tolerated: Vec<Warning>,
+    pub(crate) measures: Measures,
+    pub(crate) crowded: Vec<CrowdedStretch>,
+    pub(crate) events: Vec<Event>,
+    pub(crate) event_count: u64,
+    pub(crate) steps: u64,
+    pub(crate) next_sample: u64,
+    pub(crate) last_sample_s: Option<f64>,
+}
+
+/// Both parts of a compensated sum.
+pub(crate) type Sum = [f64; 2];
+
+/// [`crate::Ledger`] and what the books keep beside it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Books {
+    pub(crate) impact: Sum,
+    pub(crate) friction: Sum,
+    pub(crate) rest: Sum,
+    pub(crate) damping: Sum,
+    pub(crate) external: Sum,
+    pub(crate) projection: Sum,
+    pub(crate) numerical: Sum,
+    pub(crate) initial_j: f64,
+    pub(crate) current_j: f64,
+    pub(crate) scale_j: f64,
+    pub(crate) initial_potential_j: f64,
+    pub(crate) momentum: MomentumLedger,
+}
+
+/// [`crate::MomentumLedger`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct MomentumLedger {
+    pub(crate) about: Vector,
+    pub(crate) gravity: [Sum; 6],
+    pub(crate) support: [Sum; 6],
+    pub(crate) fields: [Sum; 6],
+    pub(crate) program: [Sum; 6],
+    pub(crate) rest: [Sum; 6],
+    pub(crate) projection: [Sum; 6],
+    pub(crate) numerical: [Sum; 6],
+    pub(crate) initial: [Vector; 2],
+    pub(crate) current: [Vector; 2],
+    pub(crate) scale_linear: f64,
+    pub(crate) scale_angular: f64,
+}
+
+/// [`crate::Certificate`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Certificate {
+    pub(crate) max_residual: f64,
+    pub(crate) max_penetration_m: f64,
+    pub(crate) max_acceleration_error_bound: f64,
+    pub(crate) max_step_error: f64,
+    pub(crate) fallbacks: u64,
+}
+
+/// What a run is judged by, so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Measures {
+    pub(crate) penetration: Worst,
+    pub(crate) projection: Worst,
+    pub(crate) projection_energy: Worst,
+    pub(crate) drift_energy: Sum,
+    pub(crate) unsolved: Vec<Warning>,
+}
+
+/// The worst of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Worst {
+    pub(crate) largest: f64,
+    pub(crate) worst: Option<Measure>,
+}
+
+/// A value measured for a pair of bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Measure {
+    pub(crate) t: f64,
+    pub(crate) pair: (usize, usize),
+    pub(crate) value: f64,
+    pub(crate) allowed: f64,
+}
+
+/// [`crate::CrowdedStretch`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct CrowdedStretch {
+    pub(crate) from_s: f64,
+    pub(crate) to_s: f64,
+    pub(crate) bodies: usize,
+    pub(crate) steps: u64,
+    pub(crate) error: f64,
+}
+
+/// A warning and how often it was given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Warning {
+    pub(crate) what: String,
+    pub(crate) first_s: f64,
+    pub(crate) last_s: f64,
+    pub(crate) count: u64,
+}
+
+/// [`crate::Event`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Event {
+    pub(crate) t: f64,
+    pub(crate) kind: EventKind,
+    pub(crate) body_a: usize,
+    pub(crate) body_b: Option<usize>,
+    pub(crate) point: Vector,
+    pub(crate) normal: Vector,
+    pub(crate) impulse: f64,
+    pub(crate) energy_change_j: f64,
+}
+
+/// [`crate::EventKind`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum EventKind {
+    Impact,
+    ContactBegin,
+    ContactEnd,
+    Rest,
+    Wake,
+    Detach,
+}
+
+/// What the tier goes on from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Tier {
+    Accurate(Accurate),
+    Stepped(Stepped),
+    Thesis(Thesis),
+}
+
+/// The tier `accurate`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Accurate {
+    pub(crate) states: Vec<State>,
+    pub(crate) tracks: Vec<Track>,
+    pub(crate) islands: Vec<Island>,
+    pub(crate) contacts: Vec<Touch>,
+    pub(crate) near: NearPairs,
+    pub(crate) spins: Vec<(usize, Flight)>,
+    pub(crate) begun: bool,
+    pub(crate) goes_on: bool,
+    pub(crate) observed_s: f64,
+}
+
+/// How a body moves, and what is remembered of how it has moved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Track {
+    pub(crate) mode: Mode,
+    pub(crate) pace: Pace,
+    pub(crate) proposed_step_s: f64,
+    pub(crate) speed_scale: f64,
+    pub(crate) rest_booked_s: f64,
+    pub(crate) last_stretch_s: f64,
+    pub(crate) gave_up_splitting: bool,
+}
+
+/// How a body moves.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Mode {
+    Fixed,
+    Prescribed,
+    Flight(Flight),
+    Constrained,
+    Stepped,
+    Crowded { until: f64, step_s: f64 },
+    Rest,
+}
+
+/// A record of flight.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Flight {
+    pub(crate) t0: f64,
+    pub(crate) start: State,
+    pub(crate) acceleration: Vector,
+    pub(crate) rotation: Rotation,
+}
+
+/// How a record of flight turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Rotation {
+    /// Freely.
+    Free,
+    /// About a principal axis, in planar motion.
+    Steady,
+}
+
+/// How fast time advances for a body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Pace {
+    pub(crate) since: f64,
+    pub(crate) stalls: u32,
+    pub(crate) events: u64,
+    pub(crate) advanced_at: f64,
+    pub(crate) steps: u64,
+    pub(crate) backoffs: u32,
+    pub(crate) window_events: u64,
+    pub(crate) window_start: f64,
+    pub(crate) has_crowded: bool,
+}
+
+/// Bodies that move together.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Island {
+    pub(crate) bodies: Vec<usize>,
+    pub(crate) held: Vec<Contact>,
+    pub(crate) t: f64,
+    pub(crate) step: Step,
+    pub(crate) due: f64,
+    pub(crate) changes: bool,
+    pub(crate) is_unsolved: bool,
+    pub(crate) departing: Vec<Contact>,
+}
+
+/// The present step of an island.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Step {
+    /// With contact forces at every stage, over this time (s): it is repeated from its start.
+    Constrained(f64),
+    /// By an integrator of free motion.
+    Free(FreeStep),
+    /// By one time step of a crowd to this time (s), with these pairs: it is repeated from its start.
+    Crowd(f64, Vec<(usize, usize)>),
+    /// None, at this time (s).
+    Waiting(f64),
+}
+
+/// A step of an integrator of free motion.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FreeStep {
+    pub(crate) from: f64,
+    pub(crate) end: f64,
+    pub(crate) start: Vec<State>,
+    pub(crate) present: Vec<State>,
+    /// What the integrator goes on from.
+    pub(crate) integrator: Vec<f64>,
+    pub(crate) own_step_s: f64,
+}
+
+/// A contact that touched when its bodies were last looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Touch {
+    pub(crate) id: Contact,
+    pub(crate) kinematics: Kinematics,
+    pub(crate) held: bool,
+    pub(crate) known: bool,
+}
+
+/// Pairs that may meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct NearPairs {
+    /// Lower and upper bounds.
+    pub(crate) boxes: Vec<Option<[Vector; 2]>>,
+    pub(crate) watches: Vec<Watch>,
+    pub(crate) partners: Vec<Vec<usize>>,
+    pub(crate) flight_end: f64,
+}
+
+/// What is known of a pair that may meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Watch {
+    pub(crate) a: usize,
+    pub(crate) b: usize,
+    pub(crate) until: f64,
+    pub(crate) impact: f64,
+}
+
+/// The tier `stepped`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Stepped {
+    pub(crate) states: Vec<State>,
+    pub(crate) flights: Vec<Option<Flight>>,
+    /// Contacts that carried an impulse in the last step of their pair.
+    pub(crate) carried: Vec<Contact>,
+    pub(crate) touching: Vec<(usize, usize)>,
+    pub(crate) forces: Vec<(Contact, f64)>,
+    pub(crate) islands: Vec<Vec<usize>>,
+    pub(crate) grid: u64,
+    pub(crate) begun: bool,
+}
+
+/// The tier `thesis`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Thesis {
+    pub(crate) states: Vec<State>,
+    pub(crate) resting: Vec<(Contact, f64)>,
+    pub(crate) touching_pairs: usize,
+    /// What the integrator goes on from.
+    pub(crate) integrator: Vec<f64>,
+}

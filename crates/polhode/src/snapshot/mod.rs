@@ -1,0 +1,133 @@
+//! A simulation at a time, to be kept: a run that goes on from it has the same bits as one that was never stopped.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `content` | the plain data that a run goes on from |
+//! | `numbers` | vectors, states and contacts as numbers with their bits |
+//! | `envelope` | the bytes around them: version, length, checksum |
+//! | `hash` | the hash of a scene |
+//! | `error` | why a snapshot is refused |
+//!
+//! The bytes are those of postcard, in which a number keeps its bits. They do not depend on the platform. Another version of
+//! the program may read them, and need not compute the same bits from them.
+
+pub(crate) mod content;
+mod envelope;
+mod error;
+mod hash;
+pub(crate) mod numbers;
+pub(crate) mod parts;
+
+pub use error::SnapshotError;
+
+use crate::{Effects, Scene};
+use content::Content;
+use serde::{Deserialize, Serialize};
+
+/// A simulation at a time: [`crate::Simulation::snapshot`] takes it, [`crate::Simulation::restore`] goes on from it.
+///
+/// It can be kept as bytes, or by serde as those bytes.
+///
+/// ```
+/// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Velocity};
+/// use polhode::{Body, Effects, Scene, Simulation, Snapshot, Unobserved};
+/// let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0))?;
+/// let body = Body::movable("nut", MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))
+///     .velocity(Velocity::new(DVec3::ZERO, DVec3::new(0.01, 2.0, 0.01)));
+/// let scene = Scene::builder("nut").duration_s(10.0).body(body).build()?;
+/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+/// simulation.advance_to(4.0, &mut Unobserved)?;
+/// let bytes = simulation.snapshot().to_bytes();
+/// let whole = simulation.run(&mut Unobserved)?;
+/// let mut other = Simulation::new(&scene, Effects::Planned)?;
+/// other.restore(&Snapshot::from_bytes(&bytes)?)?;
+/// assert_eq!(other.time(), 4.0);
+/// assert_eq!(other.run(&mut Unobserved)?.bodies, whole.bodies);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(into = "Vec<u8>", try_from = "Vec<u8>")]
+pub struct Snapshot {
+    content: Content,
+}
+
+impl Snapshot {
+    /// Of a simulation's content.
+    pub(crate) const fn new(content: Content) -> Self {
+        Self { content }
+    }
+
+    /// The content, when it is of this scene and was taken with these effects.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub(crate) fn content_for(&self, scene: &Scene, effects: Effects) -> Result<&Content, SnapshotError> {
+        let (found, own) = (self.content.scene_hash, hash::of_scene(scene));
+        if found != own {
+            return Err(SnapshotError::OtherScene { scene: self.content.scene.clone(), found, own });
+        }
+        let found = self.effects();
+        if found != effects {
+            return Err(SnapshotError::OtherEffects { found, own: effects });
+        }
+        Ok(&self.content)
+    }
+
+    /// Name of the scene.
+    pub fn scene(&self) -> &str {
+        &self.content.scene
+    }
+
+    /// Hash of everything that the scene says, its method, duration and output among it.
+    pub fn scene_hash(&self) -> u64 {
+        self.content.scene_hash
+    }
+
+    /// The effects that the simulation was made with.
+    pub fn effects(&self) -> Effects {
+        if self.content.all_effects { Effects::All } else { Effects::Planned }
+    }
+
+    /// When it was taken, s.
+    pub fn time(&self) -> f64 {
+        self.content.t
+    }
+
+    /// The snapshot as bytes, with their version and a checksum.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        // Plain data of known length cannot fail to be written; if they did, nothing would be read back from them.
+        envelope::wrap(&postcard::to_stdvec(&self.content).unwrap_or_default())
+    }
+
+    /// The snapshot of such bytes.
+    ///
+    /// # Errors
+    /// When they are of something else or of another version, or have been cut short or altered.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, SnapshotError> {
+        let content = envelope::unwrap(bytes)?;
+        match postcard::take_from_bytes(content) {
+            Ok((content, [])) => Ok(Self { content }),
+            Ok(_) => Err(SnapshotError::Unreadable("bytes are left over".to_owned())),
+            Err(error) => Err(SnapshotError::Unreadable(error.to_string())),
+        }
+    }
+}
+
+impl From<Snapshot> for Vec<u8> {
+    fn from(snapshot: Snapshot) -> Self {
+        snapshot.to_bytes()
+    }
+}
+
+impl TryFrom<Vec<u8>> for Snapshot {
+    type Error = SnapshotError;
+
+    fn try_from(bytes: Vec<u8>) -> Result<Self, SnapshotError> {
+        Self::from_bytes(&bytes)
+    }
+}
+
+/// Hash of everything that a scene says, as [`Snapshot::scene_hash`].
+pub(crate) fn scene_hash(scene: &Scene) -> u64 {
+    hash::of_scene(scene)
+}

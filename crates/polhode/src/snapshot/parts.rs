@@ -1,0 +1,58 @@
+//! Parts that the snapshots of several tiers have: contacts, and records of flight.
+
+use super::numbers::{Contact, read_state};
+use super::{SnapshotError, content};
+use crate::collision::contact_set::ContactId;
+use crate::world::World;
+use polhode_dynamics::{Flight, RigidBody};
+use polhode_spatial::DVec3;
+
+/// The identity of a contact as plain data.
+pub(crate) fn save_contact(id: ContactId) -> Contact {
+    Contact { a: id.a, b: id.b, feature: id.feature.into() }
+}
+
+/// The contact of such data.
+///
+/// # Errors
+/// When it is not of two bodies that can touch.
+pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, SnapshotError> {
+    let Contact { a, b, feature } = *saved;
+    if a < b && b < world.bodies.len() && world.shapes(a, b).is_some() {
+        Ok(ContactId { a, b, feature: feature.into() })
+    } else {
+        Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"))
+    }
+}
+
+/// Contacts with their forces (N) of such data.
+///
+/// # Errors
+/// When one is not of two bodies that can touch.
+pub(crate) fn restored_forces(world: &World, saved: &[(Contact, f64)]) -> Result<Vec<(ContactId, f64)>, SnapshotError> {
+    saved.iter().map(|(id, force)| Ok((restored_id(world, id)?, *force))).collect()
+}
+
+/// A record of flight as plain data.
+pub(crate) fn save_flight(flight: &Flight) -> content::Flight {
+    // A record in free rotation is that of its start; any other is steady.
+    let free = Flight::new(flight.body(), flight.t0(), flight.start(), flight.gravity());
+    content::Flight {
+        t0: flight.t0(),
+        start: flight.start().to_array(),
+        acceleration: flight.gravity().to_array(),
+        rotation: if free == *flight { content::Rotation::Free } else { content::Rotation::Steady },
+    }
+}
+
+/// The record of such data, of a body with these mass properties.
+///
+/// # Errors
+/// When its start is no state.
+pub(crate) fn restored_flight(rigid: &RigidBody, saved: &content::Flight) -> Result<Flight, SnapshotError> {
+    let record = match saved.rotation {
+        content::Rotation::Free => Flight::new,
+        content::Rotation::Steady => Flight::steady,
+    };
+    Ok(record(rigid, saved.t0, &read_state(&saved.start)?, DVec3::from_array(saved.acceleration)))
+}
