@@ -281,7 +281,8 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            let done = projection::project_all(&core.world, &mut self.states, &component.bodies, &touching, &ids)
+            let how = (core.settings.tolerance, &mut core.solver);
+            let done = projection::project(&core.world, &mut self.states, &component.bodies, (&touching, &ids), how)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
             core.book_projection(instant.t, &self.states, &done, (before, after));

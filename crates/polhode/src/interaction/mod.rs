@@ -6,4 +6,5 @@
 pub(crate) mod assembly;
 pub(crate) mod groups;
 pub(crate) mod impact;
+pub(crate) mod overlap;
 pub(crate) mod projection;

@@ -6,10 +6,11 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::overlap::Overlaps;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
 
@@ -20,6 +21,11 @@ const MAX_NEWTON_STEPS: usize = 3;
 /// A separation beyond this fraction of the pair's size is not drift: the contact's place has jumped (a ring's nearest place
 /// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
 const JUMPED_RELATIVE: f64 = 1e-5;
+
+/// A relative velocity beyond this multiple of the tolerance, times the speeds of the bodies and what gravity gives over their
+/// size, is not drift either: the place of a contact has jumped to where the bodies approach or part, and to stop them there
+/// is the part of an impact. A step errs by a part of the tolerance.
+const JUMPED_SPEED: f64 = 1e4;
 
 /// Contacts that are farther from zero separation than this fraction of the pair's size and rounding after the last Newton
 /// step have not been put together: by what penetration is judged by at the default tolerance.
@@ -43,7 +49,9 @@ pub(crate) struct Projection {
     pub(crate) work_j: f64,
 }
 
-/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities.
+/// Puts the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of those that
+/// are held: what a step within `tolerance`, or touch, leaves of them. Contacts whose place jumps are left as they are. Where
+/// that leaves overlap, it is moved out with all contacts of the group's pairs.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -51,27 +59,42 @@ pub(crate) fn project(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    held: &[ContactId],
-) -> Result<Projection, ResponseError> {
-    project_all(world, states, bodies, held, held)
-}
-
-/// Puts contacts onto zero separation, then removes the relative velocities of those that hold.
-///
-/// # Errors
-/// When the state is not finite.
-pub(crate) fn project_all(
-    world: &World,
-    states: &mut [BodyState],
-    bodies: &[usize],
-    touching: &[ContactId],
-    held: &[ContactId],
+    (touching, held): (&[ContactId], &[ContactId]),
+    (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    let slowed = project_velocities(world, states, bodies, held)?;
+    if !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+        let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        let removed = Overlaps::find(world, states, &pairs).remove(
+            world,
+            states,
+            (bodies, &pairs),
+            (solver, &mut Delassus::default()),
+        )?;
+        done.moved_m += removed.moved_m;
+    }
+    let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
+        let limit = JUMPED_SPEED * tolerance * speed_of_pair(world, states, id);
+        world.kinematics(states, id).is_none_or(|kinematics| kinematics.separation_rate.abs() <= limit)
+    });
+    done.jumped.extend(jumped.iter().map(|id| (id.a, id.b)));
+    done.jumped.dedup();
+    let slowed = project_velocities(world, states, bodies, &drifting)?;
     done.pair = done.pair.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
+}
+
+/// Speeds of a contact's bodies and what gravity gives over their size, m/s.
+fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
+    let fall = (world.gravity().length() * world.pair_size(id.a, id.b)).sqrt();
+    let speed = |body: usize| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+    };
+    fall + speed(id.a) + speed(id.b)
 }
 
 /// Puts contacts onto zero separation.
