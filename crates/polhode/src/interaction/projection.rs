@@ -34,6 +34,13 @@ const UNCONVERGED_RELATIVE: f64 = 1e-12;
 /// Separations below this fraction of the rounding that penetration is judged with are left alone.
 const ROUNDING_FRACTION: f64 = 0.25;
 
+/// Contacts of a pile may depend on each other so nearly that putting them exactly together moves bodies by thousands of times
+/// the distances. Beyond this many times the largest (dimensionless, 10 to 1000) they are put together in part.
+const SOFT_AMPLIFICATION: f64 = 64.0;
+
+/// The same as a fraction of the smallest size, or of the smallest speed of a pair: less is of the order of touch and drift.
+const SOFT_RELATIVE: f64 = 1e-11;
+
 /// What a projection has done.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Projection {
@@ -41,6 +48,8 @@ pub(crate) struct Projection {
     pub(crate) moved_m: f64,
     /// The pair that was farthest from what it was put to; none when nothing was to be done.
     pub(crate) pair: Option<(usize, usize)>,
+    /// Whether contacts that depend on each other nearly were put together in part.
+    pub(crate) is_soft: bool,
     /// Pairs with contacts that were left alone because their place had jumped.
     pub(crate) jumped: Vec<(usize, usize)>,
     /// Pairs that are further apart, or deeper in each other, than rounding after the last Newton step.
@@ -63,7 +72,7 @@ pub(crate) fn project(
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    if !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+    if done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
         pairs.sort_unstable();
         pairs.dedup();
@@ -125,8 +134,10 @@ pub(crate) fn project_positions(
         }
         if step == MAX_NEWTON_STEPS {
             let apart = |(id, geometry): &&(ContactId, ContactGeometry)| {
-                geometry.separation.abs()
-                    > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
+                let (a, b) = (id.a, id.b);
+                let exact = UNCONVERGED_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b);
+                let allowed = if done.is_soft { world.touch_distance(states, a, b) } else { exact };
+                geometry.separation.abs() > allowed
             };
             done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| (id.a, id.b)));
             break;
@@ -136,7 +147,10 @@ pub(crate) fn project_positions(
         }
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
-        let multipliers = cancel(&assembly, &separations)?;
+        let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
+        let allowed = allowed_change(&separations, size);
+        let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
+        done.is_soft |= is_soft;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
             let pose = &mut states[body].pose;
             pose.translation += linear;
@@ -183,15 +197,31 @@ pub(crate) fn project_velocities(
         return Ok(Slowed::default());
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
-    let impulses = cancel(&assembly, &contacts.iter().map(|(_, k)| k.separation_rate).collect::<Vec<_>>())?;
+    let rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
+    let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
+    let (impulses, _) = cancel(world, &assembly, &rates, allowed_change(&rates, speed))?;
     let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
     let work_j = world.prescribed_work(states, impulses);
     Ok(Slowed { fastest: farthest(contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)))), work_j })
 }
 
-/// Multipliers whose response cancels `values` on all rows.
-fn cancel(assembly: &Assembly, values: &[f64]) -> Result<Vec<f64>, ResponseError> {
+/// Multipliers whose response cancels `values` on all rows; whether in part, because otherwise a point of a body would change by
+/// more than `allowed`.
+fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> Result<(Vec<f64>, bool), ResponseError> {
     let delassus = assembly.problem.delassus();
-    LeastNormHold::factor(&delassus)?.solve(&delassus, values)
+    let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
+    let changes_too_much = assembly
+        .split(&assembly.problem.response(&multipliers)?)
+        .any(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size > allowed);
+    if !changes_too_much {
+        return Ok((multipliers, false));
+    }
+    Ok((LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?, true))
+}
+
+/// What may change to cancel `values`: of the order of the largest, or negligible against `scale`.
+fn allowed_change(values: &[f64], scale: f64) -> f64 {
+    let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    (SOFT_RELATIVE * scale).max(SOFT_AMPLIFICATION * largest)
 }
