@@ -587,7 +587,9 @@ impl Search<'_> {
         }
         // Closed at the end, by less than a touch: nobody looks at these bodies again before the end of the interval.
         match below {
-            Some(below) if last.separation < level - noticed => self.locate_closing(open, below, level, rounding),
+            Some(below) if last.separation < start.separation.min(0.0) - noticed => {
+                self.locate_closing(open, below, level, rounding)
+            }
             _ => Ok((None, last.separation)),
         }
     }

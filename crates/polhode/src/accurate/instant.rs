@@ -106,7 +106,7 @@ impl Engine {
     }
 
     /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
-    fn stretch_instead(
+    pub(super) fn stretch_instead(
         &mut self,
         core: &mut Core,
         instant: Instant,

@@ -97,13 +97,12 @@ impl Overlaps {
             let reach = world.touch_distance(states, a, b) + beyond;
             for touch in world.contacts_of_pair(states, a, b, reach) {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
-                // A point beside its features overlaps nothing.
                 if overlap.geometry.margin >= 0.0 {
                     if -overlap.geometry.separation > found.deepest_m {
                         (found.deepest_m, found.pair) = (-overlap.geometry.separation, Some((a, b)));
                     }
-                    found.is_excess |= overlap.is_excess(world, states);
                 }
+                found.is_excess |= is_excess(world, states, overlap.id, &overlap.geometry);
                 found.contacts.push(overlap);
             }
         }
@@ -158,7 +157,7 @@ fn move_out(
     let mut fallbacks = 0;
     for group in groups(world, rows.iter().enumerate().map(|(index, row)| (index, row.id.a, row.id.b))) {
         let members: Vec<Overlap> = group.contacts.iter().map(|&index| rows[index]).collect();
-        if members.iter().all(|row| !row.is_excess(world, states)) {
+        if !members.iter().any(|row| is_excess(world, states, row.id, &row.geometry)) {
             continue;
         }
         let geometries = members.iter().map(|row| (row.id, row.geometry));
@@ -178,13 +177,11 @@ fn move_out(
     Ok(fallbacks)
 }
 
-impl Overlap {
-    /// Whether the contact overlaps by more than may be left.
-    fn is_excess(&self, world: &World, states: &[BodyState]) -> bool {
-        let (a, b) = (self.id.a, self.id.b);
-        let left = LEFT_RELATIVE * world.pair_size(a, b) + LEFT_ROUNDING * world.rounding(states, a, b);
-        self.geometry.separation < -left
-    }
+/// Whether a contact overlaps by more than may be left.
+pub(crate) fn is_excess(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
+    let left = LEFT_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
+    // A point beside its features overlaps nothing.
+    geometry.margin >= 0.0 && geometry.separation < -left
 }
 
 /// How far any point of a body has moved, m, bounded by its size.

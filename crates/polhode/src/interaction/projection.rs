@@ -73,16 +73,7 @@ pub(crate) fn project(
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
     if done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
-        let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        let removed = Overlaps::find(world, states, &pairs).remove(
-            world,
-            states,
-            (bodies, &pairs),
-            (solver, &mut Delassus::default()),
-        )?;
-        done.moved_m += removed.moved_m;
+        done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
     }
     let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
         let limit = JUMPED_SPEED * tolerance * speed_of_pair(world, states, id);
@@ -90,10 +81,30 @@ pub(crate) fn project(
     });
     done.jumped.extend(jumped.iter().map(|id| (id.a, id.b)));
     done.jumped.dedup();
-    let slowed = project_velocities(world, states, bodies, &drifting)?;
+    let slowed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
     done.pair = done.pair.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
+}
+
+/// Moves bodies out of each other where the pairs of some contacts overlap, which are not put together.
+///
+/// # Errors
+/// When the state is not finite.
+pub(crate) fn part(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    contacts: &[ContactId],
+    solver: &mut ComplementaritySolver,
+) -> Result<Projection, ResponseError> {
+    let mut pairs: Vec<_> = contacts.iter().map(|id| (id.a, id.b)).collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    let overlaps = Overlaps::find(world, states, &pairs);
+    let pair = overlaps.pair;
+    let removed = overlaps.remove(world, states, (bodies, &pairs), (solver, &mut Delassus::default()))?;
+    Ok(Projection { moved_m: removed.moved_m, pair, ..Projection::default() })
 }
 
 /// Speeds of a contact's bodies and what gravity gives over their size, m/s.
@@ -182,6 +193,15 @@ pub(crate) struct Slowed {
     pub(crate) work_j: f64,
 }
 
+/// How relative velocities are removed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Removal {
+    /// Whatever that takes: velocities that the motion has.
+    Complete,
+    /// In part where contacts depend on each other nearly: what rounding and the errors of a step leave.
+    OfDrift,
+}
+
 /// Removes the relative velocities of contacts.
 ///
 /// # Errors
@@ -191,6 +211,7 @@ pub(crate) fn project_velocities(
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
+    removal: Removal,
 ) -> Result<Slowed, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) {
@@ -199,7 +220,11 @@ pub(crate) fn project_velocities(
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     let rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
-    let (impulses, _) = cancel(world, &assembly, &rates, allowed_change(&rates, speed))?;
+    let allowed = match removal {
+        Removal::Complete => f64::INFINITY,
+        Removal::OfDrift => allowed_change(&rates, speed),
+    };
+    let (impulses, _) = cancel(world, &assembly, &rates, allowed)?;
     let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
     let work_j = world.prescribed_work(states, impulses);
