@@ -50,6 +50,8 @@ pub(crate) struct Projection {
     pub(crate) pair: Option<(usize, usize)>,
     /// Whether contacts that depend on each other nearly were put together in part.
     pub(crate) is_soft: bool,
+    /// Whether contacts were put together from farther than penetration is judged by: others may overlap now.
+    pub(crate) is_far: bool,
     /// Pairs with contacts that were left alone because their place had jumped.
     pub(crate) jumped: Vec<(usize, usize)>,
     /// Pairs that are further apart, or deeper in each other, than rounding after the last Newton step.
@@ -72,7 +74,7 @@ pub(crate) fn project(
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    if done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+    if done.is_far || done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
     }
     let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
@@ -156,6 +158,9 @@ pub(crate) fn project_positions(
         if done.pair.is_none() {
             done.pair = farthest(geometries.iter().map(distance));
         }
+        done.is_far |= geometries.iter().any(|(id, geometry)| {
+            geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b)
+        });
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
