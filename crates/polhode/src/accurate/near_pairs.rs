@@ -10,7 +10,7 @@
 use super::agenda::Due;
 use super::engine::{Engine, Mode};
 use super::island::Step;
-use super::locate::DIP_SAMPLES;
+use super::locate::PENETRATION_CHECKS;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
@@ -432,6 +432,6 @@ fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f
         let bounds = motion.bounds(start, end);
         bounds.speed + bounds.angular_speed * core.world.bodies[body].size
     });
-    let between = (end - start) / f64::from(DIP_SAMPLES);
+    let between = (end - start) / f64::from(PENETRATION_CHECKS);
     (speed[0] + speed[1]) * between > FAST * core.world.pair_size(bodies[0].0, bodies[1].0)
 }

@@ -56,7 +56,7 @@ impl NearContact {
     }
 
     /// Whether the contact is struck where a step of `h` begins: it closes within `instant` (s), or it closes later in the
-    /// step and bounces. One that does not bounce would be stopped before it lands.
+    /// step and bounces. One that does not bounce would be stopped before it touches.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
         let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
         self.impact_time(h).is_some_and(|time| time <= instant || bounces())

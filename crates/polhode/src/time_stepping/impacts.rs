@@ -4,7 +4,7 @@
 //! at once, or within the step if it has restitution. With it are struck all contacts that touch and are connected to
 //! it, as at an impact of the accurate tier; then, with the new velocities, whatever closes now, until nothing does.
 //! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
-//! restitution that close later in the step are left to the sustained impulses, which land them.
+//! restitution that close later in the step are left to the sustained impulses, which close their gap exactly.
 
 use super::NO_WORK_J;
 use super::contacts::{FreeAccelerations, NearContact, connected, kinematics_at_point};

@@ -1,6 +1,6 @@
 //! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
 //!
-//! Fields that depend on velocities are evaluated twice, at the velocity that comes in and at that with half the kick, so
+//! Fields that depend on velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so
 //! that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the momenta, so
 //! that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and after.
 

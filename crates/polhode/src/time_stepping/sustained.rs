@@ -6,7 +6,7 @@
 //!
 //! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
 //!
-//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and lands exactly;
+//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and its gap closes exactly;
 //! - the second takes over where bodies that already touch approach: they end at rest relative to each other;
 //! - the third is the law of energy: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
 //!
@@ -170,10 +170,10 @@ fn rows(
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
-        let landing = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
+        let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
         // A gap that is a rounding is none.
-        let landing = if landing <= half_fall + rounding { half_fall } else { landing };
-        let bound = landing.max(kinematics.separation_rate);
+        let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
+        let bound = gap_bound.max(kinematics.separation_rate);
         Row { contact, kinematics, bound, half_fall, rounding }
     };
     Ok(here.into_iter().zip(accelerations).map(row).collect())
