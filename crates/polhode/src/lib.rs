@@ -11,6 +11,7 @@ mod body_id;
 pub mod body_queries;
 mod collision;
 mod core;
+mod disjoint_sets;
 pub mod error;
 pub mod event;
 pub mod frame;

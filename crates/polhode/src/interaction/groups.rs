@@ -3,6 +3,7 @@
 //! Immovable bodies carry no motion from one contact to another and so connect nothing. Groups and their members are
 //! ordered by body number, so that results do not depend on how they were found.
 
+use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
 
 /// Bodies connected by contacts, and those contacts.
@@ -42,12 +43,10 @@ fn joined(
     members.sort_unstable();
     members.dedup();
     let place = |body: usize| members.binary_search(&body).ok();
-    let mut parent: Vec<usize> = (0..members.len()).collect();
+    let mut sets = DisjointSets::new(members.len());
     let mut join = |a: usize, b: usize| {
         if let (Some(a), Some(b)) = (place(a), place(b)) {
-            let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
-            // The smaller number is the root, which makes the order of groups that of their first bodies.
-            parent[root_a.max(root_b)] = root_a.min(root_b);
+            sets.join(a, b);
         }
     };
     for together in couplings {
@@ -61,8 +60,7 @@ fn joined(
     let mut slot: Vec<Option<usize>> = vec![None; members.len()];
     let mut groups: Vec<Group> = Vec::new();
     for (index, &body) in members.iter().enumerate() {
-        let root = root(&mut parent, index);
-        let group = *slot[root].get_or_insert_with(|| {
+        let group = *slot[sets.smallest(index)].get_or_insert_with(|| {
             groups.push(Group::default());
             groups.len() - 1
         });
@@ -70,19 +68,10 @@ fn joined(
     }
     for (contact, a, b) in contacts {
         let member = if world.bodies[a].moves() { a } else { b };
-        let group = place(member).and_then(|index| slot[root(&mut parent, index)]);
+        let group = place(member).and_then(|index| slot[sets.smallest(index)]);
         if let Some(group) = group {
             groups[group].contacts.push(contact);
         }
     }
     groups
-}
-
-/// Representative of a member's group, with path halving.
-fn root(parent: &mut [usize], mut member: usize) -> usize {
-    while parent[member] != member {
-        parent[member] = parent[parent[member]];
-        member = parent[member];
-    }
-    member
 }

@@ -1,16 +1,16 @@
 //! A run by fixed time steps, and one step of it.
 
 use super::islands::{Island, IslandSearch, islands};
-use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::frame::{ContactView, IslandView, MotionKind};
-use crate::interaction::assembly::{Assembly, free_acceleration};
+use crate::interaction::acceleration_problem::AccelerationProblem;
+use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
-use crate::simulation::emit_sample;
+use crate::simulation::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
@@ -213,30 +213,30 @@ impl SteppedEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        loop {
-            let t = core.accounts.next_sample_s(&core.world);
-            if t >= t_next {
-                return Ok(());
-            }
-            let mut states = self.states.clone();
-            if t > core.t {
-                let mut in_island = vec![false; states.len()];
-                for island in islands {
-                    island.bodies.iter().for_each(|&body| in_island[body] = true);
-                    let mut stepper = self.stepper.clone();
-                    stepper
-                        .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
-                        .map_err(|source| Core::response_error(core.t, source))?;
-                }
-                for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
-                    if let Some(flight) = self.flight(core, body) {
-                        states[body] = flight.state(t);
-                        core.world.keep_in_plane(body, &mut states[body]);
-                    }
-                }
-            }
-            emit_sample(&*self, core, &states, t, observer);
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| engine.states_within(core, islands, t))
+    }
+
+    /// States of all bodies at `t` (s) within the step of these islands.
+    fn states_within(&mut self, core: &Core, islands: &[Island], t: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let mut states = self.states.clone();
+        if t <= core.t {
+            return Ok(states);
         }
+        let mut in_island = vec![false; states.len()];
+        for island in islands {
+            island.bodies.iter().for_each(|&body| in_island[body] = true);
+            let mut stepper = self.stepper.clone();
+            stepper
+                .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
+                .map_err(|source| Core::response_error(core.t, source))?;
+        }
+        for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
+            if let Some(flight) = self.flight(core, body) {
+                states[body] = flight.state(t);
+                core.world.keep_in_plane(body, &mut states[body]);
+            }
+        }
+        Ok(states)
     }
 
     /// What the forces of contacts add to the accelerations of their bodies.
@@ -246,12 +246,9 @@ impl SteppedEngine {
         bodies: &[usize],
         contacts: &[Touch],
     ) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
-        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let assembly = Assembly::new(&core.world, &self.states, bodies, rows)?;
         let loads = core.world.loads(core.t, &self.states);
-        let free = assembly.free_accelerations(&core.world, &self.states, &loads);
-        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-        let b = assembly.acceleration_constants(&core.world, core.t, &self.states, &free, kinematics)?;
+        let problem = AccelerationProblem::new(&core.world, core.t, &self.states, bodies, contacts, &loads)?;
+        let AccelerationProblem { assembly, constants: b, .. } = problem;
         let mut solver = ComplementaritySolver::default();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;
@@ -266,10 +263,6 @@ impl Tier for SteppedEngine {
         limit_s: f64,
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
-        if !self.begun {
-            let (t, states) = (core.t, self.states.clone());
-            emit_sample(&*self, core, &states, t, observer);
-        }
         // Times are multiples of the step, so that rounding does not add up; a program may cut a step short.
         let step = core.settings.step_s;
         while self.grid as f64 * step <= core.t {
@@ -290,11 +283,6 @@ impl Tier for SteppedEngine {
 
     fn states(&self, _core: &Core) -> Vec<BodyState> {
         self.states.clone()
-    }
-
-    fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
-        // Every step is booked when it is made.
-        Ok(())
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
@@ -364,10 +352,6 @@ impl Tier for SteppedEngine {
 
     fn states_mut(&mut self) -> &mut [BodyState] {
         &mut self.states
-    }
-
-    fn resume(&mut self, _core: &mut Core, _moved: &[usize]) -> Result<(), SimulationError> {
-        Ok(())
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {

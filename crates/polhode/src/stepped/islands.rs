@@ -1,5 +1,6 @@
 //! Islands: bodies that may touch within a step, or that forces couple.
 
+use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
@@ -81,15 +82,11 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
 /// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no
 /// field acts on, is in none; one that a field acts on is an island by itself.
 pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
-    let mut parent: Vec<usize> = (0..world.bodies.len()).collect();
+    let mut sets = DisjointSets::new(world.bodies.len());
     let mut taken = vec![false; world.bodies.len()];
-    let mut join = |a: usize, b: usize| {
-        let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
-        parent[root_a.max(root_b)] = root_a.min(root_b);
-    };
     for together in &world.couplings {
         for &body in together {
-            join(together[0], body);
+            sets.join(together[0], body);
         }
     }
     for &body in &world.movable {
@@ -100,13 +97,13 @@ pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
         taken[a] |= moves[0];
         taken[b] |= moves[1];
         if moves == [true, true] {
-            join(a, b);
+            sets.join(a, b);
         }
     }
     let mut slots: Vec<Option<usize>> = vec![None; world.bodies.len()];
     let mut islands: Vec<Island> = Vec::new();
     for body in (0..taken.len()).filter(|&body| taken[body]) {
-        let slot = *slots[root(&mut parent, body)].get_or_insert_with(|| {
+        let slot = *slots[sets.smallest(body)].get_or_insert_with(|| {
             islands.push(Island::default());
             islands.len() - 1
         });
@@ -114,18 +111,9 @@ pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
     }
     for &(a, b) in pairs {
         let member = if world.bodies[a].moves() { a } else { b };
-        if let Some(slot) = slots[root(&mut parent, member)] {
+        if let Some(slot) = slots[sets.smallest(member)] {
             islands[slot].pairs.push((a, b));
         }
     }
     islands
-}
-
-/// Representative of a body, with path halving.
-fn root(parent: &mut [usize], mut body: usize) -> usize {
-    while parent[body] != body {
-        parent[body] = parent[parent[body]];
-        body = parent[body];
-    }
-    body
 }
