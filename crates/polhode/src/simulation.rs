@@ -10,7 +10,7 @@ use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::scene::{Integrator, SceneError, Tier as TierName};
+use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
@@ -105,10 +105,6 @@ impl Simulation {
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene)?;
-        if settings.tier == TierName::Stepped && !world.prescribed().is_empty() {
-            let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
-            return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());
-        }
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {

@@ -177,6 +177,12 @@ impl Engine {
         if next > t { next } else { next + step }
     }
 
+    /// Until when the boxes of kinematic bodies hold, s; infinite where there are none.
+    pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
+        let bounds = !core.world.prescribed().is_empty() && self.near.flight_end > t;
+        if bounds { self.near.flight_end } else { f64::INFINITY }
+    }
+
     /// Sees to it that the boxes of flights and of kinematic bodies that begin at `t` have an end.
     pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
         if self.near.flight_end <= t && core.world.may_collide_at_all() {

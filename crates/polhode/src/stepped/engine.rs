@@ -105,14 +105,14 @@ impl SteppedEngine {
     /// When the state is no longer finite or a contact problem is not.
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
-        let pairs = self.search.pairs(&core.world, &self.states, h).map_err(SimulationError::BroadPhase)?;
+        let interval = (core.t, h);
+        let pairs = self.search.pairs(&core.world, &self.states, interval).map_err(SimulationError::BroadPhase)?;
         let islands = islands(&core.world, &pairs);
         self.emit_samples_within(core, &islands, t_next, observer)?;
         self.fly(core, &islands, t_next);
         let mut touching = BTreeSet::new();
         self.forces.clear();
         for island in &islands {
-            let interval = (core.t, h);
             let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
             let report = report.map_err(|source| Core::response_error(core.t, source))?;
             self.note(core, &report, h);
@@ -126,6 +126,7 @@ impl SteppedEngine {
             touching.extend(report.touching.iter().copied());
         }
         self.islands = islands.into_iter().map(|island| island.bodies).collect();
+        core.world.prescribe(t_next, &mut self.states);
         core.t = t_next;
         core.accounts.count_step();
         self.report_pairs(core, touching);
@@ -236,6 +237,7 @@ impl SteppedEngine {
                 core.world.keep_in_plane(body, &mut states[body]);
             }
         }
+        core.world.prescribe(t, &mut states);
         Ok(states)
     }
 
@@ -289,7 +291,7 @@ impl Tier for SteppedEngine {
         let failed = |source| Core::response_error(core.t, source);
         let world = &core.world;
         let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
-        let pairs = self.search.pairs(world, &self.states, 0.0).map_err(SimulationError::BroadPhase)?;
+        let pairs = self.search.pairs(world, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
         let mut touches = Vec::new();
         for (a, b) in pairs {
             let reach = world.touch_distance(&self.states, a, b);
@@ -297,8 +299,14 @@ impl Tier for SteppedEngine {
         }
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let loads = world.loads(core.t, &self.states);
-        let mut found: Vec<(DVec3, DVec3)> =
-            (0..self.states.len()).map(|body| free_acceleration(world, &self.states, &loads, body)).collect();
+        let own_acceleration = |body: usize| {
+            if world.trajectory(body).is_some() {
+                world.prescribed_acceleration(body, core.t)
+            } else {
+                free_acceleration(world, &self.states, &loads, body)
+            }
+        };
+        let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len()).map(own_acceleration).collect();
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
         for group in groups(world, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();

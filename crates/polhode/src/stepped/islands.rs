@@ -38,7 +38,7 @@ impl IslandSearch {
         self.colliders.retain(|&other| other != body);
     }
 
-    /// Pairs that may touch within `h` seconds, A < B, ascending.
+    /// Pairs that may touch from `t` to `t + h` (s), A < B, ascending.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -46,14 +46,14 @@ impl IslandSearch {
         &mut self,
         world: &World,
         states: &[BodyState],
-        h: f64,
+        interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         if !world.may_collide_at_all() {
             return Ok(Vec::new());
         }
         self.boxes.clear();
         for &body in &self.colliders {
-            self.boxes.push(swept_box(world, states, body, h));
+            self.boxes.push(swept_box(world, states, body, interval));
         }
         self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
         let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
@@ -64,8 +64,8 @@ impl IslandSearch {
     }
 }
 
-/// The box of a body with what it may go within `h`.
-fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
+/// The box of a body with what it may go from `t` to `t + h` (s).
+fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let (own, state) = (&world.bodies[body], &states[body]);
     let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
     let mut way = world.touch_distance(states, body, body);
@@ -74,9 +74,12 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
         let speed = velocity.linear.length() + velocity.angular.length() * own.size;
         way += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
     }
-    let standing = swept_aabb(shape, &Still(state.pose), 0.0, 0.0);
+    let swept = match world.trajectory(body) {
+        Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
+        None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
+    };
     // What cannot be bounded may be anywhere.
-    standing.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
+    swept.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
 }
 
 /// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no

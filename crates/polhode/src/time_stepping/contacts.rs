@@ -77,17 +77,20 @@ impl NearContact {
 /// Linear and angular accelerations without contact forces of some bodies, ascending.
 #[derive(Debug)]
 pub(super) struct FreeAccelerations<'a> {
+    world: &'a World,
+    /// When, s.
+    t: f64,
     bodies: &'a [usize],
     values: Vec<(DVec3, DVec3)>,
 }
 
 impl<'a> FreeAccelerations<'a> {
     /// Under gravity and the fields at `t`.
-    pub(super) fn with_fields(world: &World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
+    pub(super) fn with_fields(world: &'a World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
         let loads =
             if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Loads::default() };
         let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
-        Self { bodies, values }
+        Self { world, t, bodies, values }
     }
 
     fn of(&self, body: usize) -> (DVec3, DVec3) {
@@ -101,7 +104,8 @@ impl<'a> FreeAccelerations<'a> {
             let (linear, angular) = self.of(body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
-        geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias
+        let relative = geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias;
+        relative + self.world.prescribed_acceleration_of(self.t, states, id, geometry)
     }
 
     /// Largest linear acceleration, m/s^2.
@@ -149,6 +153,7 @@ pub(super) fn near_contacts(
     span: Span,
 ) -> Vec<NearContact> {
     let h = span.h;
+    world.prescribe_members(pairs, t, states);
     let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
@@ -158,14 +163,16 @@ pub(super) fn near_contacts(
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = drift(world, body, state, h);
     }
+    world.prescribe_members(&pairs, t + h, states);
     let mut ahead = Vec::new();
-    for (a, b) in pairs {
+    for &(a, b) in &pairs {
         let reach = world.touch_distance(states, a, b);
         ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
     }
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = *state;
     }
+    world.prescribe_members(&pairs, t, states);
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for id in ahead {
@@ -211,7 +218,8 @@ fn contacts_within_reach(
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
     let mut near = Vec::new();
     for &(a, b) in pairs {
-        let reach = reach + world.touch_distance(states, a, b);
+        let driven = [(a, b), (b, a)].map(|(body, other)| world.prescribed_speed_at(body, other, states, (t, h)));
+        let reach = reach + REACH_FACTOR * h * (driven[0] + driven[1]) + world.touch_distance(states, a, b);
         for touch in world.contacts_of_pair(states, a, b, reach) {
             let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
             near.push(near_contact(world, states, &free, touch.id, kinematics, span));
@@ -230,7 +238,8 @@ fn near_contact(
     span: Span,
 ) -> NearContact {
     let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
-    let pressing = pressing[0].max(pressing[1]);
+    let driven = world.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
+    let pressing = pressing[0].max(pressing[1]) + driven;
     // The speed of a fall from the height of a bounce that may be lost.
     let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
     NearContact {

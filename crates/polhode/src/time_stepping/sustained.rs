@@ -13,10 +13,13 @@
 //! For bodies that rest, all three agree: `u- = -g h/2` and `u+ = g h/2`, and they end exactly where they began. Since
 //! velocities that are reversed, `u+ = -u-`, satisfy all rows, the problem always has a solution.
 //!
+//! A kinematic body is one of infinite mass whose velocity and acceleration are given: they are in `u-`, `u+` and `a`. The law
+//! of energy is one of relative rates, and the work of the prescribed motion, `-p` times its part of the rate, is booked as
+//! work of the outside.
+//!
 //! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
 //! there are none.
 
-use super::NO_WORK_J;
 use super::contacts::{NearContact, connected, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
@@ -192,7 +195,8 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change(world, states, rows, near), given, NO_WORK_J);
+        let work = world.prescribed_work(states, group.impulses_of(rows, near));
+        report.books.impact(group.energy_change(world, states, rows, near), given, work);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;

@@ -14,6 +14,7 @@ mod impacts;
 mod integrators;
 mod invariance;
 mod kinematic;
+mod kinematic_steps;
 mod linked_rings;
 mod mass_ratios;
 mod momentum;
