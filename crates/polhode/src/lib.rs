@@ -14,6 +14,7 @@ mod core;
 mod disjoint_sets;
 pub mod error;
 pub mod event;
+mod field_index;
 pub mod frame;
 mod free_method;
 mod free_stage;

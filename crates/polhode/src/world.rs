@@ -5,6 +5,7 @@
 //! body is held at. Shapes are moved into it once, here; results are moved back when they are sampled.
 
 use crate::Acceleration;
+use crate::field_index::{FieldIndex, acted_on};
 use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
 use crate::prescribed;
@@ -16,7 +17,7 @@ use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, Field
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose, Velocity};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
@@ -64,10 +65,11 @@ pub(crate) struct World {
     rigid: Arc<[RigidBody]>,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
-    /// Bodies on which a force acts that changes with time, also while they rest.
+    /// Bodies on which a force acts that changes with time, also while they rest; ascending.
     pub(crate) driven: Vec<usize>,
     /// Movable bodies that one field acts on together.
     pub(crate) couplings: Vec<Vec<usize>>,
+    field_index: FieldIndex,
     /// Whether any two bodies may collide.
     collides: bool,
     /// Force and torque (N, N m, world) that a program has set on bodies, by number.
@@ -101,6 +103,7 @@ impl World {
             fields: Arc::from(Vec::new()),
             driven: Vec::new(),
             couplings: Vec::new(),
+            field_index: FieldIndex::default(),
             collides: scene.any_may_collide(),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
@@ -119,9 +122,8 @@ impl World {
         for (number, force) in self.scene.forces().iter().enumerate() {
             let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
             if force.changes_with_time() {
-                let acted_on = self.movable.iter().enumerate();
-                let acted_on = acted_on.filter(|&(slot, _)| made.iter().any(|field| field.acts_on(slot)));
-                self.driven.extend(acted_on.map(|(_, &body)| body));
+                let slots = made.iter().flat_map(|field| acted_on(&**field, self.movable.len()));
+                self.driven.extend(slots.map(|slot| self.movable[slot]));
             }
             fields.extend(made);
         }
@@ -130,9 +132,13 @@ impl World {
             let made = applied_fields(self.slot(body), wrench);
             fields.extend(made.map_err(|source| SceneError::Force { force, source })?);
         }
-        for field in &fields {
-            let together: Vec<usize> = (0..self.movable.len()).filter(|&slot| field.acts_on(slot)).collect();
-            if together.len() > 1 && field.couples() {
+        self.driven.sort_unstable();
+        self.driven.dedup();
+        self.field_index = FieldIndex::new(&fields, self.movable.len());
+        for field in fields.iter().filter(|field| field.couples()) {
+            let together = acted_on(&**field, self.movable.len());
+            if together.len() > 1 {
+                self.field_index.couple(self.couplings.len(), &together);
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
@@ -237,13 +243,14 @@ impl World {
 
     /// Whether a field, or the torque of gravity about a pivot, can act on a body.
     pub(crate) fn is_loaded(&self, body: usize) -> bool {
-        self.movable.binary_search(&body).is_ok_and(|slot| self.free_motion().is_loaded(slot))
+        let swings = FreeMotion::new(&self.rigid, self.gravity(), &[]);
+        self.slot(body).is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
     }
 
     /// Whether a force acts on a body but none that could turn it.
     pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
         let motion = self.free_motion();
-        self.movable.binary_search(&body).is_ok_and(|slot| motion.is_loaded(slot) && !motion.is_turned(slot))
+        self.is_loaded(body) && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
     }
 
     /// How many movable bodies a field or a pivot can act on.
@@ -280,7 +287,20 @@ impl World {
 
     /// Whether a field makes the motion of a body depend on that of others.
     pub(crate) fn is_coupled(&self, body: usize) -> bool {
-        self.couplings.iter().any(|together| together.contains(&body))
+        self.couplings_of(body).next().is_some()
+    }
+
+    /// The couplings that a body is in: all bodies that one field acts on together with it.
+    pub(crate) fn couplings_of(&self, body: usize) -> impl Iterator<Item = &Vec<usize>> {
+        let numbers = self.slot(body).map_or(&[][..], |slot| self.field_index.couplings_of(slot));
+        numbers.iter().map(|&number| &self.couplings[number])
+    }
+
+    /// The couplings that any of these bodies is in, each once.
+    pub(crate) fn couplings_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Vec<usize>> {
+        let slots = bodies.iter().filter_map(|&body| self.slot(body));
+        let numbers: BTreeSet<usize> = slots.flat_map(|slot| self.field_index.couplings_of(slot)).copied().collect();
+        numbers.into_iter().map(|number| &self.couplings[number])
     }
 
     /// Whether forces couple bodies of a scene in which some may collide.
@@ -296,7 +316,7 @@ impl World {
 
     /// Whether forces on a body change with time, also while everything rests.
     pub(crate) fn is_driven(&self, body: usize) -> bool {
-        self.driven.contains(&body)
+        self.driven.binary_search(&body).is_ok()
     }
 
     /// Whether any force field acts.
@@ -550,7 +570,7 @@ impl WorldBody {
     }
 }
 
-/// What collides of a solid mesh: its convex parts, or, when it is ground, its surface.
+/// What collides of a solid mesh: its convex parts, or, when no force moves it, its surface.
 fn colliding(mesh: &SolidMesh, is_fixed: bool) -> Result<Shape, ShapeError> {
     if !is_fixed || convexity(mesh).is_convex() {
         return Shape::solid(mesh);

@@ -288,7 +288,7 @@ impl Engine {
                         joins.insert(other);
                     }
                 }
-                let coupled = core.world.couplings.iter().filter(|together| together.contains(&body)).flatten();
+                let coupled = core.world.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }
             if joins.is_empty() {

@@ -17,7 +17,7 @@ pub(crate) struct Group {
 
 /// The groups that `contacts` (index of the contact, body A, body B) form.
 pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
-    joined(world, contacts, &[], &[])
+    joined(world, contacts, &[])
 }
 
 /// The groups that `contacts` and the force fields that couple bodies form among `bodies`, each of which is in one.
@@ -26,22 +26,19 @@ pub(crate) fn coupled_groups(
     contacts: impl Iterator<Item = (usize, usize, usize)>,
     bodies: &[usize],
 ) -> Vec<Group> {
-    joined(world, contacts, bodies, &world.couplings)
+    joined(world, contacts, bodies)
 }
 
 /// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies concerned alone.
-fn joined(
-    world: &World,
-    contacts: impl Iterator<Item = (usize, usize, usize)>,
-    bodies: &[usize],
-    couplings: &[Vec<usize>],
-) -> Vec<Group> {
+fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, bodies: &[usize]) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
     let moves = |body: &usize| world.bodies[*body].moves();
     let mut members: Vec<usize> = contacts.iter().flat_map(|&(_, a, b)| [a, b]).filter(moves).collect();
     members.extend_from_slice(bodies);
     members.sort_unstable();
     members.dedup();
+    let mut belongs = bodies.to_vec();
+    belongs.sort_unstable();
     let place = |body: usize| members.binary_search(&body).ok();
     let mut sets = DisjointSets::new(members.len());
     let mut join = |a: usize, b: usize| {
@@ -49,8 +46,8 @@ fn joined(
             sets.join(a, b);
         }
     };
-    for together in couplings {
-        let mut coupled = together.iter().copied().filter(|body| bodies.contains(body));
+    for together in world.couplings_among(&belongs) {
+        let mut coupled = together.iter().copied().filter(|body| belongs.binary_search(body).is_ok());
         let Some(first) = coupled.next() else { continue };
         coupled.for_each(|body| join(first, body));
     }
