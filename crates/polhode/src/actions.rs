@@ -173,8 +173,16 @@ impl Simulation {
         index: usize,
         moved: &[usize],
         what: &'static str,
-        change: impl FnOnce(&polhode_dynamics::RigidBody, &mut BodyState),
+        change: impl Fn(&polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
+        if let Some(rigid) = &self.core.world.bodies[index].rigid {
+            // Finite numbers may have an effect that is not.
+            let mut state = self.tier.states(&self.core)[index];
+            change(rigid, &mut state);
+            if !(state.is_finite() && rigid.kinetic_energy(&state).is_finite()) {
+                return Err(ActionError::NotFinite { body: self.name(index), what: "the motion after it" }.into());
+            }
+        }
         self.act(&[index], moved, what, |simulation| {
             let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();

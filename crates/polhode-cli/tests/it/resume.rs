@@ -90,6 +90,35 @@ fn checkpoints_that_cannot_be_continued_are_refused_with_a_message() {
     assert!(place.expect(3, &["resume", "scene.checkpoint"]).stderr.contains("cannot read"));
 }
 
+/// A scene names its meshes relative to its own file: a run resumed in another folder finds them, and one whose mesh has
+/// changed since is refused.
+#[test]
+fn a_run_with_mesh_files_is_resumed_in_another_folder() {
+    let solid = "name = \"part\"\nshape.mesh.file = \"meshes/part.obj\"\ndensity = 500\nposition = [0, 0, 3.2]\n\
+                 rotation_vector = [0.4, 0.7, 0.1]";
+    let head = "name = \"part\"\nduration = 0.8\noutput.interval = 0.0625";
+    let place = Place::with_scene(&on_a_floor(head, 0.3, solid));
+    std::fs::create_dir(place.path("meshes")).unwrap();
+    let mesh = std::fs::read_to_string(crate::fixture("meshes/l-shape.obj")).unwrap();
+    place.write("meshes/part.obj", &mesh);
+    let expected = timeless(place.expect(0, &["run", "scene.toml", "--json", "-o", "a.csv"]).json());
+    place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.3"]);
+    let checkpoint = place.path("scene.checkpoint");
+    let checkpoint = checkpoint.to_str().unwrap();
+    let elsewhere = Place::new();
+    let resumed = elsewhere.expect(0, &["resume", checkpoint, "--json", "-o", "b.csv"]);
+    assert_eq!(timeless(resumed.json()), expected);
+    let rest = elsewhere.read("b.csv");
+    assert!(place.read("a.csv").ends_with(rest.split_once('\n').unwrap().1));
+    std::fs::copy(checkpoint, elsewhere.path("moved")).unwrap();
+    assert_eq!(timeless(elsewhere.expect(0, &["resume", "moved", "--json"]).json()), expected);
+    place.write("meshes/part.obj", &mesh.replace("v 2 ", "v 2.001 "));
+    let refused = elsewhere.expect(2, &["resume", "moved"]);
+    assert!(refused.stderr.contains("is of scene \"part\""), "{}", refused.stderr);
+    std::fs::remove_file(place.path("meshes/part.obj")).unwrap();
+    assert!(elsewhere.expect(3, &["resume", "moved"]).stderr.contains("part.obj"));
+}
+
 #[test]
 fn an_output_never_replaces_what_the_run_is_made_from() {
     let place = Place::with_scene(&fall());

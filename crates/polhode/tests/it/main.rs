@@ -23,6 +23,7 @@ mod pivots;
 mod planar;
 mod prescribed_motion;
 mod program;
+mod refusals;
 mod round_bodies;
 mod snapshots;
 mod stepped;
