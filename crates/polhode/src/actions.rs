@@ -268,8 +268,7 @@ impl Simulation {
 /// Checks that a body overlaps no other one.
 fn check_clear(world: &crate::world::World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
-        let Some((shape_a, shape_b)) = world.shapes(index, other) else { continue };
-        let separation = polhode_contact::separation(shape_a, &states[index].pose, shape_b, &states[other].pose);
+        let Some(separation) = world.separation_afresh(states, index, other) else { continue };
         let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
         if separation < -allowed_m {
             let name = |body: usize| world.bodies[body].name.clone();

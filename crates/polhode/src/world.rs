@@ -5,6 +5,7 @@
 //! body is held at. Shapes are moved into it once, here; results are moved back when they are sampled.
 
 use crate::Acceleration;
+use crate::collision::narrow_phase::NarrowPhase;
 use crate::field_index::{FieldIndex, acted_on};
 use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
@@ -70,6 +71,7 @@ pub(crate) struct World {
     /// Movable bodies that one field acts on together.
     pub(crate) couplings: Vec<Vec<usize>>,
     field_index: FieldIndex,
+    pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     collides: bool,
     /// Force and torque (N, N m, world) that a program has set on bodies, by number.
@@ -104,6 +106,7 @@ impl World {
             driven: Vec::new(),
             couplings: Vec::new(),
             field_index: FieldIndex::default(),
+            narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
@@ -214,6 +217,7 @@ impl World {
     pub(crate) fn remove_body(&mut self, body: usize) -> Result<(), SceneError> {
         self.bodies[body].removed = true;
         self.bodies[body].shape = None;
+        self.narrow_phase.forget(body);
         self.bodies[body].trajectory = None;
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;

@@ -13,7 +13,6 @@ use super::engine::Engine;
 use super::locate::BISECTIONS;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
-use polhode_contact::separation;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -145,9 +144,7 @@ impl Engine {
     /// Whether two bodies overlapped at the start of the step. What has swung through another one since then is nearest to
     /// the way out on its far side, by features that were never clear.
     fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
-        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &self.states[a].pose, shape_b, &self.states[b].pose) < -depth
-        })
+        core.world.separation_afresh(&self.states, a, b).is_some_and(|separation| separation < -depth)
     }
 
     /// A time at which the contact shows through which the bodies have come to overlap within an interval: once they
