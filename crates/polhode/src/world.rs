@@ -6,7 +6,7 @@
 
 use crate::Acceleration;
 use crate::collision::narrow_phase::NarrowPhase;
-use crate::field_index::{FieldIndex, acted_on};
+use crate::field_index::{FieldBuffers, FieldIndex, acted_on};
 use crate::observer::BodySample;
 use crate::planar::PlaneOfMotion;
 use crate::prescribed;
@@ -19,7 +19,7 @@ use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
 /// struck together (docs/ARCHITECTURE.md, "Tolerances").
@@ -71,6 +71,7 @@ pub(crate) struct World {
     /// Movable bodies that one field acts on together.
     pub(crate) couplings: Vec<Vec<usize>>,
     field_index: FieldIndex,
+    field_buffers: FieldBuffers,
     pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     collides: bool,
@@ -106,6 +107,7 @@ impl World {
             driven: Vec::new(),
             couplings: Vec::new(),
             field_index: FieldIndex::default(),
+            field_buffers: FieldBuffers::default(),
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             applied: BTreeMap::new(),
@@ -270,18 +272,58 @@ impl World {
         }
         let mut wrenches = vec![Wrench::default(); self.movable.len()];
         motion.wrenches(t, &self.movable_states(states), &mut wrenches);
-        let mut loads = Loads { by_body: vec![Wrench::default(); self.bodies.len()] };
-        for (&body, wrench) in self.movable.iter().zip(wrenches) {
-            loads.by_body[body] = wrench;
-        }
-        loads
+        Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
     }
 
-    /// Wrenches of the fields of one account on all movable bodies, torques about the centres of mass.
-    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState]) -> Vec<Wrench> {
-        let mut wrenches = vec![Wrench::default(); self.movable.len()];
-        self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
-        wrenches
+    /// As [`World::loads`], on these bodies alone. Where all fields name the bodies that they act on, the work is that of the
+    /// fields on these bodies, however many others there are.
+    pub(crate) fn loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let motion = self.free_motion();
+        let swing = |slot: usize, wrench: &mut Wrench| {
+            motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
+        };
+        self.field_wrenches_on(t, states, bodies, |_| true, swing).unwrap_or_else(|| self.loads(t, states))
+    }
+
+    /// Wrenches of the fields of one account on these bodies, torques about the centres of mass.
+    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let of_account = |field: &dyn Field| field.account() == account;
+        self.field_wrenches_on(t, states, bodies, of_account, |_, _| ()).unwrap_or_else(|| {
+            let mut wrenches = vec![Wrench::default(); self.movable.len()];
+            self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
+            Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
+        })
+    }
+
+    /// Wrenches of some of the fields on these bodies, each finished by its place among the movable ones; nothing when a field
+    /// does not name its bodies.
+    fn field_wrenches_on(
+        &self,
+        t: f64,
+        states: &[BodyState],
+        bodies: &[usize],
+        chosen: impl Fn(&dyn Field) -> bool,
+        finish: impl Fn(usize, &mut Wrench),
+    ) -> Option<Loads> {
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
+        let (fields, read) = self.field_index.acting_on(&slots)?;
+        let mut buffers = self.field_buffers.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let (own, wrenches) = &mut *buffers;
+        own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
+        wrenches.resize(self.movable.len(), Wrench::default());
+        for slot in read {
+            own[slot] = states[self.movable[slot]];
+            wrenches[slot] = Wrench::default();
+        }
+        for field in fields.iter().map(|&number| &*self.fields[number]).filter(|field| chosen(*field)) {
+            field.add_wrenches(t, &self.rigid, own, wrenches);
+        }
+        let load = |slot: usize| {
+            let mut wrench = wrenches[slot];
+            finish(slot, &mut wrench);
+            (self.movable[slot], wrench)
+        };
+        Some(Loads::Of(slots.into_iter().map(load).collect()))
     }
 
     /// Whether any two bodies may collide.
@@ -505,14 +547,24 @@ fn applied_fields(slot: Option<usize>, wrench: &Wrench) -> Result<Vec<Box<dyn Fi
 
 /// What fields do to all bodies at one instant; torques about the origins of the moving frames.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Loads {
-    by_body: Vec<Wrench>,
+pub(crate) enum Loads {
+    /// Nothing.
+    #[default]
+    None,
+    /// Of bodies, ascending; nothing on others.
+    Of(Vec<(usize, Wrench)>),
 }
 
 impl Loads {
     /// On one body.
     pub(crate) fn of(&self, body: usize) -> Wrench {
-        self.by_body.get(body).copied().unwrap_or_default()
+        match self {
+            Self::None => Wrench::default(),
+            Self::Of(loads) => {
+                let place = loads.binary_search_by_key(&body, |(loaded, _)| *loaded);
+                place.map_or_else(|_| Wrench::default(), |place| loads[place].1)
+            }
+        }
     }
 }
 

@@ -48,7 +48,7 @@ impl Forces {
         contacts: &[Touch],
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
-        let loads = world.loads(t, states);
+        let loads = world.loads_on(t, states, bodies);
         let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
         let AccelerationProblem { assembly, free, constants: b } = problem;
         let load = bodies.iter().map(|&body| {

@@ -5,7 +5,7 @@ use crate::collision::contact_set::ContactId;
 use crate::disjoint_sets::DisjointSets;
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::Group;
-use crate::world::{Loads, World};
+use crate::world::World;
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -87,8 +87,7 @@ pub(super) struct FreeAccelerations<'a> {
 impl<'a> FreeAccelerations<'a> {
     /// Under gravity and the fields at `t`.
     pub(super) fn with_fields(world: &'a World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
-        let loads =
-            if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Loads::default() };
+        let loads = world.loads_on(t, states, bodies);
         let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
         Self { world, t, bodies, values }
     }
