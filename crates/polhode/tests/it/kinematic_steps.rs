@@ -1,11 +1,12 @@
 //! Kinematic bodies in time steps: the tier `stepped`, and stretches of crowded events in the tier `accurate`.
 
-use crate::checks::{assert_closes, worst_place};
+use crate::checks::worst_place;
+use crate::stepped::{run_by, stepped};
 use crate::support::{accurate, ball, brick, elastic};
 use polhode::contact::Shape;
-use polhode::scene::{Method, PrescribedMotion, Tier};
+use polhode::scene::{Method, PrescribedMotion};
 use polhode::spatial::{DVec3, Motion, Pose, Velocity};
-use polhode::{Body, Effects, Geometry, Recorder, RunReport, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved};
 
 const G: f64 = 9.81;
 const RADIUS: f64 = 0.2;
@@ -18,19 +19,6 @@ fn slab(motion: PrescribedMotion) -> Body {
 
 fn steady(linear: DVec3) -> PrescribedMotion {
     PrescribedMotion::constant_velocity(Velocity::new(linear, DVec3::ZERO)).unwrap()
-}
-
-fn stepped(step_s: f64) -> Method {
-    Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() }
-}
-
-/// Runs by this method; both ledgers must close.
-fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
-    let scene = scene.clone().method(method).build().unwrap();
-    let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
-    assert_closes(&report);
-    (report, recorder)
 }
 
 /// A box on a conveyor without friction stays where it is, and the conveyor does no work; each pose of the conveyor is the

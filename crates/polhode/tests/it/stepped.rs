@@ -9,12 +9,12 @@ use polhode::{Body, Effects, EventKind, Recorder, RunReport, Scene, SceneBuilder
 
 const G: f64 = 9.81;
 
-fn stepped(step_s: f64) -> Method {
+pub(crate) fn stepped(step_s: f64) -> Method {
     Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() }
 }
 
 /// Runs by this method; the ledgers must close and energy must not be gained.
-fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
+pub(crate) fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
     let scene = scene.clone().method(method).build().unwrap();
     let mut recorder = Recorder::default();
     let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
