@@ -10,7 +10,7 @@ use crate::observer::{BodySample, Flow, Observer};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::scene::{Integrator, SceneError, Tier as TierName};
+use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
@@ -105,10 +105,6 @@ impl Simulation {
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene)?;
-        if settings.tier == TierName::Stepped && !world.prescribed().is_empty() {
-            let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
-            return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());
-        }
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -181,6 +177,10 @@ impl Simulation {
 
     /// Advances to a limit of time (s) or to the first event before it.
     fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        if self.core.accounts.is_unsampled() {
+            let (t, states) = (self.core.t, self.tier.states(&self.core));
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer);
+        }
         let reached = self.tier.advance(&mut self.core, limit, observer)?;
         let t = self.core.t;
         if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
@@ -367,10 +367,31 @@ fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
 }
 
 /// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
-pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
+    }
+}
+
+/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier.
+///
+/// # Errors
+/// As `states_at`.
+pub(crate) fn emit_samples_before<T: Tier>(
+    until: f64,
+    tier: &mut T,
+    core: &mut Core,
+    observer: &mut dyn Observer,
+    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Vec<BodyState>, SimulationError>,
+) -> Result<(), SimulationError> {
+    loop {
+        let t = core.accounts.next_sample_s(&core.world);
+        if t >= until {
+            return Ok(());
+        }
+        let states = states_at(tier, core, t)?;
+        emit_sample(tier, core, &states, t, observer);
     }
 }
 

@@ -235,11 +235,11 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
     let mut sum = crate::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
-        let wrenches = world.wrenches_of(account, t, states);
+        let wrenches = world.wrenches_of(account, t, states, bodies);
         let mut power = 0.0;
         for &body in bodies {
-            let (Some(slot), Some(rigid)) = (world.slot(body), &world.bodies[body].rigid) else { continue };
-            let (wrench, state) = (wrenches[slot], &states[body]);
+            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let (wrench, state) = (wrenches.of(body), &states[body]);
             let velocity = rigid.center_of_mass_velocity(state);
             power += wrench.force.dot(velocity.linear) + wrench.torque.dot(velocity.angular);
             if world.carries_momentum(body) {

@@ -215,11 +215,6 @@ impl Accounts {
         self.steps += 1;
     }
 
-    /// Steps made so far.
-    pub(crate) fn steps(&self) -> u64 {
-        self.steps
-    }
-
     /// An event that will be told in its turn.
     pub(crate) fn add_event(&mut self, event: Event) {
         self.events.push(event);
@@ -239,6 +234,11 @@ impl Accounts {
     /// Time of the next sample of the output's grid, s.
     pub(crate) fn next_sample_s(&self, world: &World) -> f64 {
         self.next_sample as f64 * world.scene.output_interval_s()
+    }
+
+    /// Whether no sample has been told yet.
+    pub(crate) fn is_unsampled(&self) -> bool {
+        self.last_sample_s.is_none()
     }
 
     /// Tells the observer the states at `t` (s), unless it has had a sample of that time; whether it was told.

@@ -18,7 +18,7 @@ use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::scene::Integrator;
-use crate::simulation::emit_sample;
+use crate::simulation::emit_samples_before;
 use crate::snapshot::content;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
@@ -210,16 +210,12 @@ impl Engine {
         until: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        loop {
-            let t = core.accounts.next_sample_s(&core.world);
-            if t >= until {
-                return Ok(());
-            }
-            let states = self.states_at(core, t)?;
+        emit_samples_before(until, self, core, observer, |engine, core, t| {
+            let states = engine.states_at(core, t)?;
             core.accounts.observe(&core.world, &states, t)?;
-            self.observed_s = t;
-            emit_sample(&*self, core, &states, t, observer);
-        }
+            engine.observed_s = t;
+            Ok(states)
+        })
     }
 
     /// The island of a body that moves in one.
@@ -429,9 +425,6 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            let states = self.states.clone();
-            let t = core.t;
-            emit_sample(&*self, core, &states, t, observer);
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;

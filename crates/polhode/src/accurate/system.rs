@@ -95,7 +95,7 @@ impl<'a> ContactSystem<'a> {
             self.states[body] = state;
         }
         self.world.prescribe(t, self.states);
-        self.world.loads(t, self.states)
+        self.world.loads_on(t, self.states, self.bodies)
     }
 
     /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m).
@@ -226,7 +226,7 @@ impl System for ContactSystem<'_> {
         let (world, states) = (self.world, &*self.states);
         self.contacts.clear();
         self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
-        let loads = self.world.loads(t, self.states);
+        let loads = self.world.loads_on(t, self.states, self.bodies);
         let HeldForces { forces, sums } = self.held_forces(t, &loads)?;
         self.note_magnitudes(&forces);
         self.free_rates(&loads, state, rates);

@@ -5,7 +5,7 @@ use crate::support::{accurate, floor};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{Body, Effects, Recorder, RunReport, Scene, Simulation};
 
-/// A box of 1 kg on the ground; on it slides one of `ratio` kg that is turned by `turn` (rad) about the vertical.
+/// A box of 1 kg on the floor; on it slides one of `ratio` kg that is turned by `turn` (rad) about the vertical.
 fn slide(ratio: f64, turn: f64, on_top: bool) -> (RunReport, Recorder) {
     let (low, high) = (DVec3::new(1.0, 1.0, 0.5), DVec3::new(0.9, 0.7, 0.3));
     let turned = |body: Body, place: DVec3| {
