@@ -221,9 +221,15 @@ impl Simulation {
     /// # Panics
     /// Never for a handle of this simulation; for one of another simulation with more bodies the last body is given.
     pub fn body(&self, body: BodyId) -> BodySample {
+        let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
+        self.core.world.sample(index, &self.tier.state(&self.core, index))
+    }
+
+    /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives for each,
+    /// evaluated at once.
+    pub fn bodies(&self) -> Vec<BodySample> {
         let states = self.tier.states(&self.core);
-        let index = body.index().min(states.len().saturating_sub(1));
-        self.core.world.sample(index, &states[index])
+        states.iter().enumerate().map(|(body, state)| self.core.world.sample(body, state)).collect()
     }
 
     /// Contacts that touch at the present. Only sums of forces and the motion are unique.

@@ -449,12 +449,6 @@ impl World {
         if mass > 0.0 { moment / mass } else { DVec3::ZERO }
     }
 
-    /// Largest distance of a movable body's centre of mass from a point, m.
-    pub(crate) fn extent_about(&self, states: &[BodyState], point: DVec3) -> f64 {
-        let movable = states.iter().zip(&self.bodies).filter(|(_, body)| body.moves());
-        movable.fold(0.0, |most, (state, _)| (state.pose.translation - point).length().max(most))
-    }
-
     /// Potential energy of the scene at the start, J, of gravity zero at the world's origin.
     pub(crate) fn initial_potential(&self) -> f64 {
         let bodies = self.bodies.iter();

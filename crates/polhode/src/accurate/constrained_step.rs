@@ -74,6 +74,13 @@ impl ConstrainedStep {
         }
     }
 
+    /// State of a body of the island at a time within the step.
+    pub(super) fn state_at(&self, body: usize, t: f64) -> Option<BodyState> {
+        let mut flat = vec![0.0; self.end_state.len()];
+        self.dense.evaluate(t, &mut flat);
+        self.state(&flat, self.bodies.binary_search(&body).ok()?, t)
+    }
+
     /// What the outside has given from the start of the step to `t`.
     pub(super) fn received_until(&self, t: f64) -> Received {
         let mut flat = vec![0.0; self.end_state.len()];

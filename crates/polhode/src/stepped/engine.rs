@@ -292,6 +292,10 @@ impl Tier for SteppedEngine {
         self.states.clone()
     }
 
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
+    }
+
     fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
         // Every step is booked when it is made.
         Ok(())

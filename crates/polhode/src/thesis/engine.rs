@@ -287,6 +287,10 @@ impl Tier for ThesisEngine {
         self.states.clone()
     }
 
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
+    }
+
     fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
         // Every step is booked when it is made.
         Ok(())
