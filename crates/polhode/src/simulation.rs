@@ -18,7 +18,7 @@ use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
-use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError};
+use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force};
 use polhode_contact::QueryError;
 use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
@@ -109,6 +109,9 @@ impl Simulation {
             let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
             return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());
         }
+        if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
+            return Err(error);
+        }
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -181,7 +184,9 @@ impl Simulation {
 
     /// Advances to a limit of time (s) or to the first event before it.
     fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
-        let reached = self.tier.advance(&mut self.core, limit, observer)?;
+        let reached = self.tier.advance(&mut self.core, limit, observer);
+        let reached =
+            reached.map_err(|error| singular_force::explained(error, &self.core, &self.tier.states(&self.core)))?;
         let t = self.core.t;
         if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
             self.ended = true;

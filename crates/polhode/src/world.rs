@@ -304,6 +304,11 @@ impl World {
         !self.fields.is_empty()
     }
 
+    /// Whether any force field's work belongs to this account.
+    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
+        self.fields.iter().any(|field| field.account() == account)
+    }
+
     /// Potential energy of the conservative fields, J.
     fn field_potential(&self, states: &[BodyState]) -> f64 {
         if self.fields.is_empty() {

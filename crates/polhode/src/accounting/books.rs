@@ -271,6 +271,9 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
     let mut sum = crate::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
+        if !world.has_fields_of(account) {
+            continue;
+        }
         let wrenches = world.wrenches_of(account, t, states);
         let mut power = 0.0;
         for &body in bodies {

@@ -25,5 +25,6 @@ mod program;
 mod round_bodies;
 mod snapshots;
 mod stepped;
+mod stiff_and_singular;
 mod support;
 mod table_edge;
