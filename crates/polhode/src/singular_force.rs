@@ -8,9 +8,9 @@ use crate::SimulationError;
 use crate::core::Core;
 use crate::scene::Force;
 use crate::world::World;
-use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
+use polhode_dynamics::{BodyState, RigidBody};
 
 /// A force counts as the cause when alone it would take the body, from rest, over so many times its own size within the
 /// longest step (dimensionless, 1 to 1e6): forces that steps of that length resolve move it by a part of its size.
@@ -38,7 +38,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
     }
     let mut strongest: Option<(f64, usize, usize, Wrench)> = None;
     for_each_wrench(world, t, states, |force, body, wrench| {
-        let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, |rigid| rigid.inverse_mass());
+        let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
         let way = wrench.force.length() * inverse_mass * core.settings.step_s * core.settings.step_s;
         let sizes = way / world.bodies[body].size;
         if sizes > SIZES_PER_STEP && strongest.is_none_or(|(largest, ..)| sizes > largest) {

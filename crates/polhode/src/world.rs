@@ -64,6 +64,8 @@ pub(crate) struct World {
     rigid: Arc<[RigidBody]>,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
+    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
+    is_loaded_at_all: bool,
     /// Bodies on which a force acts that changes with time, also while they rest.
     pub(crate) driven: Vec<usize>,
     /// Movable bodies that one field acts on together.
@@ -99,6 +101,7 @@ impl World {
             prescribed,
             rigid,
             fields: Arc::from(Vec::new()),
+            is_loaded_at_all: false,
             driven: Vec::new(),
             couplings: Vec::new(),
             collides: scene.any_may_collide(),
@@ -137,6 +140,7 @@ impl World {
             }
         }
         self.fields = Arc::from(fields);
+        self.is_loaded_at_all = self.free_motion().has_loads();
         Ok(())
     }
 
@@ -253,10 +257,10 @@ impl World {
 
     /// What fields and gravity about pivots do to all bodies; empty when nothing does.
     pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
-        let motion = self.free_motion();
-        if !motion.has_loads() {
+        if !self.is_loaded_at_all {
             return Loads::default();
         }
+        let motion = self.free_motion();
         let mut wrenches = vec![Wrench::default(); self.movable.len()];
         motion.wrenches(t, &self.movable_states(states), &mut wrenches);
         let mut loads = Loads { by_body: vec![Wrench::default(); self.bodies.len()] };
