@@ -30,6 +30,7 @@ pub mod report;
 pub mod scene;
 mod settings;
 mod simulation;
+mod singular_force;
 mod snapshot;
 mod stepped;
 mod thesis;

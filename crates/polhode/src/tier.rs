@@ -45,6 +45,10 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// States of all bodies at the present.
     fn states(&self, core: &Core) -> Vec<BodyState>;
 
+    /// State of one body at the present: the same bits as in [`Tier::states`], at a cost that does not grow with the number
+    /// of bodies that do not move with it.
+    fn state(&self, core: &Core, body: usize) -> BodyState;
+
     /// Books into `accounts`, which are a copy, what has been going on since it was last booked, up to the present.
     ///
     /// # Errors

@@ -66,6 +66,8 @@ pub(crate) struct World {
     rigid: Arc<[RigidBody]>,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
+    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
+    is_loaded_at_all: bool,
     /// Bodies on which a force acts that changes with time, also while they rest; ascending.
     pub(crate) driven: Vec<usize>,
     /// Movable bodies that one field acts on together.
@@ -104,6 +106,7 @@ impl World {
             prescribed,
             rigid,
             fields: Arc::from(Vec::new()),
+            is_loaded_at_all: false,
             driven: Vec::new(),
             couplings: Vec::new(),
             field_index: FieldIndex::default(),
@@ -148,6 +151,7 @@ impl World {
             }
         }
         self.fields = Arc::from(fields);
+        self.is_loaded_at_all = self.free_motion().has_loads();
         Ok(())
     }
 
@@ -266,10 +270,10 @@ impl World {
 
     /// What fields and gravity about pivots do to all bodies; empty when nothing does.
     pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
-        let motion = self.free_motion();
-        if !motion.has_loads() {
+        if !self.is_loaded_at_all {
             return Loads::default();
         }
+        let motion = self.free_motion();
         let mut wrenches = vec![Wrench::default(); self.movable.len()];
         motion.wrenches(t, &self.movable_states(states), &mut wrenches);
         Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
@@ -368,6 +372,11 @@ impl World {
     /// Whether any force field acts.
     pub(crate) fn has_fields(&self) -> bool {
         !self.fields.is_empty()
+    }
+
+    /// Whether any force field's work belongs to this account.
+    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
+        self.fields.iter().any(|field| field.account() == account)
     }
 
     /// Potential energy of the conservative fields, J.
@@ -513,12 +522,6 @@ impl World {
             moment += start * rigid.mass();
         }
         if mass > 0.0 { moment / mass } else { DVec3::ZERO }
-    }
-
-    /// Largest distance of a movable body's centre of mass from a point, m.
-    pub(crate) fn extent_about(&self, states: &[BodyState], point: DVec3) -> f64 {
-        let movable = states.iter().zip(&self.bodies).filter(|(_, body)| body.moves());
-        movable.fold(0.0, |most, (state, _)| (state.pose.translation - point).length().max(most))
     }
 
     /// Potential energy of the scene at the start, J, of gravity zero at the world's origin.

@@ -22,6 +22,7 @@
 //! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
+//! | `present` | the state of a body and the contacts that touch, at the present |
 //! | `saved` | what a run goes on from, as plain data and back |
 
 mod agenda;
@@ -37,6 +38,7 @@ mod locate;
 mod near_pairs;
 mod pace;
 mod penetration;
+mod present;
 mod program;
 mod resolve;
 mod saved;

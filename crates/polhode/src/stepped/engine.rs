@@ -214,7 +214,9 @@ impl SteppedEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        emit_samples_before(t_next, self, core, observer, |engine, core, t| engine.states_within(core, islands, t))
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| {
+            engine.states_within(core, islands, t).map(Some)
+        })
     }
 
     /// States of all bodies at `t` (s) within the step of these islands.
@@ -285,6 +287,10 @@ impl Tier for SteppedEngine {
 
     fn states(&self, _core: &Core) -> Vec<BodyState> {
         self.states.clone()
+    }
+
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {

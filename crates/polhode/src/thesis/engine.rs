@@ -251,7 +251,7 @@ impl ThesisEngine {
                 .integrator
                 .states_within(&motion, within, &mut movable)
                 .map_err(|source| SimulationError::Integration { t: core.t, source })?;
-            Ok(all_states(core, &engine.states, &movable, t))
+            Ok(Some(all_states(core, &engine.states, &movable, t)))
         })
     }
 }
@@ -277,6 +277,10 @@ impl Tier for ThesisEngine {
 
     fn states(&self, _core: &Core) -> Vec<BodyState> {
         self.states.clone()
+    }
+
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {

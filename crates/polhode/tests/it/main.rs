@@ -27,5 +27,6 @@ mod refusals;
 mod round_bodies;
 mod snapshots;
 mod stepped;
+mod stiff_and_singular;
 mod support;
 mod table_edge;

@@ -1,0 +1,87 @@
+//! What the engine says of the present: the state of a body, the contacts that touch, the bodies that they join.
+
+use super::engine::{Engine, Mode};
+use super::hold::Forces;
+use super::island::Step;
+use crate::collision::contact_set::{Hold, Touch};
+use crate::core::Core;
+use crate::interaction::groups::groups;
+use crate::{Effects, SimulationError};
+use polhode_dynamics::BodyState;
+
+impl Engine {
+    /// State of a body at the present; the states of others are not looked at.
+    pub(super) fn present_state(&self, core: &Core, body: usize) -> BodyState {
+        let t = core.t;
+        if let Mode::Flight(flight) = &self.tracks[body].mode {
+            return flight.state(t);
+        }
+        if let Some(state) = core.world.prescribed_state(body, t) {
+            return state;
+        }
+        let start = self.states[body];
+        let Some(island) = self.island_of(body).filter(|island| island.t != t) else { return start };
+        let Ok(place) = island.bodies.binary_search(&body) else { return start };
+        let present = match &island.step {
+            Step::Constrained(step) => step.state_at(body, t),
+            Step::Free(step) => step.present().get(place).copied(),
+            Step::Crowd(step) => step.states_at(t).get(place).copied(),
+            Step::Waiting(_) => None,
+        };
+        present.unwrap_or(start)
+    }
+
+    /// Contacts that touched when their bodies were last looked at, as they stand in these states.
+    pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
+        let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
+        self.contacts.all().filter_map(present).collect()
+    }
+
+    /// Bodies connected by contacts that neither approach nor part, and those contacts.
+    pub(super) fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+        let contacts = self.present_contacts(core, states);
+        let sustained = |touch: &Touch| {
+            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+            // While an island moves on, its contacts are those that it holds.
+            if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
+        };
+        let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
+        groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
+            .into_iter()
+            .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
+            .collect()
+    }
+
+    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
+    pub(super) fn refresh_resting_forces(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        if core.effects == Effects::Planned {
+            return Ok(());
+        }
+        let rest = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
+        let known: Vec<Touch> = self.contacts.all().copied().collect();
+        let resting = known
+            .iter()
+            .enumerate()
+            .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
+            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        for group in groups(&core.world, resting) {
+            let mut pairs: Vec<_> = group.contacts.iter().map(|&i| (known[i].id.a, known[i].id.b)).collect();
+            pairs.dedup();
+            let mut contacts = Vec::with_capacity(group.contacts.len());
+            for (a, b) in pairs {
+                let reach = core.world.touch_distance(&self.states, a, b);
+                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach));
+            }
+            for touch in &mut contacts {
+                // Contacts that were known keep their status as a warm start.
+                if let Ok(index) = known.binary_search_by(|known| known.id.cmp(&touch.id)) {
+                    touch.hold = known[index].hold;
+                }
+            }
+            let forces = Forces::solve(&core.world, core.t, &self.states, &group.bodies, &contacts, &mut core.solver)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            core.accounts.note_solve(core.t, &forces.solution.report)?;
+        }
+        Ok(())
+    }
+}
