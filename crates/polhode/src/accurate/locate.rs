@@ -172,6 +172,10 @@ impl Engine {
     ) -> Result<Option<(f64, f64)>, SimulationError> {
         let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
         let driven = members.any(|body| !core.world.stands_still(body, start, limit));
+        let first_look = start + (limit - start) / f64::from(PENETRATION_CHECKS);
+        if let Some(interval) = self.interval_of_approach(core, step, (start, first_look), tolerated, states) {
+            return Ok(Some(interval));
+        }
         let mut before = start;
         for k in 1..=PENETRATION_CHECKS {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));

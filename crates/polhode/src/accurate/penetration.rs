@@ -147,6 +147,43 @@ impl Engine {
         core.world.separation_afresh(&self.states, a, b).is_some_and(|separation| separation < -depth)
     }
 
+    /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before `end` (s):
+    /// where it parts again before anybody looks, the penetration would not be seen. Its looks are at the time at which it
+    /// would close, and at that twice, four times, eight times as late.
+    pub(super) fn interval_of_approach(
+        &self,
+        core: &Core,
+        step: &ConstrainedStep,
+        (start, end): (f64, f64),
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Option<(f64, f64)> {
+        step.states_at(&core.world, start, states);
+        let mut closing = Vec::new();
+        for (a, b) in step.held_pairs() {
+            let way = (self.speed(core, a) + self.speed(core, b)) * (end - start);
+            let (_, contacts) = core.world.pair(states, a, b, way + core.world.touch_distance(states, a, b));
+            let free = contacts.iter().filter(|touch| step.held.binary_search(&touch.id).is_err());
+            let wait = free.filter_map(|touch| {
+                let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
+                (gap > 0.0 && rate < 0.0).then(|| gap / -rate).filter(|&wait| start + wait < end)
+            });
+            closing.extend(wait.reduce(f64::min).map(|wait| (wait, (a, b))));
+        }
+        closing.sort_by(|x, y| x.0.total_cmp(&y.0));
+        for (wait, pair) in closing {
+            let mut t = start + wait;
+            while t > start && t < end {
+                step.states_at(&core.world, t, states);
+                if self.penetrates(core, step, pair, states, tolerated) {
+                    return Some((start, t));
+                }
+                t = start + 2.0 * (t - start);
+            }
+        }
+        None
+    }
+
     /// A time at which the contact shows through which the bodies have come to overlap within an interval: once they
     /// overlap deeply it may have left its features, and nothing else tells where the penetration began.
     pub(super) fn penetration_shown_within(
