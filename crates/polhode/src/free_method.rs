@@ -38,6 +38,10 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         _ if settings.tier == Tier::Stepped => {
             choice(settings.integrator, "the tier's: exact drift, forces as one kick in the middle of the step")
         }
+        Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
+            Integrator::Rk4,
+            "asked for; bodies that contacts hold go by it too, with the contact forces at every stage",
+        ),
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
             choice(integrator, "asked for; bodies that forces couple and that may collide go by dop853")
         }

@@ -3,6 +3,7 @@
 //! | tier | penetration of a pair | displacement by one projection | energy that projections take |
 //! |---|---|---|---|
 //! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `10 tolerance s + 8 ulp` | `10 tolerance E`, one or all |
+//! | `accurate` by `rk4` | as above | no promise: known by the step | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
 //! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet, what

@@ -58,6 +58,12 @@ impl Settings {
                 }
     }
 
+    /// Whether bodies that contacts or pivots hold are integrated by the classical method of order 4 at the fixed step,
+    /// because the scene asks for it, and not by DOP853 under error control.
+    pub(crate) fn constrains_by_rk4(&self) -> bool {
+        self.tier == Tier::Accurate && self.asked_integrator == Some(Integrator::Rk4)
+    }
+
     /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where it
     /// promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
     /// contacts go within a step.
@@ -69,11 +75,12 @@ impl Settings {
         }
     }
 
-    /// The tolerance that drift is judged by (dimensionless); none for a tier that promises nothing. Below the default,
-    /// what counts as touch and rounding decide.
+    /// The tolerance that drift is judged by (dimensionless); none for a tier that promises nothing, and none for a method
+    /// whose error is known by its step alone. Below the default, what counts as touch and rounding decide.
     pub(crate) fn promised_drift(&self) -> Option<f64> {
         match self.tier {
             Tier::Thesis | Tier::Stepped => None,
+            Tier::Accurate if self.constrains_by_rk4() => None,
             Tier::Accurate => Some(self.tolerance.max(DEFAULT_TOLERANCE)),
         }
     }

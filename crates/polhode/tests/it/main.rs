@@ -5,6 +5,7 @@
 mod bad_numbers;
 mod broad_phases;
 mod checks;
+mod constrained_methods;
 mod dependence;
 mod diamonds;
 mod flight;
