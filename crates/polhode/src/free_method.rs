@@ -47,8 +47,11 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         }
         Some(integrator) => choice(integrator, "asked for"),
         None if settings.tier == Tier::Thesis => choice(settings.integrator, "the thesis's"),
-        None if !world.free_motion().has_loads() => {
+        None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
+        }
+        None if world.has_rows() => {
+            choice(Integrator::Dop853, "rows hold bodies at pivots: error control, with the forces of constraint")
         }
         None if !is_conservative(world) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")

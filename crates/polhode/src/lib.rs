@@ -20,6 +20,7 @@ mod interaction;
 pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
+mod pivots;
 pub mod plan;
 mod planar;
 mod prescribed;

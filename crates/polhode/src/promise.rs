@@ -127,7 +127,7 @@ impl Core {
 impl World {
     /// The names of two bodies, as warnings give them.
     pub(crate) fn pair_names(&self, a: usize, b: usize) -> String {
-        self.names_of(&[a, b])
+        if a == b { self.names_of(&[a]) } else { self.names_of(&[a, b]) }
     }
 
     /// The names of some bodies, as warnings give them: of many the first.

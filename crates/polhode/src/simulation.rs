@@ -7,6 +7,7 @@ use crate::core::Core;
 use crate::frame::{ContactView, Frame, IslandView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
+use crate::pivots::PivotRows;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
@@ -104,7 +105,7 @@ impl Simulation {
         // The method or the duration may have been put in after the scene was built.
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
-        let (mut world, mut states) = World::new(scene)?;
+        let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
         if settings.tier == TierName::Stepped && !world.prescribed().is_empty() {
             let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
             return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());

@@ -18,6 +18,7 @@ use super::island::{Island, Step};
 use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::core::Core;
+use crate::pivots::with_turning_alone;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
@@ -195,7 +196,14 @@ impl Engine {
                 scratch[body] = *state;
             }
             let mut stepper = before.clone();
-            let made = stepper.advance_with_estimate(&core.world, &mut scratch, &instant.bodies, &pairs, (t, h));
+            let made = with_turning_alone(
+                &core.world,
+                &mut scratch,
+                &instant.bodies,
+                h,
+                |world, states| stepper.advance_with_estimate(world, states, &instant.bodies, &pairs, (t, h)),
+                |(report, _)| &mut report.books,
+            );
             let (report, error) = match made {
                 Ok(made) => made,
                 Err(source) => break Err(Core::response_error(t, source)),
@@ -254,7 +262,15 @@ impl Engine {
         let before = before.following_bounces(core.settings.crowding_tolerance);
         let mut scratch = std::mem::take(&mut self.scratch);
         let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
-        let made = before.clone().advance_with_estimate(&core.world, &mut scratch, bodies, &pairs, (t, end - t));
+        let h = end - t;
+        let made = with_turning_alone(
+            &core.world,
+            &mut scratch,
+            bodies,
+            h,
+            |world, states| before.clone().advance_with_estimate(world, states, bodies, &pairs, (t, h)),
+            |(report, _)| &mut report.books,
+        );
         let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
@@ -331,7 +347,15 @@ impl Engine {
             scratch[body] = *state;
         }
         let mut stepper = step.stepper.clone();
-        let made = stepper.advance(&core.world, &mut scratch, bodies, &step.pairs, (step.t, t - step.t));
+        let h = t - step.t;
+        let made = with_turning_alone(
+            &core.world,
+            &mut scratch,
+            bodies,
+            h,
+            |world, states| stepper.advance(world, states, bodies, &step.pairs, (step.t, h)),
+            |report| &mut report.books,
+        );
         let states = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))

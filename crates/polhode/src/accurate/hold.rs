@@ -24,6 +24,8 @@ const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
 pub(super) struct Forces {
     pub(super) solution: ContactSolution,
     pub(super) assembly: Assembly,
+    /// How many contacts.
+    contacts: usize,
     /// Generalised accelerations of the group's bodies.
     accelerations: Vec<f64>,
     /// When they act, s.
@@ -71,7 +73,12 @@ impl Forces {
         for (a, f) in accelerations.iter_mut().zip(&free) {
             *a += f;
         }
-        Ok(Self { solution, assembly, accelerations, t, opening, load })
+        Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load })
+    }
+
+    /// Forces of the contacts that were solved for, without those of pivots.
+    pub(super) fn of_contacts(&self) -> &[f64] {
+        self.solution.forces.get(..self.contacts).unwrap_or_default()
     }
 
     /// Generalised accelerations: (body, linear, angular).
@@ -109,6 +116,10 @@ impl Forces {
                 force_sums[body] += force;
                 moment_sums[body] += force * arm.length();
             }
+        }
+        for (pivot, force) in self.assembly.pivot_forces(&self.solution.forces) {
+            force_sums[pivot.body] += force.length();
+            moment_sums[pivot.body] += force.length() * pivot.arm.length();
         }
         self.accelerations()
             .filter(|&(body, linear, angular)| {

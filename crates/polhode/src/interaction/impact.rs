@@ -2,8 +2,9 @@
 
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
-use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::groups::Group;
+use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
@@ -33,7 +34,25 @@ pub(crate) fn support<'a>(
     sum.value()
 }
 
-/// Strikes the contacts of a group and updates the momenta of its bodies.
+/// Momentum that impulses or forces of pivots (N s, N, world) give to the bodies that they hold, angular about a point.
+pub(crate) fn pivot_support<'a>(about: DVec3, forces: impl Iterator<Item = (&'a PivotKinematics, DVec3)>) -> Momentum {
+    let mut sum = MomentumSum::default();
+    for (pivot, linear) in forces {
+        sum.add(Momentum { linear, angular: (pivot.point - about).cross(linear) });
+    }
+    sum.value()
+}
+
+/// What an impact has done.
+#[derive(Debug)]
+pub(crate) struct Struck {
+    /// By the rows of contacts, and after them those of pivots.
+    pub(crate) outcome: ImpactOutcome,
+    /// The pivots that took part, and the impulse of each (N s, world).
+    pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
+}
+
+/// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies.
 ///
 /// # Errors
 /// When the problem is not finite.
@@ -45,13 +64,16 @@ pub(crate) fn strike(
     law: ImpactLaw,
     settings: &ImpactSettings,
     solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
+) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
-    let before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    let restitution: Vec<f64> =
+    let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    let mut restitution: Vec<f64> =
         members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    // Rows of pivots have none.
+    restitution.resize(before.len(), 0.0);
     let law = match law {
         ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
         ImpactLaw::Simultaneous => impact::ImpactLaw::Simultaneous,
@@ -63,7 +85,9 @@ pub(crate) fn strike(
     let impulses =
         members.iter().zip(&geometries).zip(&outcome.impulses).map(|((touch, geometry), &p)| (touch.id, geometry, p));
     apply_impulses(world, states, impulses);
-    Ok(outcome)
+    apply_pivot_impulses(world, states, assembly.pivot_forces(&outcome.impulses));
+    let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
+    Ok(Struck { outcome, pivots })
 }
 
 /// The event of one impulse at one contact point.

@@ -4,6 +4,7 @@
 //! become groups, impulses become momenta, and what has drifted is put back together.
 
 pub(crate) mod assembly;
+pub(crate) mod constraint;
 pub(crate) mod groups;
 pub(crate) mod impact;
 pub(crate) mod projection;

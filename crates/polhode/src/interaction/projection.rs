@@ -1,11 +1,12 @@
-//! Projection: held contacts back onto zero separation and zero relative velocity.
+//! Projection: held contacts back onto zero separation and zero relative velocity, pivots back to their places.
 //!
 //! Positions: Newton on the separations in the metric of mass, `dq = M^-1 J^T l`, `G l = -separation`; velocities:
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that do it and neither is fed back into the motion
 //! as a force; what they change in energy is booked in the ledger.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
@@ -97,7 +98,10 @@ pub(crate) fn project_positions(
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
-        if at_rounding {
+        let is_in_place = |pivot: PivotKinematics| {
+            pivot.gap.length() <= ROUNDING_FRACTION * world.rounding(states, pivot.body, pivot.body)
+        };
+        if at_rounding && world.pivots(states, bodies).all(is_in_place) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
@@ -106,13 +110,20 @@ pub(crate) fn project_positions(
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
             };
             done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| (id.a, id.b)));
+            let off = |pivot: &PivotKinematics| {
+                let size = world.bodies[pivot.body].size;
+                pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
+            };
+            done.unconverged.extend(world.pivots(states, bodies).filter(off).map(|pivot| (pivot.body, pivot.body)));
             break;
         }
         if done.pair.is_none() {
-            done.pair = farthest(geometries.iter().map(distance));
+            let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), (pivot.body, pivot.body)));
+            done.pair = farthest(geometries.iter().map(distance).chain(pivots));
         }
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
-        let separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
+        let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
+        separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let multipliers = cancel(&assembly, &separations)?;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
             let pose = &mut states[body].pose;
@@ -145,7 +156,7 @@ pub(crate) struct Slowed {
     pub(crate) work_j: f64,
 }
 
-/// Removes the relative velocities of contacts.
+/// Removes the relative velocities of contacts, and those of pivots.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -156,15 +167,21 @@ pub(crate) fn project_velocities(
     contacts: &[ContactId],
 ) -> Result<Slowed, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
-    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) {
+    let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
+    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) && world.pivots(states, bodies).all(stands) {
         return Ok(Slowed::default());
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
-    let impulses = cancel(&assembly, &contacts.iter().map(|(_, k)| k.separation_rate).collect::<Vec<_>>())?;
-    let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
+    let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
+    rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    let multipliers = cancel(&assembly, &rates)?;
+    let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
+    apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
     let work_j = world.prescribed_work(states, impulses);
-    Ok(Slowed { fastest: farthest(contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)))), work_j })
+    let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)));
+    let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), (pivot.body, pivot.body)));
+    Ok(Slowed { fastest: farthest(speeds.chain(pivots)), work_j })
 }
 
 /// Multipliers whose response cancels `values` on all rows.

@@ -1,0 +1,54 @@
+//! Constraints: whatever holds bodies, by one kind of identity.
+//!
+//! | constraint | row block | signed event functions |
+//! |---|---|---|
+//! | contact | unilateral (a cone where there is friction) | separation, margin of its features, opening acceleration |
+//! | pivot | bilateral, three rows | none: it never opens |
+//!
+//! An event function is positive while all is as it was and passes zero where it changes; one locator
+//! (`crate::interaction::locator`) finds where.
+
+use crate::collision::contact_set::ContactId;
+use polhode_contact::ContactKinematics;
+use polhode_response::RowBlock;
+
+/// Identity of a constraint: contacts before pivots, each in its own order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum ConstraintId {
+    /// A contact point, by its bodies and the features that meet.
+    Contact(ContactId),
+    /// The pivot of a body.
+    Pivot {
+        /// The body's number.
+        body: usize,
+    },
+}
+
+impl ConstraintId {
+    /// What its rows ask for together, with this coefficient of friction where it is a contact.
+    pub(crate) fn block(&self) -> RowBlock {
+        match self {
+            Self::Contact(_) => RowBlock::Unilateral,
+            Self::Pivot { .. } => RowBlock::Bilateral,
+        }
+    }
+}
+
+/// Signed event functions of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ContactEvent {
+    /// From apart to closed: the separation, m.
+    Closing,
+    /// From on its features to beside them: the margin, m.
+    Leaving,
+}
+
+impl ContactEvent {
+    /// The value at these kinematics, m.
+    pub(crate) fn value(self, contact: &ContactKinematics) -> f64 {
+        match self {
+            Self::Closing => contact.geometry.separation,
+            Self::Leaving => contact.geometry.margin,
+        }
+    }
+}
