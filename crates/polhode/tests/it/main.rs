@@ -19,6 +19,7 @@ mod linked_rings;
 mod mass_ratios;
 mod momentum;
 mod outcomes;
+mod pivot_rows;
 mod pivots;
 mod planar;
 mod prescribed_motion;
