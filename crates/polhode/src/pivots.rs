@@ -22,6 +22,7 @@
 //! scene.
 
 use crate::accounting::books::{Books, gravity_at, momentum_of};
+use crate::interaction::constraint::ConstraintId;
 use crate::scene::{Body, Integrator, SceneError, Tier};
 use crate::settings::Settings;
 use crate::world::World;
@@ -99,6 +100,13 @@ pub(crate) struct PivotKinematics {
     pub(crate) velocity: DVec3,
     /// `w x (w x r)`, m/s^2: its acceleration but for that of the centre of mass and the angular one.
     pub(crate) acceleration_bias: DVec3,
+}
+
+impl PivotKinematics {
+    /// The pivot's identity among constraints.
+    pub(crate) fn id(&self) -> ConstraintId {
+        ConstraintId::Pivot { body: self.body }
+    }
 }
 
 impl World {

@@ -81,6 +81,13 @@ impl Forces {
         self.solution.forces.get(..self.contacts).unwrap_or_default()
     }
 
+    /// The event function by which each contact opens, m/s^2: what it may accelerate apart by before it counts as opening, less
+    /// what it does. While a force holds it it is positive; it falls as the force that would be needed to pull grows.
+    pub(super) fn holding(&self) -> impl Iterator<Item = f64> + '_ {
+        let accelerations = self.solution.residual_accelerations.iter().take(self.contacts);
+        accelerations.map(|w| self.opening - w)
+    }
+
     /// Generalised accelerations: (body, linear, angular).
     pub(super) fn accelerations(&self) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
         self.assembly.split(&self.accelerations)

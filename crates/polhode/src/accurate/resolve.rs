@@ -127,10 +127,11 @@ impl Engine {
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = support(&core.world, about, impulses) + by_pivots;
         core.accounts.books.impact(outcome.energy_change, given, work);
-        for application in &outcome.applications {
+        for (application, constraint) in outcome.applications.iter().zip(&struck.struck) {
             // The impulse of a pivot is no event of a contact: it stands in the ledger of momentum.
-            let Some(&contact) = group.contacts.get(application.row) else { continue };
-            let touch = instant.touches[contact];
+            let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
+            let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
+            let touch = instant.touches[index];
             core.accounts.add_contact_event(
                 &core.world,
                 &self.states,

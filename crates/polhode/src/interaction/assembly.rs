@@ -12,7 +12,7 @@ use crate::planar::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, ResponseError, RowBlock};
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 
 /// Rows of a pivot.
@@ -61,7 +61,9 @@ impl Coordinates {
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
-    /// Rows of contacts; those of pivots follow.
+    /// Whose rows they are: contacts, then pivots.
+    constraints: Vec<ConstraintId>,
+    /// How many of them are contacts.
     contacts: usize,
     pivots: Vec<PivotKinematics>,
     /// Movable bodies, in the order of the problem's blocks.
@@ -88,7 +90,9 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let (mut row_a, mut row_b) = (Vec::with_capacity(width), Vec::with_capacity(width));
+        let mut constraints = Vec::new();
         for (id, geometry) in contacts {
+            constraints.push(ConstraintId::Contact(id));
             let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
                 let index = bodies.binary_search(&body).ok()?;
                 let normal = geometry.normal * sign;
@@ -107,6 +111,8 @@ impl Assembly {
         let contacts = problem.len();
         let pivots: Vec<PivotKinematics> = world.pivots(states, bodies).collect();
         for pivot in &pivots {
+            let id = pivot.id();
+            constraints.push(id);
             let Ok(index) = bodies.binary_search(&pivot.body) else { continue };
             let rows = DVec3::AXES.map(|axis| {
                 let mut row = Vec::with_capacity(width);
@@ -114,17 +120,15 @@ impl Assembly {
                 row
             });
             let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
-            problem.push_block(RowBlock::Bilateral, &entries.each_ref().map(<[_; 1]>::as_slice))?;
+            problem.push_block(id.block(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
         }
-        Ok(Self { problem, contacts, pivots, bodies: bodies.to_vec(), coordinates })
+        Ok(Self { problem, constraints, contacts, pivots, bodies: bodies.to_vec(), coordinates })
     }
 
-    /// Whose row this is, given the contacts that the problem was assembled of.
-    pub(crate) fn constraint(&self, row: usize, contacts: &[ContactId]) -> Option<ConstraintId> {
-        if row < self.contacts {
-            return contacts.get(row).copied().map(ConstraintId::Contact);
-        }
-        self.pivots.get((row - self.contacts) / PIVOT_ROWS).map(|pivot| ConstraintId::Pivot { body: pivot.body })
+    /// Whose row this is.
+    pub(crate) fn constraint(&self, row: usize) -> Option<ConstraintId> {
+        let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
+        self.constraints.get(place).copied()
     }
 
     /// The pivots, as they stood when they were assembled.

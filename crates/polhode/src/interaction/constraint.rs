@@ -2,7 +2,7 @@
 //!
 //! | constraint | row block | signed event functions |
 //! |---|---|---|
-//! | contact | unilateral (a cone where there is friction) | separation, margin of its features, opening acceleration |
+//! | contact | unilateral (a cone where there is friction) | separation; margin of its features; how far it is from opening |
 //! | pivot | bilateral, three rows | none: it never opens |
 //!
 //! An event function is positive while all is as it was and passes zero where it changes; one locator
@@ -25,11 +25,27 @@ pub(crate) enum ConstraintId {
 }
 
 impl ConstraintId {
-    /// What its rows ask for together, with this coefficient of friction where it is a contact.
+    /// What its rows ask for together.
     pub(crate) fn block(&self) -> RowBlock {
         match self {
             Self::Contact(_) => RowBlock::Unilateral,
             Self::Pivot { .. } => RowBlock::Bilateral,
+        }
+    }
+
+    /// The bodies that it is between; the one body twice where the world is the other.
+    pub(crate) fn bodies(&self) -> (usize, usize) {
+        match *self {
+            Self::Contact(id) => (id.a, id.b),
+            Self::Pivot { body } => (body, body),
+        }
+    }
+
+    /// The contact, if it is one.
+    pub(crate) fn contact(&self) -> Option<ContactId> {
+        match *self {
+            Self::Contact(id) => Some(id),
+            Self::Pivot { .. } => None,
         }
     }
 }

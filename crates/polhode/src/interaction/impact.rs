@@ -3,6 +3,7 @@
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::constraint::ConstraintId;
 use crate::interaction::groups::Group;
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
@@ -48,6 +49,8 @@ pub(crate) fn pivot_support<'a>(about: DVec3, forces: impl Iterator<Item = (&'a 
 pub(crate) struct Struck {
     /// By the rows of contacts, and after them those of pivots.
     pub(crate) outcome: ImpactOutcome,
+    /// Whose impulses `outcome.applications` are.
+    pub(crate) struck: Vec<Option<ConstraintId>>,
     /// The pivots that took part, and the impulse of each (N s, world).
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
 }
@@ -87,7 +90,8 @@ pub(crate) fn strike(
     apply_impulses(world, states, impulses);
     apply_pivot_impulses(world, states, assembly.pivot_forces(&outcome.impulses));
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
-    Ok(Struck { outcome, pivots })
+    let struck = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
+    Ok(Struck { outcome, struck, pivots })
 }
 
 /// The event of one impulse at one contact point.

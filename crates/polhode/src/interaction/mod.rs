@@ -7,4 +7,5 @@ pub(crate) mod assembly;
 pub(crate) mod constraint;
 pub(crate) mod groups;
 pub(crate) mod impact;
+pub(crate) mod locator;
 pub(crate) mod projection;

@@ -6,6 +6,7 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::constraint::ConstraintId;
 use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
@@ -34,14 +35,21 @@ const ROUNDING_FRACTION: f64 = 0.25;
 pub(crate) struct Projection {
     /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all points.
     pub(crate) moved_m: f64,
-    /// The pair that was farthest from what it was put to; none when nothing was to be done.
-    pub(crate) pair: Option<(usize, usize)>,
-    /// Pairs with contacts that were left alone because their place had jumped.
-    pub(crate) jumped: Vec<(usize, usize)>,
-    /// Pairs that are further apart, or deeper in each other, than rounding after the last Newton step.
-    pub(crate) unconverged: Vec<(usize, usize)>,
+    /// The constraint that was farthest from what it was put to; none when nothing was to be done.
+    pub(crate) farthest: Option<ConstraintId>,
+    /// Contacts that were left alone because their place had jumped.
+    pub(crate) jumped: Vec<ConstraintId>,
+    /// Constraints that are farther off than rounding after the last Newton step.
+    pub(crate) unconverged: Vec<ConstraintId>,
     /// Work of prescribed motions by the impulses that removed velocities, J.
     pub(crate) work_j: f64,
+}
+
+impl Projection {
+    /// The bodies of the constraint that was farthest from what it was put to.
+    pub(crate) fn pair(&self) -> Option<(usize, usize)> {
+        self.farthest.as_ref().map(ConstraintId::bodies)
+    }
 }
 
 /// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities.
@@ -70,7 +78,7 @@ pub(crate) fn project_all(
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
     let slowed = project_velocities(world, states, bodies, held)?;
-    done.pair = done.pair.or(slowed.fastest);
+    done.farthest = done.farthest.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
 }
@@ -87,14 +95,15 @@ pub(crate) fn project_positions(
 ) -> Result<Projection, ResponseError> {
     let mut done = Projection::default();
     let mut moved: BTreeMap<usize, (DVec3, DVec3)> = BTreeMap::new();
-    let distance = |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), (id.a, id.b));
+    let distance =
+        |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
     for step in 0..=MAX_NEWTON_STEPS {
         let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
             geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
         };
         let (geometries, jumped): (Vec<_>, Vec<_>) = geometries.partition(drifted);
-        done.jumped.extend(jumped.iter().map(|(id, _)| (id.a, id.b)));
+        done.jumped.extend(jumped.iter().map(|(id, _)| ConstraintId::Contact(*id)));
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
@@ -109,17 +118,17 @@ pub(crate) fn project_positions(
                 geometry.separation.abs()
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
             };
-            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| (id.a, id.b)));
+            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
             let off = |pivot: &PivotKinematics| {
                 let size = world.bodies[pivot.body].size;
                 pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
             };
-            done.unconverged.extend(world.pivots(states, bodies).filter(off).map(|pivot| (pivot.body, pivot.body)));
+            done.unconverged.extend(world.pivots(states, bodies).filter(off).map(|pivot| pivot.id()));
             break;
         }
-        if done.pair.is_none() {
-            let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), (pivot.body, pivot.body)));
-            done.pair = farthest(geometries.iter().map(distance).chain(pivots));
+        if done.farthest.is_none() {
+            let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), pivot.id()));
+            done.farthest = farthest(geometries.iter().map(distance).chain(pivots));
         }
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
@@ -133,8 +142,8 @@ pub(crate) fn project_positions(
             *sum = (sum.0 + linear, sum.1 + angular);
         }
     }
-    done.jumped.dedup();
-    done.unconverged.dedup();
+    done.jumped.dedup_by_key(|contact| contact.bodies());
+    done.unconverged.dedup_by_key(|constraint| constraint.bodies());
     let displacement = |(&body, (linear, angular)): (&usize, &(DVec3, DVec3))| {
         linear.length() + angular.length() * world.bodies[body].size
     };
@@ -142,16 +151,16 @@ pub(crate) fn project_positions(
     Ok(done)
 }
 
-/// The pair of the largest of some distances or speeds.
-fn farthest(distances: impl Iterator<Item = (f64, (usize, usize))>) -> Option<(usize, usize)> {
-    distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, pair)| pair)
+/// The constraint of the largest of some distances or speeds.
+fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<ConstraintId> {
+    distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, constraint)| constraint)
 }
 
 /// What the removal of relative velocities has done.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Slowed {
-    /// The pair that was fastest; none when none moved.
-    pub(crate) fastest: Option<(usize, usize)>,
+    /// The constraint that was fastest; none when none moved.
+    pub(crate) fastest: Option<ConstraintId>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
 }
@@ -179,8 +188,8 @@ pub(crate) fn project_velocities(
     apply_impulses(world, states, impulses.clone());
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
     let work_j = world.prescribed_work(states, impulses);
-    let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)));
-    let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), (pivot.body, pivot.body)));
+    let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
+    let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
     Ok(Slowed { fastest: farthest(speeds.chain(pivots)), work_j })
 }
 
