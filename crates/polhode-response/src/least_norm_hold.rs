@@ -39,6 +39,9 @@ use crate::problem::ContactProblem;
 /// 1e-16 / eps in undetermined directions, which move nothing.
 const REGULARIZATION: f64 = 1e-10;
 
+/// The same where small values are cancelled softly ([`LeastNormHold::factor_softly`]).
+const SOFT_REGULARIZATION: f64 = 1e-4;
+
 /// Rounds of the iteration: a direction with eigenvalue 1e-6 of the largest has converged to rounding after four.
 const ROUNDS: usize = 4;
 
@@ -74,11 +77,24 @@ impl LeastNormHold {
     /// # Errors
     /// When the matrix is not finite.
     pub fn factor(delassus: &Delassus) -> Result<Self, ResponseError> {
+        Self::regularized(delassus, REGULARIZATION)
+    }
+
+    /// As [`factor`](Self::factor), for small values that need not be cancelled at any price: what only forces above some
+    /// hundred times `b` would cancel stays. These are the directions with eigenvalues below 1e-4 of the unit diagonal.
+    ///
+    /// # Errors
+    /// When the matrix is not finite.
+    pub fn factor_softly(delassus: &Delassus) -> Result<Self, ResponseError> {
+        Self::regularized(delassus, SOFT_REGULARIZATION)
+    }
+
+    fn regularized(delassus: &Delassus, regularization: f64) -> Result<Self, ResponseError> {
         delassus.check_finite()?;
         let scale = unit_diagonal(delassus);
         let entry =
-            |i: usize, j: usize| if i == j { 1.0 + REGULARIZATION } else { scale[i] * delassus.row(i)[j] * scale[j] };
-        let factor = cholesky(scale.len(), entry, 0.5 * REGULARIZATION);
+            |i: usize, j: usize| if i == j { 1.0 + regularization } else { scale[i] * delassus.row(i)[j] * scale[j] };
+        let factor = cholesky(scale.len(), entry, 0.5 * regularization);
         Ok(Self { scale, factor })
     }
 

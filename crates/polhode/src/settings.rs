@@ -85,6 +85,12 @@ impl Settings {
         }
     }
 
+    /// What a step of constrained motion errs by at the most (dimensionless): the tolerance under error control, anything by a
+    /// method whose error is known by its step.
+    pub(crate) fn step_error(&self) -> f64 {
+        if self.constrains_by_rk4() { f64::INFINITY } else { self.tolerance }
+    }
+
     /// Whether splitting under error control is the plan's choice, not the scene's.
     pub(crate) fn splits_by_choice(&self) -> bool {
         self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive

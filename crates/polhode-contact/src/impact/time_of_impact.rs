@@ -585,7 +585,13 @@ impl Search<'_> {
                 return self.locate_closing(open, below.unwrap_or(last), level, rounding);
             }
         }
-        Ok((None, last.separation))
+        // Closed at the end, by less than a touch: nobody looks at these bodies again before the end of the interval.
+        match below {
+            Some(below) if last.separation < start.separation.min(0.0) - noticed => {
+                self.locate_closing(open, below, level, rounding)
+            }
+            _ => Ok((None, last.separation)),
+        }
     }
 
     /// Whether by the `j`-th departure time a point can have moved by half the touch tolerance.

@@ -106,7 +106,7 @@ impl Engine {
     }
 
     /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
-    fn stretch_instead(
+    pub(super) fn stretch_instead(
         &mut self,
         core: &mut Core,
         instant: Instant,
@@ -264,7 +264,8 @@ impl Engine {
         }
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        let done = projection::project(&core.world, &mut self.states, &island.bodies, &island.held)
+        let (held, how) = (&island.held, (core.settings.step_error(), &mut core.solver));
+        let done = projection::project(&core.world, &mut self.states, &island.bodies, (held, held), how)
             .map_err(|source| Core::response_error(t, source))?;
         let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.book_projection(t, &self.states, &done, (integrated, projected));

@@ -13,7 +13,8 @@ use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
-use crate::interaction::projection;
+use crate::interaction::overlap::is_excess;
+use crate::interaction::projection::{self, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -56,6 +57,7 @@ impl Engine {
         for group in self.groups_in_motion(core, instant) {
             self.decide_holds(core, instant, &group)?;
         }
+        self.part_overlapping(core, instant)?;
         self.wake_coupled(core, instant);
         self.release_free_bodies(core, instant);
         self.report_pairs(core, instant, &held_before);
@@ -261,8 +263,9 @@ impl Engine {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let slowed = projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids)
-            .map_err(|source| Core::response_error(instant.t, source))?;
+        let slowed =
+            projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids, Removal::Complete)
+                .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         core.accounts.books.rest(before, after, slowed.work_j);
         self.refresh_kinematics(core, instant);
@@ -287,7 +290,8 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            let done = projection::project_all(&core.world, &mut self.states, &component.bodies, &touching, &ids)
+            let how = (core.settings.step_error(), &mut core.solver);
+            let done = projection::project(&core.world, &mut self.states, &component.bodies, (&touching, &ids), how)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
             core.book_projection(instant.t, &self.states, &done, (before, after));
@@ -305,6 +309,27 @@ impl Engine {
             }
         }
         self.refresh_kinematics(core, instant);
+        Ok(())
+    }
+
+    /// Moves bodies that no contact holds out of each other: an impact is found by the overlap that it leaves, and several
+    /// in a row must not add up.
+    fn part_overlapping(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+        for group in groups(&core.world, instant.numbered()) {
+            let touches: Vec<Touch> = group.contacts.iter().map(|&i| instant.touches[i]).collect();
+            let overlaps = |touch: &Touch| is_excess(&core.world, &self.states, touch.id, &touch.kinematics.geometry);
+            if !touches.iter().any(overlaps) {
+                continue;
+            }
+            self.end_flights(core, instant.t, &group);
+            let ids: Vec<_> = touches.iter().map(|touch| touch.id).collect();
+            let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            let done = projection::part(&core.world, &mut self.states, &group.bodies, &ids, &mut core.solver)
+                .map_err(|source| Core::response_error(instant.t, source))?;
+            let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            core.book_projection(instant.t, &self.states, &done, (before, after));
+            self.refresh_kinematics(core, instant);
+        }
         Ok(())
     }
 

@@ -11,8 +11,8 @@ use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::impact::{self, Application, ImpactOutcome, ImpactSettings};
-use polhode_response::{ComplementaritySolver, ResponseError};
+use polhode_response::impact::{self, Application, ImpactOutcome, ImpactSettings, ImpactStatus};
+use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
 use polhode_spatial::DVec3;
 
 /// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
@@ -55,6 +55,18 @@ pub(crate) struct Struck {
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
 }
 
+/// Rounding of a relative velocity as a fraction of the speeds that cancel in it: some sixteen roundings.
+const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Largest speed of any point of some bodies, m/s, bounded by their sizes.
+fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
+    let speed = |&body: &usize| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+    };
+    bodies.iter().map(speed).fold(0.0, f64::max)
+}
+
 /// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies.
 ///
 /// # Errors
@@ -83,7 +95,13 @@ pub(crate) fn strike(
         ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
     };
     let delassus = assembly.problem.delassus();
-    let outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
+    let mut outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
+    if outcome.status == ImpactStatus::NotSolved {
+        // Bodies that fit exactly between others seem squeezed by the rounding of velocities that nearly cancel.
+        let noise_floor = RATE_ROUNDING * largest_speed(world, states, &group.bodies);
+        let settings = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
+        outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, &settings, solver)?;
+    }
     let geometries: Vec<ContactGeometry> = members.iter().map(|touch| touch.kinematics.geometry).collect();
     let impulses =
         members.iter().zip(&geometries).zip(&outcome.impulses).map(|((touch, geometry), &p)| (touch.id, geometry, p));

@@ -8,4 +8,5 @@ pub(crate) mod constraint;
 pub(crate) mod groups;
 pub(crate) mod impact;
 pub(crate) mod locator;
+pub(crate) mod overlap;
 pub(crate) mod projection;

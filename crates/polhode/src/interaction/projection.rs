@@ -7,11 +7,12 @@
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::constraint::ConstraintId;
+use crate::interaction::overlap::Overlaps;
 use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
 
@@ -23,12 +24,24 @@ const MAX_NEWTON_STEPS: usize = 3;
 /// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
 const JUMPED_RELATIVE: f64 = 1e-5;
 
+/// A relative velocity beyond this multiple of the tolerance, times the speeds of the bodies and what gravity gives over their
+/// size, is not drift either: the place of a contact has jumped to where the bodies approach or part, and to stop them there
+/// is the part of an impact. A step errs by a part of the tolerance.
+const JUMPED_SPEED: f64 = 1e4;
+
 /// Contacts that are farther from zero separation than this fraction of the pair's size and rounding after the last Newton
 /// step have not been put together: by what penetration is judged by at the default tolerance.
 const UNCONVERGED_RELATIVE: f64 = 1e-12;
 
 /// Separations below this fraction of the rounding that penetration is judged with are left alone.
 const ROUNDING_FRACTION: f64 = 0.25;
+
+/// Contacts of a pile may depend on each other so nearly that putting them exactly together moves bodies by thousands of times
+/// the distances. Beyond this many times the largest (dimensionless, 10 to 1000) they are put together in part.
+const SOFT_AMPLIFICATION: f64 = 64.0;
+
+/// The same as a fraction of the smallest size, or of the smallest speed of a pair: less is of the order of touch and drift.
+const SOFT_RELATIVE: f64 = 1e-11;
 
 /// What a projection has done.
 #[derive(Debug, Clone, Default)]
@@ -37,6 +50,8 @@ pub(crate) struct Projection {
     pub(crate) moved_m: f64,
     /// The constraint that was farthest from what it was put to; none when nothing was to be done.
     pub(crate) farthest: Option<ConstraintId>,
+    /// Whether contacts that depend on each other nearly were put together in part.
+    pub(crate) is_soft: bool,
     /// Contacts that were left alone because their place had jumped.
     pub(crate) jumped: Vec<ConstraintId>,
     /// Constraints that are farther off than rounding after the last Newton step.
@@ -52,7 +67,9 @@ impl Projection {
     }
 }
 
-/// Puts the held contacts of a group of bodies onto zero separation, then removes their relative velocities.
+/// Puts the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of those that
+/// are held: what a step within `tolerance`, or touch, leaves of them. Contacts whose place jumps are left as they are. Where
+/// that leaves overlap, it is moved out with all contacts of the group's pairs.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -60,27 +77,53 @@ pub(crate) fn project(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    held: &[ContactId],
-) -> Result<Projection, ResponseError> {
-    project_all(world, states, bodies, held, held)
-}
-
-/// Puts contacts onto zero separation, then removes the relative velocities of those that hold.
-///
-/// # Errors
-/// When the state is not finite.
-pub(crate) fn project_all(
-    world: &World,
-    states: &mut [BodyState],
-    bodies: &[usize],
-    touching: &[ContactId],
-    held: &[ContactId],
+    (touching, held): (&[ContactId], &[ContactId]),
+    (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    let slowed = project_velocities(world, states, bodies, held)?;
+    if done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+        done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
+    }
+    let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
+        let limit = JUMPED_SPEED * tolerance * speed_of_pair(world, states, id);
+        world.kinematics(states, id).is_none_or(|kinematics| kinematics.separation_rate.abs() <= limit)
+    });
+    done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
+    done.jumped.dedup_by_key(|contact| contact.bodies());
+    let slowed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
     done.farthest = done.farthest.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
+}
+
+/// Moves bodies out of each other where the pairs of some contacts overlap, which are not put together.
+///
+/// # Errors
+/// When the state is not finite.
+pub(crate) fn part(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    contacts: &[ContactId],
+    solver: &mut ComplementaritySolver,
+) -> Result<Projection, ResponseError> {
+    let mut pairs: Vec<_> = contacts.iter().map(|id| (id.a, id.b)).collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    let overlaps = Overlaps::find(world, states, &pairs);
+    let farthest = overlaps.deepest.map(ConstraintId::Contact);
+    let removed = overlaps.remove(world, states, (bodies, &pairs), (solver, &mut Delassus::default()))?;
+    Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
+}
+
+/// Speeds of a contact's bodies and what gravity gives over their size, m/s.
+fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
+    let fall = (world.gravity().length() * world.pair_size(id.a, id.b)).sqrt();
+    let speed = |body: usize| {
+        let velocity = world.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+    };
+    fall + speed(id.a) + speed(id.b)
 }
 
 /// Puts contacts onto zero separation.
@@ -115,8 +158,10 @@ pub(crate) fn project_positions(
         }
         if step == MAX_NEWTON_STEPS {
             let apart = |(id, geometry): &&(ContactId, ContactGeometry)| {
-                geometry.separation.abs()
-                    > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
+                let (a, b) = (id.a, id.b);
+                let exact = UNCONVERGED_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b);
+                let allowed = if done.is_soft { world.touch_distance(states, a, b) } else { exact };
+                geometry.separation.abs() > allowed
             };
             done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
             let off = |pivot: &PivotKinematics| {
@@ -133,7 +178,10 @@ pub(crate) fn project_positions(
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
-        let multipliers = cancel(&assembly, &separations)?;
+        let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
+        let allowed = allowed_change(&separations, size);
+        let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
+        done.is_soft |= is_soft;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
             let pose = &mut states[body].pose;
             pose.translation += linear;
@@ -165,6 +213,15 @@ pub(crate) struct Slowed {
     pub(crate) work_j: f64,
 }
 
+/// How relative velocities are removed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Removal {
+    /// Whatever that takes: velocities that the motion has.
+    Complete,
+    /// In part where contacts depend on each other nearly: what rounding and the errors of a step leave.
+    OfDrift,
+}
+
 /// Removes the relative velocities of contacts, and those of pivots.
 ///
 /// # Errors
@@ -174,6 +231,7 @@ pub(crate) fn project_velocities(
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
+    removal: Removal,
 ) -> Result<Slowed, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
@@ -183,7 +241,12 @@ pub(crate) fn project_velocities(
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
     rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
-    let multipliers = cancel(&assembly, &rates)?;
+    let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
+    let allowed = match removal {
+        Removal::Complete => f64::INFINITY,
+        Removal::OfDrift => allowed_change(&rates, speed),
+    };
+    let (multipliers, _) = cancel(world, &assembly, &rates, allowed)?;
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
@@ -193,8 +256,22 @@ pub(crate) fn project_velocities(
     Ok(Slowed { fastest: farthest(speeds.chain(pivots)), work_j })
 }
 
-/// Multipliers whose response cancels `values` on all rows.
-fn cancel(assembly: &Assembly, values: &[f64]) -> Result<Vec<f64>, ResponseError> {
+/// Multipliers whose response cancels `values` on all rows; whether in part, because otherwise a point of a body would change by
+/// more than `allowed`.
+fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> Result<(Vec<f64>, bool), ResponseError> {
     let delassus = assembly.problem.delassus();
-    LeastNormHold::factor(&delassus)?.solve(&delassus, values)
+    let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
+    let changes_too_much = assembly
+        .split(&assembly.problem.response(&multipliers)?)
+        .any(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size > allowed);
+    if !changes_too_much {
+        return Ok((multipliers, false));
+    }
+    Ok((LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?, true))
+}
+
+/// What may change to cancel `values`: of the order of the largest, or negligible against `scale`.
+fn allowed_change(values: &[f64], scale: f64) -> f64 {
+    let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    (SOFT_RELATIVE * scale).max(SOFT_AMPLIFICATION * largest)
 }

@@ -1,9 +1,8 @@
-//! The contacts that may act within a step, with what is known of them where it begins, and the groups they form.
+//! The contacts that may act within a step, with what is known of them where it begins.
 
 use super::drift;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::free_acceleration;
-use crate::interaction::groups::Group;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
@@ -238,45 +237,4 @@ fn near_contact(
         acceleration: free.relative(states, id, &kinematics),
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
     }
-}
-
-/// Groups of bodies that the contacts of these indices connect, ordered by their first bodies; immovable bodies connect
-/// nothing. `bodies` are the movable ones, ascending.
-pub(super) fn connected(bodies: &[usize], contacts: impl Iterator<Item = (usize, ContactId)> + Clone) -> Vec<Group> {
-    let mut parent: Vec<usize> = (0..bodies.len()).collect();
-    let place = |body: usize| bodies.binary_search(&body).ok();
-    for (_, id) in contacts.clone() {
-        if let (Some(a), Some(b)) = (place(id.a), place(id.b)) {
-            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-            parent[a.max(b)] = a.min(b);
-        }
-    }
-    let mut slots: Vec<Option<usize>> = vec![None; bodies.len()];
-    let mut groups: Vec<Group> = Vec::new();
-    for (index, id) in contacts {
-        let Some(member) = place(id.a).or(place(id.b)) else { continue };
-        let root = root(&mut parent, member);
-        let slot = *slots[root].get_or_insert_with(|| {
-            groups.push(Group::default());
-            groups.len() - 1
-        });
-        groups[slot].contacts.push(index);
-    }
-    for (index, &body) in bodies.iter().enumerate() {
-        let root = root(&mut parent, index);
-        if let Some(slot) = slots[root] {
-            groups[slot].bodies.push(body);
-        }
-    }
-    groups.sort_by(|a, b| a.bodies.first().cmp(&b.bodies.first()));
-    groups
-}
-
-/// Representative of a member, with path halving.
-fn root(parent: &mut [usize], mut member: usize) -> usize {
-    while parent[member] != member {
-        parent[member] = parent[parent[member]];
-        member = parent[member];
-    }
-    member
 }

@@ -4,9 +4,9 @@
 //! of each body, estimates the error of the longer one; the two halves are kept. Between changes of contact it is
 //! of order h^3 and per second of order h^2; where a contact changes within the step it is of order h.
 
-use super::projection::displacement;
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
+use crate::interaction::overlap::displacement;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;

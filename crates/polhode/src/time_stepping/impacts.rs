@@ -7,11 +7,11 @@
 //! restitution that close later in the step are left to the sustained impulses, which land them.
 
 use super::NO_WORK_J;
-use super::contacts::{FreeAccelerations, NearContact, connected, kinematics_at_point};
+use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Part, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
-use crate::interaction::groups::Group;
+use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{strike, support};
 use crate::world::World;
 use polhode_dynamics::BodyState;
@@ -50,8 +50,8 @@ impl TimeStepper {
                 together[index] |= hits[index] || contact.touches(h, touch_distance);
             }
             let members = near.iter().enumerate().filter(|(index, _)| together[*index]);
-            let members: Vec<_> = members.map(|(index, contact)| (index, contact.id)).collect();
-            for group in connected(bodies, members.iter().copied()) {
+            let members = members.map(|(index, contact)| (index, contact.id.a, contact.id.b));
+            for group in groups(world, members) {
                 if group.contacts.iter().any(|&index| hits[index])
                     && !self.strike_group(world, states, &group, near, t, report)?
                 {

@@ -17,11 +17,11 @@
 //! there are none.
 
 use super::NO_WORK_J;
-use super::contacts::{NearContact, connected, kinematics_at_point};
+use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
 use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::groups::Group;
+use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::support;
 use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
@@ -85,12 +85,13 @@ impl TimeStepper {
         let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
-            let members: Vec<_> = members().map(|(index, row)| (index, near[row.contact].id)).collect();
+            let id = |row: &Row| near[row.contact].id;
+            let members: Vec<_> = members().map(|(index, row)| (index, id(row).a, id(row).b)).collect();
             if members.is_empty() {
                 return Ok(Vec::new());
             }
             let mut solved = Vec::new();
-            for group in connected(bodies, members.iter().copied()) {
+            for group in groups(world, members.iter().copied()) {
                 solved.push(self.solve_group(world, states, group, &rows, near, report)?);
             }
             for group in &solved {
