@@ -41,7 +41,7 @@ pub use body_id::BodyId;
 pub use body_queries::BodyQueries;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
-pub use frame::{ContactView, Frame, IslandView, MotionKind};
+pub use frame::{ContactView, Frame, IslandView, MotionKind, PivotView};
 pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};

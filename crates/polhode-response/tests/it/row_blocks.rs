@@ -15,7 +15,7 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 #[test]
 fn a_block_holds_together_or_not_at_all() {
     let rows = AXES.each_ref().map(|axis| [(0, axis.as_slice())]);
-    let [x, y, z] = rows.each_ref().map(|row| row.as_slice());
+    let [x, y, z] = rows.each_ref().map(<[_; 1]>::as_slice);
     let mut problem = mass_point();
     assert_eq!(problem.push_block(RowBlock::Unilateral, &[z]).unwrap(), 0..1);
     assert_eq!(problem.push_block(RowBlock::Bilateral, &[x, y]).unwrap(), 1..3);
@@ -40,7 +40,7 @@ fn a_block_holds_together_or_not_at_all() {
 #[test]
 fn a_cone_is_solved_without_friction_and_refused_with_it() {
     let rows = AXES.each_ref().map(|axis| [(0, axis.as_slice())]);
-    let [x, y, z] = rows.each_ref().map(|row| row.as_slice());
+    let [x, y, z] = rows.each_ref().map(<[_; 1]>::as_slice);
     let mut problem = mass_point();
     assert_eq!(problem.push_block(RowBlock::Cone { friction: 0.0 }, &[z, x, y]).unwrap(), 0..1);
     assert_eq!(problem.kind(0), Some(RowKind::Unilateral));

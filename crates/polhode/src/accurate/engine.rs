@@ -13,7 +13,7 @@ use crate::accounting::Accounts;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
@@ -595,6 +595,10 @@ impl Tier for Engine {
         views
     }
 
+    fn pivots(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
+        self.pivot_views(core, t, states)
+    }
+
     fn motions(&self) -> Vec<MotionKind> {
         let kind = |track: &Track| match track.mode {
             Mode::Fixed | Mode::Prescribed => MotionKind::Given,
@@ -640,35 +644,6 @@ impl Tier for Engine {
 }
 
 impl Engine {
-    /// Contacts that touched when their bodies were last looked at, as they stand in these states.
-    fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
-        let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
-        self.contacts.all().filter_map(present).collect()
-    }
-
-    /// Bodies connected by contacts that neither approach nor part, and those contacts.
-    fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
-        let contacts = self.present_contacts(core, states);
-        let sustained = |touch: &Touch| {
-            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
-            // While an island moves on, its contacts are those that it holds.
-            if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
-        };
-        let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
-        let mut found: Vec<(Vec<usize>, Vec<Touch>)> =
-            groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
-                .into_iter()
-                .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
-                .collect();
-        // What rows hold at a pivot and nothing touches is a group of its own.
-        for &body in &core.world.held_by_rows {
-            if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
-                found.push((vec![body], Vec::new()));
-            }
-        }
-        found
-    }
-
     /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
     fn refresh_resting_forces(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         if core.effects == Effects::Planned {

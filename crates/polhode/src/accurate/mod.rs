@@ -18,6 +18,7 @@
 //! | `instant` | whom an event concerns, and how they go on |
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
+//! | `present` | the constraints of the present, and what pivots bear |
 //! | `pace` | whether time advances |
 //! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
@@ -37,6 +38,7 @@ mod locate;
 mod near_pairs;
 mod pace;
 mod penetration;
+mod present;
 mod program;
 mod resolve;
 mod saved;

@@ -129,7 +129,7 @@ impl Engine {
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = support(&core.world, about, impulses) + by_pivots;
         core.accounts.books.impact(outcome.energy_change, given, work);
-        for (application, constraint) in outcome.applications.iter().zip(&struck.struck) {
+        for (application, constraint) in outcome.applications.iter().zip(&struck.whose) {
             // The impulse of a pivot is no event of a contact: it stands in the ledger of momentum.
             let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
             let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };

@@ -150,7 +150,7 @@ impl<'a> ContactSystem<'a> {
         let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
         let pivots = assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect();
         let sums = loads.map(|loads| assembly.split(&loads).collect());
-        Ok(HeldForces { sums, pivots, forces })
+        Ok(HeldForces { forces, pivots, sums })
     }
 
     /// Adds the forces to the rates one by one.

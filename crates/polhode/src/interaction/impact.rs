@@ -50,7 +50,7 @@ pub(crate) struct Struck {
     /// By the rows of contacts, and after them those of pivots.
     pub(crate) outcome: ImpactOutcome,
     /// Whose impulses `outcome.applications` are.
-    pub(crate) struck: Vec<Option<ConstraintId>>,
+    pub(crate) whose: Vec<Option<ConstraintId>>,
     /// The pivots that took part, and the impulse of each (N s, world).
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
 }
@@ -108,8 +108,8 @@ pub(crate) fn strike(
     apply_impulses(world, states, impulses);
     apply_pivot_impulses(world, states, assembly.pivot_forces(&outcome.impulses));
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
-    let struck = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    Ok(Struck { outcome, struck, pivots })
+    let whose = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
+    Ok(Struck { outcome, whose, pivots })
 }
 
 /// The event of one impulse at one contact point.

@@ -198,6 +198,9 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
         for (force, expected) in forces.iter().zip(expected) {
             assert!((force / expected - 1.0).abs() < 1e-12, "{forces:?} {expected}");
         }
+        let pivots = simulation.pivots();
+        let weight_borne = DVec3::Z * ((mass + weight) * G - expected[0]);
+        assert!((pivots[0].force_n - weight_borne).length() < 1e-11, "{pivots:?} {weight_borne}");
         let report = simulation.run(&mut Unobserved).unwrap();
         assert!(report.bodies.iter().all(|(_, body)| body.velocity.is_zero()), "{:?}", report.bodies);
         assert_eq!(report.bodies[1].1.pose, *scene.bodies()[1].initial_pose());
