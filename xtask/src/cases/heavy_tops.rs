@@ -138,7 +138,12 @@ pub(super) fn ht_02(context: &Context) -> CaseResult {
         row("mean precession rate, rad/s", precession / period)?,
         context.reference.row("HT-02", "theta, theta', phi, psi at t = 10 s", angles)?,
         context.reference.row("HT-02", "axis at t = 10 s", axis(&end).to_array())?,
-        Row::at_most("HT-02", "axis at t = 10 s by rows at the tip: difference", BY_ROWS, (by_rows - axis(&end)).length()),
+        Row::at_most(
+            "HT-02",
+            "axis at t = 10 s by rows at the tip: difference",
+            BY_ROWS,
+            (by_rows - axis(&end)).length(),
+        ),
     ])
 }
 

@@ -52,6 +52,8 @@ pub(crate) struct Projection {
     pub(crate) farthest: Option<ConstraintId>,
     /// Whether contacts that depend on each other nearly were put together in part.
     pub(crate) is_soft: bool,
+    /// Whether contacts were put together from farther than penetration is judged by: others may overlap now.
+    pub(crate) is_far: bool,
     /// Contacts that were left alone because their place had jumped.
     pub(crate) jumped: Vec<ConstraintId>,
     /// Constraints that are farther off than rounding after the last Newton step.
@@ -81,7 +83,7 @@ pub(crate) fn project(
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    if done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+    if done.is_far || done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
     }
     let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
@@ -175,6 +177,9 @@ pub(crate) fn project_positions(
             let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), pivot.id()));
             done.farthest = farthest(geometries.iter().map(distance).chain(pivots));
         }
+        done.is_far |= geometries
+            .iter()
+            .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
