@@ -166,11 +166,7 @@ pub(crate) fn project_positions(
                 geometry.separation.abs() > allowed
             };
             done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
-            let off = |pivot: &PivotKinematics| {
-                let size = world.bodies[pivot.body].size;
-                pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
-            };
-            done.unconverged.extend(world.pivots(states, bodies).filter(off).map(|pivot| pivot.id()));
+            done.unconverged.extend(pivots_off(world, states, bodies));
             break;
         }
         if done.farthest.is_none() {
@@ -202,6 +198,19 @@ pub(crate) fn project_positions(
     };
     done.moved_m = moved.iter().map(displacement).fold(0.0, f64::max);
     Ok(done)
+}
+
+/// The pivots that are farther from their places than rounding after the last Newton step.
+fn pivots_off<'a>(
+    world: &'a World,
+    states: &'a [BodyState],
+    bodies: &'a [usize],
+) -> impl Iterator<Item = ConstraintId> + 'a {
+    let off = |pivot: &PivotKinematics| {
+        let size = world.bodies[pivot.body].size;
+        pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
+    };
+    world.pivots(states, bodies).filter(off).map(|pivot| pivot.id())
 }
 
 /// The constraint of the largest of some distances or speeds.
