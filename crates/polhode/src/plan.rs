@@ -206,6 +206,10 @@ fn joint_decision(world: &World) -> EffectDecision {
             format!("of {pivots} bodies at pivots turning alone is left: no row holds them"),
             "three rows a pivot and their projection; agrees with them to 1e-12 over a second",
         ),
+        _ if rows == pivots => (
+            format!("three rows hold each of {pivots} bodies at pivots"),
+            "nothing: their forces are solved for at every stage, with those of contacts",
+        ),
         _ => (
             format!("three rows hold each of {rows} of {pivots} bodies at pivots; of the others turning alone is left"),
             "nothing: their forces are solved for at every stage, with those of contacts",
