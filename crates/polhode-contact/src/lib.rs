@@ -59,7 +59,9 @@ pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential, tangential};
 pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with, near_manifold};
-pub use narrow_phase::persistent::{ContactChange, NarrowPhase, NarrowPhaseError, PairContacts};
+pub use narrow_phase::persistent::{
+    ContactChange, NarrowPhase, NarrowPhaseError, PairContacts, PairMemory, near_manifold_with,
+};
 pub use narrow_phase::separating_axis::Workspace;
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;

@@ -90,10 +90,16 @@ impl<'a> FreeMotion<'a> {
             field.add_wrenches(t, bodies, states, wrenches);
         }
         for ((body, state), wrench) in bodies.iter().zip(states).zip(wrenches) {
-            if body.is_pivoted() {
-                let lever = state.pose.rotation.rotate(body.arm());
-                wrench.torque += lever.cross(wrench.force + self.gravity * body.mass());
-            }
+            self.add_swing(body, state, wrench);
+        }
+    }
+
+    /// Adds the torque about the pivot of a pivoted body by its weight and the force on it, the last part of
+    /// [`FreeMotion::wrenches`].
+    pub fn add_swing(&self, body: &RigidBody, state: &BodyState, wrench: &mut Wrench) {
+        if body.is_pivoted() {
+            let lever = state.pose.rotation.rotate(body.arm());
+            wrench.torque += lever.cross(wrench.force + self.gravity * body.mass());
         }
     }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 /// Linear momentum `m v_cm`, kg m/s.
 pub fn linear_momentum(body: &RigidBody, state: &BodyState) -> DVec3 {
-    body.center_of_mass_velocity(state).linear * body.mass()
+    body.center_of_mass_linear_velocity(state) * body.mass()
 }
 
 /// Angular momentum about the world's `point` (m), kg m^2/s. A point near the bodies keeps the digits that the lever

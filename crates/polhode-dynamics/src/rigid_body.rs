@@ -94,7 +94,15 @@ impl RigidBody {
 
     /// Position of the centre of mass, m, world.
     pub fn center_of_mass_position(&self, state: &BodyState) -> DVec3 {
+        if self.arm == DVec3::ZERO {
+            return state.pose.translation;
+        }
         state.pose.translation + state.pose.rotation.rotate(self.arm)
+    }
+
+    /// Velocity of the centre of mass, m/s, world: without the angular velocity, which only a body with an arm needs for it.
+    pub fn center_of_mass_linear_velocity(&self, state: &BodyState) -> DVec3 {
+        if self.arm == DVec3::ZERO { state.linear_velocity } else { self.center_of_mass_velocity(state).linear }
     }
 
     /// Velocity of the centre of mass and angular velocity.

@@ -10,7 +10,7 @@
 //! the error in a direction of eigenvalue `l` by `eps / (eps + l)`, and directions with `l << eps` stay at zero force.
 //! One Cholesky factorisation of `G + eps 1`, which always exists, serves all rounds.
 //!
-//! Mass ratios. A body of 1 kg between the ground and one of `R` kg bears forces of `R g` that cancel. Their rounding
+//! Mass ratios. A body of 1 kg between the floor and one of `R` kg bears forces of `R g` that cancel. Their rounding
 //! accelerates it by some `1e-16 R g`, whatever the solver, and forces that lift the heavy body have the eigenvalue
 //! `1/R`, which must not be taken for rows that depend on each other. Where masses differ by more than
 //! `ALIKE_MASSES`, [`least_norm_forces`] therefore

@@ -22,7 +22,7 @@
 //!
 //! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
 //! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
-//! `newtons_cradle` (an impact law) and `box_on_the_ground` (contact forces).
+//! `newtons_cradle` (an impact law) and `box_on_the_floor` (contact forces).
 //!
 //! ```
 //! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};

@@ -59,6 +59,12 @@ pub(crate) fn accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64],
             }
         }
     }
+    row_accelerations(problem, rows, b, &motion)
+}
+
+/// `b + J x` of `rows` for a motion `x` of all bodies, rounded after the sum.
+fn row_accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64], motion: &[DoubleDouble]) -> Vec<f64> {
+    let width = problem.width();
     let acceleration = |(&row, &constant): (&usize, &f64)| {
         let mut sum = DoubleDouble::new(constant);
         for entry in problem.entries(row) {
@@ -103,17 +109,7 @@ pub(crate) fn accelerations_under(
             motion.push(terms.fold(DoubleDouble::default(), |sum, (m, x)| sum.plus_long_product(*m, *x)));
         }
     }
-    let acceleration = |(&row, &constant): (&usize, &f64)| {
-        let mut sum = DoubleDouble::new(constant);
-        for entry in problem.entries(row) {
-            let block = &motion[entry.body * width..(entry.body + 1) * width];
-            for (jacobian, component) in entry.jacobian.iter().zip(block) {
-                sum = sum.plus_long_product(*jacobian, *component);
-            }
-        }
-        sum.value()
-    };
-    rows.iter().zip(b).map(acceleration).collect()
+    row_accelerations(problem, rows, b, &motion)
 }
 
 /// `w` of the rows at `positions` of `rows`, under forces and constant terms that are given in the order of `rows`.

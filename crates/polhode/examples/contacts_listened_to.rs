@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .pose(Pose::from_translation(DVec3::Z * 0.25))
         .material(rubber);
     let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
-    let scene = Scene::builder("landing").body(floor).body(brick).duration_s(3.0).build()?;
+    let scene = Scene::builder("bouncing-brick").body(floor).body(brick).duration_s(3.0).build()?;
     let mut simulation = Simulation::new(&scene, Effects::Planned)?;
     let mut listener = Listener::default();
     simulation.run(&mut listener)?;

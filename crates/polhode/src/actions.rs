@@ -173,8 +173,16 @@ impl Simulation {
         index: usize,
         moved: &[usize],
         what: &'static str,
-        change: impl FnOnce(&World, &polhode_dynamics::RigidBody, &mut BodyState),
+        change: impl Fn(&World, &polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
+        if let Some(rigid) = &self.core.world.bodies[index].rigid {
+            // Finite numbers may have an effect that is not.
+            let mut state = self.tier.states(&self.core)[index];
+            change(&self.core.world, rigid, &mut state);
+            if !(state.is_finite() && rigid.kinetic_energy(&state).is_finite()) {
+                return Err(ActionError::NotFinite { body: self.name(index), what: "the motion after it" }.into());
+            }
+        }
         self.act(&[index], moved, what, |simulation| {
             let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
@@ -260,8 +268,7 @@ impl Simulation {
 /// Checks that a body overlaps no other one.
 fn check_clear(world: &World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
-        let Some((shape_a, shape_b)) = world.shapes(index, other) else { continue };
-        let separation = polhode_contact::separation(shape_a, &states[index].pose, shape_b, &states[other].pose);
+        let Some(separation) = world.separation_afresh(states, index, other) else { continue };
         let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
         if separation < -allowed_m {
             let name = |body: usize| world.bodies[body].name.clone();

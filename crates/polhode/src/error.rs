@@ -83,6 +83,32 @@ pub enum SimulationError {
         /// Shortest step allowed, s.
         smallest_s: f64,
     },
+    /// A force of the scene is infinite or not a number where a body is: at the place of what attracts it, say.
+    #[error("{force} on body {body} is not finite at t = {t} s: its formula is singular where the body is")]
+    ForceNotFinite {
+        /// When, s.
+        t: f64,
+        /// The body.
+        body: String,
+        /// The force: its number in the scene, from one, and its kind.
+        force: String,
+    },
+    /// A body has come so near to a place where a force grows beyond all bounds that no step is short enough. There is no
+    /// motion through such a place that the equations would determine.
+    #[error(
+        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body runs into a \
+         place at which its formula is singular; end the run before, or start the body past that place"
+    )]
+    SingularForce {
+        /// When, s.
+        t: f64,
+        /// The body.
+        body: String,
+        /// The force: its number in the scene, from one, and its kind.
+        force: String,
+        /// How large it has become, N.
+        force_n: f64,
+    },
     /// Many steps have not advanced time.
     #[error(
         "no progress at t = {t} s: {steps} steps have advanced by {advanced_s:e} s while {body_a} touches {body_b} at {point} m: \

@@ -31,6 +31,13 @@ pub trait Observer {
         let _ = event;
     }
 
+    /// Whether [`Observer::sample`] is called. Where nobody wants samples, bodies that fly in closed form are not evaluated
+    /// between events: their motion is the same to the last bit, but the scales of the ledgers (the largest energy and
+    /// momentum seen so far) then come from fewer times.
+    fn wants_samples(&self) -> bool {
+        true
+    }
+
     /// Whether [`Observer::frame`] is called: a frame holds contact forces, which take a solve.
     fn wants_frames(&self) -> bool {
         false
@@ -76,4 +83,8 @@ pub struct Unobserved;
 
 impl Observer for Unobserved {
     fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+
+    fn wants_samples(&self) -> bool {
+        false
+    }
 }

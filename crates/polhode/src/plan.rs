@@ -253,7 +253,7 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
 
 /// Effects of contact.
 fn contact_decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<EffectDecision> {
-    let pairs = collidable_pairs(scene);
+    let pairs = scene.colliding();
     let rest = match effects {
         Effects::Planned => decision(
             Effect::Rest,
@@ -335,19 +335,4 @@ fn steady_decision(world: &World) -> EffectDecision {
         ),
         if steady > 0 { "elliptic functions: one turn about a fixed axis" } else { "nothing" },
     )
-}
-
-/// What pairs of bodies that may collide have in common.
-struct CollidablePairs {
-    count: usize,
-    largest_restitution: f64,
-}
-
-fn collidable_pairs(scene: &Scene) -> CollidablePairs {
-    let mut pairs = CollidablePairs { count: 0, largest_restitution: 0.0 };
-    for (a, b) in scene.colliding_pairs() {
-        pairs.count += 1;
-        pairs.largest_restitution = pairs.largest_restitution.max(scene.pair_material(a, b).restitution());
-    }
-    pairs
 }

@@ -50,6 +50,42 @@ impl World {
         }
     }
 
+    /// Sets the states of the kinematic members of these pairs to those at `t` (s).
+    pub(crate) fn prescribe_members(&self, pairs: &[(usize, usize)], t: f64, states: &mut [BodyState]) {
+        for body in self.prescribed_members(pairs) {
+            if let Some(state) = self.prescribed_state(body, t) {
+                states[body] = state;
+            }
+        }
+    }
+
+    /// Whether all kinematic members of these pairs stand still from `from` to `to` (s).
+    pub(crate) fn members_stand_still(&self, pairs: &[(usize, usize)], from: f64, to: f64) -> bool {
+        self.prescribed_members(pairs).all(|body| self.stands_still(body, from, to))
+    }
+
+    /// The kinematic members of these pairs; one that is in several comes as often.
+    fn prescribed_members<'a>(&'a self, pairs: &'a [(usize, usize)]) -> impl Iterator<Item = usize> + 'a {
+        let pairs = if self.prescribed.is_empty() { &[] } else { pairs };
+        pairs.iter().flat_map(|&(a, b)| [a, b]).filter(|&body| self.trajectory(body).is_some())
+    }
+
+    /// Largest speed from `t` to `t + h` (s) of the material of a kinematic body where another body is at `t`,
+    /// m/s; zero for other bodies.
+    pub(crate) fn prescribed_speed_at(
+        &self,
+        body: usize,
+        other: usize,
+        states: &[BodyState],
+        (t, h): (f64, f64),
+    ) -> f64 {
+        self.trajectory(body).map_or(0.0, |trajectory| {
+            let bounds = trajectory.bounds(t, t + h);
+            let distance = (states[other].pose.translation - states[body].pose.translation).length();
+            bounds.speed + bounds.angular_speed * (distance + self.bodies[other].size)
+        })
+    }
+
     /// Acceleration of a body's origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s) that its motion prescribes, world;
     /// zero for other bodies.
     pub(crate) fn prescribed_acceleration(&self, body: usize, t: f64) -> (DVec3, DVec3) {

@@ -2,13 +2,13 @@
 //!
 //! | tier | penetration of a pair | displacement by one projection | energy that projections take |
 //! |---|---|---|---|
-//! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `10 tolerance s + 8 ulp` | `10 tolerance E`, one or all |
+//! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
 //! | `accurate` by `rk4` | as above | no promise: known by the step | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
 //! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet, what
 //! they approach each other by within four ulp of the time; tolerance: that of the
-//! method, at least its default; E: the largest energy of the run, at least that of lifting all bodies by their size, J.
+//! method; drift: the tolerance, at least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by their size, J.
 //! A run beyond any of these is [`Outcome::Degraded`](crate::Outcome::Degraded), whatever its tier one with a problem that
 //! was not solved as asked.
 
@@ -20,11 +20,6 @@ use crate::interaction::projection::Projection;
 use crate::world::{World, WorldBody};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
-
-/// What projections may move a body by or take, in units of the tolerance times the size of its pair or the energy of the
-/// scene (dimensionless, 1 to 100). The error of a step is a part of the tolerance and touch is of its order; putting
-/// contacts that lie close together exactly in place turns a body by some times more.
-const PROJECTION_FACTOR: f64 = 10.0;
 
 /// Units in the last place of the time of an impact by which bodies may meet late.
 const TIME_ULPS: f64 = 4.0;
@@ -41,7 +36,7 @@ impl Core {
             mass * self.world.gravity().length() * body.size
         };
         Limits {
-            projection_energy_relative: drift.map_or(f64::INFINITY, |drift| PROJECTION_FACTOR * drift),
+            projection_energy_relative: drift.unwrap_or(f64::INFINITY),
             smallest_energy_j: self.world.bodies.iter().map(lift_j).sum(),
         }
     }
@@ -84,9 +79,7 @@ impl Core {
     ) {
         let drift = self.settings.promised_drift();
         let allowed = |(a, b): (usize, usize)| {
-            drift.map_or(f64::INFINITY, |drift| {
-                PROJECTION_FACTOR * drift * self.world.pair_size(a, b) + self.world.rounding(states, a, b)
-            })
+            drift.map_or(f64::INFINITY, |drift| drift * self.world.pair_size(a, b) + self.world.rounding(states, a, b))
         };
         if let Some(pair) = done.pair() {
             let moved = Measure { t, pair, value: done.moved_m, allowed: allowed(pair) };

@@ -15,6 +15,11 @@ const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 /// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
 
+/// What projections may move or take at the default tolerance, in units of it (dimensionless, 1 to 100). The error of a step
+/// is a part of the tolerance and touch is of its order; putting contacts that lie close together exactly in place turns a
+/// body by some times more.
+const DRIFT_FACTOR: f64 = 10.0;
+
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
 /// Penetration that `accurate` promises to stay below at the default tolerance and tighter ones, relative to the size of
@@ -75,13 +80,14 @@ impl Settings {
         }
     }
 
-    /// The tolerance that drift is judged by (dimensionless); none for a tier that promises nothing, and none for a method
-    /// whose error is known by its step alone. Below the default, what counts as touch and rounding decide.
+    /// What projections may move a body by or take, as a fraction of the size of its pair or of the energy of the scene
+    /// (dimensionless); none for a tier that promises nothing, and for a method whose error is known by its
+    /// step alone.
     pub(crate) fn promised_drift(&self) -> Option<f64> {
         match self.tier {
             Tier::Thesis | Tier::Stepped => None,
             Tier::Accurate if self.constrains_by_rk4() => None,
-            Tier::Accurate => Some(self.tolerance.max(DEFAULT_TOLERANCE)),
+            Tier::Accurate => Some(self.tolerance.max(DRIFT_FACTOR * DEFAULT_TOLERANCE)),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::pivots::PivotRows;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::scene::{Integrator, SceneError, Tier as TierName};
+use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
@@ -19,7 +19,7 @@ use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
-use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError};
+use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force};
 use polhode_contact::QueryError;
 use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
@@ -106,9 +106,8 @@ impl Simulation {
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
-        if settings.tier == TierName::Stepped && !world.prescribed().is_empty() {
-            let what = "a kinematic body (key motion) with tier = \"stepped\"".to_owned();
-            return Err(SceneError::NotYetAvailable { what, instead: "tier = \"accurate\"".to_owned() }.into());
+        if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
+            return Err(error);
         }
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
@@ -182,7 +181,13 @@ impl Simulation {
 
     /// Advances to a limit of time (s) or to the first event before it.
     fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
-        let reached = self.tier.advance(&mut self.core, limit, observer)?;
+        if self.core.accounts.is_unsampled() {
+            let (t, states) = (self.core.t, self.tier.states(&self.core));
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer);
+        }
+        let reached = self.tier.advance(&mut self.core, limit, observer);
+        let reached =
+            reached.map_err(|error| singular_force::explained(error, &self.core, &self.tier.states(&self.core)))?;
         let t = self.core.t;
         if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
             self.ended = true;
@@ -222,9 +227,15 @@ impl Simulation {
     /// # Panics
     /// Never for a handle of this simulation; for one of another simulation with more bodies the last body is given.
     pub fn body(&self, body: BodyId) -> BodySample {
+        let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
+        self.core.world.sample(index, &self.tier.state(&self.core, index))
+    }
+
+    /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives for each,
+    /// evaluated at once.
+    pub fn bodies(&self) -> Vec<BodySample> {
         let states = self.tier.states(&self.core);
-        let index = body.index().min(states.len().saturating_sub(1));
-        self.core.world.sample(index, &states[index])
+        states.iter().enumerate().map(|(body, state)| self.core.world.sample(body, state)).collect()
     }
 
     /// Contacts that touch at the present. Only sums of forces and the motion are unique.
@@ -385,10 +396,33 @@ fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
 }
 
 /// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
-pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
+    }
+}
+
+/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier;
+/// none of a sample that it has passed over.
+///
+/// # Errors
+/// As `states_at`.
+pub(crate) fn emit_samples_before<T: Tier>(
+    until: f64,
+    tier: &mut T,
+    core: &mut Core,
+    observer: &mut dyn Observer,
+    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Vec<BodyState>>, SimulationError>,
+) -> Result<(), SimulationError> {
+    loop {
+        let t = core.accounts.next_sample_s(&core.world);
+        if t >= until {
+            return Ok(());
+        }
+        if let Some(states) = states_at(tier, core, t)? {
+            emit_sample(tier, core, &states, t, observer);
+        }
     }
 }
 

@@ -5,6 +5,8 @@
 //! body of which turning alone is left (`pivots.rs`). Shapes are moved into it once, here; results are moved back when they are sampled.
 
 use crate::Acceleration;
+use crate::collision::narrow_phase::NarrowPhase;
+use crate::field_index::{FieldBuffers, FieldIndex, acted_on};
 use crate::observer::BodySample;
 use crate::pivots::{HeldPoint, PivotForm, PivotRows};
 use crate::planar::PlaneOfMotion;
@@ -17,8 +19,8 @@ use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, Field
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose, Velocity};
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, PoisonError};
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
 /// struck together (docs/ARCHITECTURE.md, "Tolerances").
@@ -71,10 +73,15 @@ pub(crate) struct World {
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
-    /// Bodies on which a force acts that changes with time, also while they rest.
+    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
+    is_loaded_at_all: bool,
+    /// Bodies on which a force acts that changes with time, also while they rest; ascending.
     pub(crate) driven: Vec<usize>,
     /// Movable bodies that one field acts on together.
     pub(crate) couplings: Vec<Vec<usize>>,
+    field_index: FieldIndex,
+    field_buffers: FieldBuffers,
+    pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     collides: bool,
     /// Force and torque (N, N m, world) that a program has set on bodies, by number.
@@ -112,8 +119,12 @@ impl World {
             held_by_rows,
             pivot_rows,
             fields: Arc::from(Vec::new()),
+            is_loaded_at_all: false,
             driven: Vec::new(),
             couplings: Vec::new(),
+            field_index: FieldIndex::default(),
+            field_buffers: FieldBuffers::default(),
+            narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
@@ -141,9 +152,8 @@ impl World {
         for (number, force) in self.scene.forces().iter().enumerate() {
             let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
             if force.changes_with_time() {
-                let acted_on = self.movable.iter().enumerate();
-                let acted_on = acted_on.filter(|&(slot, _)| made.iter().any(|field| field.acts_on(slot)));
-                self.driven.extend(acted_on.map(|(_, &body)| body));
+                let slots = made.iter().flat_map(|field| acted_on(&**field, self.movable.len()));
+                self.driven.extend(slots.map(|slot| self.movable[slot]));
             }
             fields.extend(made);
         }
@@ -152,13 +162,18 @@ impl World {
             let made = applied_fields(self.slot(body), wrench);
             fields.extend(made.map_err(|source| SceneError::Force { force, source })?);
         }
-        for field in &fields {
-            let together: Vec<usize> = (0..self.movable.len()).filter(|&slot| field.acts_on(slot)).collect();
-            if together.len() > 1 && field.couples() {
+        self.driven.sort_unstable();
+        self.driven.dedup();
+        self.field_index = FieldIndex::new(&fields, self.movable.len());
+        for field in fields.iter().filter(|field| field.couples()) {
+            let together = acted_on(&**field, self.movable.len());
+            if together.len() > 1 {
+                self.field_index.couple(self.couplings.len(), &together);
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
         self.fields = Arc::from(fields);
+        self.is_loaded_at_all = self.free_motion().has_loads();
         Ok(())
     }
 
@@ -234,6 +249,7 @@ impl World {
     pub(crate) fn remove_body(&mut self, body: usize) -> Result<(), SceneError> {
         self.bodies[body].removed = true;
         self.bodies[body].shape = None;
+        self.narrow_phase.forget(body);
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
         self.held_by_rows.retain(|&other| other != body);
@@ -265,15 +281,19 @@ impl World {
 
     /// Whether a field, the torque of gravity about a pivot or the rows of one can act on a body.
     pub(crate) fn is_loaded(&self, body: usize) -> bool {
+        let swings = FreeMotion::new(&self.rigid, self.gravity(), &[]);
         self.is_held_by_rows(body)
-            || self.movable.binary_search(&body).is_ok_and(|slot| self.free_motion().is_loaded(slot))
+            || self
+                .slot(body)
+                .is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
     }
 
     /// Whether a force acts on a body but none that could turn it.
     pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
         let motion = self.free_motion();
-        let pushed = |slot| motion.is_loaded(slot) && !motion.is_turned(slot);
-        !self.is_held_by_rows(body) && self.movable.binary_search(&body).is_ok_and(pushed)
+        !self.is_held_by_rows(body)
+            && self.is_loaded(body)
+            && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
     }
 
     /// How many movable bodies a field or a pivot can act on.
@@ -288,24 +308,64 @@ impl World {
 
     /// What fields and gravity about pivots do to all bodies; empty when nothing does.
     pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
-        let motion = self.free_motion();
-        if !motion.has_loads() {
+        if !self.is_loaded_at_all {
             return Loads::default();
         }
+        let motion = self.free_motion();
         let mut wrenches = vec![Wrench::default(); self.movable.len()];
         motion.wrenches(t, &self.movable_states(states), &mut wrenches);
-        let mut loads = Loads { by_body: vec![Wrench::default(); self.bodies.len()] };
-        for (&body, wrench) in self.movable.iter().zip(wrenches) {
-            loads.by_body[body] = wrench;
-        }
-        loads
+        Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
     }
 
-    /// Wrenches of the fields of one account on all movable bodies, torques about the centres of mass.
-    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState]) -> Vec<Wrench> {
-        let mut wrenches = vec![Wrench::default(); self.movable.len()];
-        self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
-        wrenches
+    /// As [`World::loads`], on these bodies alone. Where all fields name the bodies that they act on, the work is that of the
+    /// fields on these bodies, however many others there are.
+    pub(crate) fn loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let motion = self.free_motion();
+        let swing = |slot: usize, wrench: &mut Wrench| {
+            motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
+        };
+        self.field_wrenches_on(t, states, bodies, |_| true, swing).unwrap_or_else(|| self.loads(t, states))
+    }
+
+    /// Wrenches of the fields of one account on these bodies, torques about the centres of mass.
+    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let of_account = |field: &dyn Field| field.account() == account;
+        self.field_wrenches_on(t, states, bodies, of_account, |_, _| ()).unwrap_or_else(|| {
+            let mut wrenches = vec![Wrench::default(); self.movable.len()];
+            self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
+            Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
+        })
+    }
+
+    /// Wrenches of some of the fields on these bodies, each finished by its place among the movable ones; nothing when a field
+    /// does not name its bodies.
+    fn field_wrenches_on(
+        &self,
+        t: f64,
+        states: &[BodyState],
+        bodies: &[usize],
+        chosen: impl Fn(&dyn Field) -> bool,
+        finish: impl Fn(usize, &mut Wrench),
+    ) -> Option<Loads> {
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
+        let (fields, read) = self.field_index.acting_on(&slots)?;
+        let mut buffers = self.field_buffers.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let (own, wrenches) = &mut *buffers;
+        own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
+        wrenches.resize(self.movable.len(), Wrench::default());
+        for slot in read {
+            own[slot] = states[self.movable[slot]];
+            wrenches[slot] = Wrench::default();
+        }
+        for field in fields.iter().map(|&number| &*self.fields[number]).filter(|field| chosen(*field)) {
+            field.add_wrenches(t, &self.rigid, own, wrenches);
+        }
+        let load = |slot: usize| {
+            let mut wrench = wrenches[slot];
+            finish(slot, &mut wrench);
+            (self.movable[slot], wrench)
+        };
+        Some(Loads::Of(slots.into_iter().map(load).collect()))
     }
 
     /// Whether any two bodies may collide.
@@ -315,7 +375,20 @@ impl World {
 
     /// Whether a field makes the motion of a body depend on that of others.
     pub(crate) fn is_coupled(&self, body: usize) -> bool {
-        self.couplings.iter().any(|together| together.contains(&body))
+        self.couplings_of(body).next().is_some()
+    }
+
+    /// The couplings that a body is in: all bodies that one field acts on together with it.
+    pub(crate) fn couplings_of(&self, body: usize) -> impl Iterator<Item = &Vec<usize>> {
+        let numbers = self.slot(body).map_or(&[][..], |slot| self.field_index.couplings_of(slot));
+        numbers.iter().map(|&number| &self.couplings[number])
+    }
+
+    /// The couplings that any of these bodies is in, each once.
+    pub(crate) fn couplings_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Vec<usize>> {
+        let slots = bodies.iter().filter_map(|&body| self.slot(body));
+        let numbers: BTreeSet<usize> = slots.flat_map(|slot| self.field_index.couplings_of(slot)).copied().collect();
+        numbers.into_iter().map(|number| &self.couplings[number])
     }
 
     /// Whether forces couple bodies of a scene in which some may collide.
@@ -331,12 +404,17 @@ impl World {
 
     /// Whether forces on a body change with time, also while everything rests.
     pub(crate) fn is_driven(&self, body: usize) -> bool {
-        self.driven.contains(&body)
+        self.driven.binary_search(&body).is_ok()
     }
 
     /// Whether any force field acts.
     pub(crate) fn has_fields(&self) -> bool {
         !self.fields.is_empty()
+    }
+
+    /// Whether any force field's work belongs to this account.
+    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
+        self.fields.iter().any(|field| field.account() == account)
     }
 
     /// Potential energy of the conservative fields, J.
@@ -484,12 +562,6 @@ impl World {
         if mass > 0.0 { moment / mass } else { DVec3::ZERO }
     }
 
-    /// Largest distance of a movable body's centre of mass from a point, m.
-    pub(crate) fn extent_about(&self, states: &[BodyState], point: DVec3) -> f64 {
-        let movable = states.iter().zip(&self.bodies).filter(|(_, body)| body.moves());
-        movable.fold(0.0, |most, (state, _)| (state.pose.translation - point).length().max(most))
-    }
-
     /// Potential energy of the scene at the start, J, of gravity zero at the world's origin.
     pub(crate) fn initial_potential(&self) -> f64 {
         let bodies = self.bodies.iter();
@@ -516,14 +588,24 @@ fn applied_fields(slot: Option<usize>, wrench: &Wrench) -> Result<Vec<Box<dyn Fi
 
 /// What fields do to all bodies at one instant; torques about the origins of the moving frames.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Loads {
-    by_body: Vec<Wrench>,
+pub(crate) enum Loads {
+    /// Nothing.
+    #[default]
+    None,
+    /// Of bodies, ascending; nothing on others.
+    Of(Vec<(usize, Wrench)>),
 }
 
 impl Loads {
     /// On one body.
     pub(crate) fn of(&self, body: usize) -> Wrench {
-        self.by_body.get(body).copied().unwrap_or_default()
+        match self {
+            Self::None => Wrench::default(),
+            Self::Of(loads) => {
+                let place = loads.binary_search_by_key(&body, |(loaded, _)| *loaded);
+                place.map_or_else(|_| Wrench::default(), |place| loads[place].1)
+            }
+        }
     }
 }
 
@@ -591,7 +673,7 @@ impl WorldBody {
     }
 }
 
-/// What collides of a solid mesh: its convex parts, or, when it is ground, its surface.
+/// What collides of a solid mesh: its convex parts, or, when no force moves it, its surface.
 fn colliding(mesh: &SolidMesh, is_fixed: bool) -> Result<Shape, ShapeError> {
     if !is_fixed || convexity(mesh).is_convex() {
         return Shape::solid(mesh);

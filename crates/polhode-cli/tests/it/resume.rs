@@ -3,52 +3,28 @@
 use crate::Place;
 use polhode_scene::Checkpoint;
 
+/// A scene of a body that falls on a floor with this restitution; `head` is its keys of the run.
+fn on_a_floor(head: &str, restitution: f64, body: &str) -> String {
+    format!(
+        "format = 1\n{head}\n[materials.m]\nrestitution = {restitution}\n\
+         [[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\nmaterial = \"m\"\n\
+         [[bodies]]\nmaterial = \"m\"\n{body}\n"
+    )
+}
+
 /// A brick that falls on a corner, bounces and comes to rest.
-const FALL: &str = r#"
-format = 1
-name = "fall"
-duration = 1.5
-[output]
-interval = 0.0625
-[materials.wood]
-restitution = 0.4
-[[bodies]]
-name = "floor"
-fixed = true
-shape.half_space.normal = [0, 0, 1]
-material = "wood"
-[[bodies]]
-name = "brick"
-shape.box.size = [0.6, 0.4, 0.2]
-mass = 2.0
-position = [0, 0, 0.8]
-rotation_vector = [0.4, 0.7, 0.1]
-angular_velocity = [1, 3, -2]
-material = "wood"
-"#;
+fn fall() -> String {
+    let brick = "name = \"brick\"\nshape.box.size = [0.6, 0.4, 0.2]\nmass = 2.0\nposition = [0, 0, 0.8]\n\
+                 rotation_vector = [0.4, 0.7, 0.1]\nangular_velocity = [1, 3, -2]";
+    on_a_floor("name = \"fall\"\nduration = 1.5\noutput.interval = 0.0625", 0.4, brick)
+}
 
 /// A ball that bounces for longer than anybody waits.
 #[cfg(unix)]
-const ENDLESS: &str = r#"
-format = 1
-name = "endless"
-duration = 1e9
-[output]
-interval = 1e4
-[materials.rubber]
-restitution = 1.0
-[[bodies]]
-name = "floor"
-fixed = true
-shape.half_space.normal = [0, 0, 1]
-material = "rubber"
-[[bodies]]
-name = "ball"
-shape.sphere.radius = 0.1
-mass = 1.0
-position = [0, 0, 0.5]
-material = "rubber"
-"#;
+fn endless() -> String {
+    let ball = "name = \"ball\"\nshape.sphere.radius = 0.1\nmass = 1.0\nposition = [0, 0, 0.5]";
+    on_a_floor("name = \"endless\"\nduration = 1e9\noutput.interval = 1e4", 1.0, ball)
+}
 
 /// A report without what the clock says.
 fn timeless(mut report: serde_json::Value) -> serde_json::Value {
@@ -59,7 +35,7 @@ fn timeless(mut report: serde_json::Value) -> serde_json::Value {
 /// The report of a run that was continued is that of a run that was never stopped, and so is the rest of its files.
 #[test]
 fn a_run_that_is_resumed_ends_like_one_that_was_never_stopped() {
-    let place = Place::with_scene(FALL);
+    let place = Place::with_scene(&fall());
     let settings = ["--set", "bodies.brick.mass=3", "--tier", "accurate"];
     let whole = [&["run", "scene.toml", "--json", "-o", "a.csv", "--events", "a-events.csv"], &settings[..]].concat();
     let expected = timeless(place.expect(0, &whole).json());
@@ -80,7 +56,7 @@ fn a_run_that_is_resumed_ends_like_one_that_was_never_stopped() {
 /// A checkpoint may be written on the way of a resumed run, over the one that it began with.
 #[test]
 fn resumed_runs_keep_checkpoints_too() {
-    let place = Place::with_scene(FALL);
+    let place = Place::with_scene(&fall());
     let all = timeless(place.expect(0, &["run", "scene.toml", "--effects", "all", "--json"]).json());
     place.expect(0, &["run", "scene.toml", "--effects", "all", "--checkpoint-every", "1", "--checkpoint", "kept"]);
     assert_eq!(timeless(place.expect(0, &["resume", "kept", "--json", "--checkpoint-every", "0.2"]).json()), all);
@@ -90,7 +66,7 @@ fn resumed_runs_keep_checkpoints_too() {
 
 #[test]
 fn checkpoints_that_cannot_be_continued_are_refused_with_a_message() {
-    let place = Place::with_scene(FALL);
+    let place = Place::with_scene(&fall());
     place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.7"]);
     let bytes = std::fs::read(place.path("scene.checkpoint")).unwrap();
     let altered = |bytes: &[u8]| std::fs::write(place.path("altered"), bytes).unwrap();
@@ -108,15 +84,44 @@ fn checkpoints_that_cannot_be_continued_are_refused_with_a_message() {
     }
     place.expect(3, &["resume", "missing"]);
     assert!(place.expect(2, &["resume", "scene.toml"]).stderr.contains("is no checkpoint"));
-    place.write("scene.toml", &FALL.replace("mass = 2.0", "mass = 2.5"));
+    place.write("scene.toml", &fall().replace("mass = 2.0", "mass = 2.5"));
     assert!(place.expect(2, &["resume", "scene.checkpoint"]).stderr.contains("is of scene \"fall\""));
     std::fs::remove_file(place.path("scene.toml")).unwrap();
     assert!(place.expect(3, &["resume", "scene.checkpoint"]).stderr.contains("cannot read"));
 }
 
+/// A scene names its meshes relative to its own file: a run resumed in another folder finds them, and one whose mesh has
+/// changed since is refused.
+#[test]
+fn a_run_with_mesh_files_is_resumed_in_another_folder() {
+    let solid = "name = \"part\"\nshape.mesh.file = \"meshes/part.obj\"\ndensity = 500\nposition = [0, 0, 3.2]\n\
+                 rotation_vector = [0.4, 0.7, 0.1]";
+    let head = "name = \"part\"\nduration = 0.8\noutput.interval = 0.0625";
+    let place = Place::with_scene(&on_a_floor(head, 0.3, solid));
+    std::fs::create_dir(place.path("meshes")).unwrap();
+    let mesh = std::fs::read_to_string(crate::fixture("meshes/l-shape.obj")).unwrap();
+    place.write("meshes/part.obj", &mesh);
+    let expected = timeless(place.expect(0, &["run", "scene.toml", "--json", "-o", "a.csv"]).json());
+    place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.3"]);
+    let checkpoint = place.path("scene.checkpoint");
+    let checkpoint = checkpoint.to_str().unwrap();
+    let elsewhere = Place::new();
+    let resumed = elsewhere.expect(0, &["resume", checkpoint, "--json", "-o", "b.csv"]);
+    assert_eq!(timeless(resumed.json()), expected);
+    let rest = elsewhere.read("b.csv");
+    assert!(place.read("a.csv").ends_with(rest.split_once('\n').unwrap().1));
+    std::fs::copy(checkpoint, elsewhere.path("moved")).unwrap();
+    assert_eq!(timeless(elsewhere.expect(0, &["resume", "moved", "--json"]).json()), expected);
+    place.write("meshes/part.obj", &mesh.replace("v 2 ", "v 2.001 "));
+    let refused = elsewhere.expect(2, &["resume", "moved"]);
+    assert!(refused.stderr.contains("is of scene \"part\""), "{}", refused.stderr);
+    std::fs::remove_file(place.path("meshes/part.obj")).unwrap();
+    assert!(elsewhere.expect(3, &["resume", "moved"]).stderr.contains("part.obj"));
+}
+
 #[test]
 fn an_output_never_replaces_what_the_run_is_made_from() {
-    let place = Place::with_scene(FALL);
+    let place = Place::with_scene(&fall());
     place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.7"]);
     place.write("notes", "mine");
     let before = std::fs::read(place.path("scene.checkpoint")).unwrap();
@@ -133,7 +138,7 @@ fn an_output_never_replaces_what_the_run_is_made_from() {
     ] {
         place.expect(2, args);
     }
-    assert_eq!((place.read("scene.toml").as_str(), place.read("notes").as_str()), (FALL, "mine"));
+    assert_eq!((place.read("scene.toml"), place.read("notes").as_str()), (fall(), "mine"));
     assert_eq!(std::fs::read(place.path("scene.checkpoint")).unwrap(), before);
     assert_eq!(place.list(), ["notes", "scene.checkpoint", "scene.toml"]);
 }
@@ -142,7 +147,7 @@ fn an_output_never_replaces_what_the_run_is_made_from() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_what_was_computed_and_a_checkpoint() {
-    let place = Place::with_scene(ENDLESS);
+    let place = Place::with_scene(&endless());
     let args = ["run", "scene.toml", "-o", "a.csv", "--checkpoint-every", "50", "--json"];
     let mut command = place.command(&args);
     let child = command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped()).spawn().unwrap();

@@ -136,7 +136,7 @@ position = [0.05, 0.0, 1.0]
 material = "m"
 "#;
 
-/// A tolerance that lets a ball sink into a ring by a tenth of the ring's size, and a projection take a fifth of the energy:
+/// A tolerance that lets a ball penetrate a ring by a tenth of the ring's size, and a projection take a fifth of the energy:
 /// the run ends, and says by outcome, warning and exit code that it has not kept its promise.
 #[test]
 fn run_that_breaks_its_promise_is_degraded() {

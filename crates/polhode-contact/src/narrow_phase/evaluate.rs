@@ -69,12 +69,7 @@ pub fn kinematics(
         (shape_b, pose_b),
         |crossed| Some(crossed.kinematics(velocity_a, velocity_b)),
         |stationary| stationary.kinematics(pose_a.translation, velocity_a, velocity_b),
-        |point| {
-            Some(match point.center_of {
-                Side::A => point.kinematics(velocity_a, velocity_b),
-                Side::B => point.kinematics(velocity_b, velocity_a),
-            })
-        },
+        |point| Some(point.kinematics(velocity_a, velocity_b)),
     )
 }
 
@@ -97,12 +92,7 @@ pub fn kinematics_with_tangential(
         (shape_b, pose_b),
         |crossed| Some(crossed.with_motion(velocity_a, velocity_b)),
         |stationary| stationary.with_motion(pose_a.translation, velocity_a, velocity_b),
-        |point| {
-            Some(match point.center_of {
-                Side::A => point.with_motion(velocity_a, velocity_b),
-                Side::B => point.with_motion(velocity_b, velocity_a),
-            })
-        },
+        |point| Some(point.with_motion(velocity_a, velocity_b)),
     )?;
     Some((kinematics, moving.tangential(velocity_a, velocity_b)))
 }
@@ -277,7 +267,17 @@ impl PointOnSurface {
         (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset))
     }
 
-    fn kinematics(&self, v: &Velocity, e: &Velocity) -> ContactKinematics {
+    /// The velocities of V and E, from those of A and B.
+    #[inline]
+    fn of_point_and_surface<'a>(&self, a: &'a Velocity, b: &'a Velocity) -> (&'a Velocity, &'a Velocity) {
+        match self.center_of {
+            Side::A => (a, b),
+            Side::B => (b, a),
+        }
+    }
+
+    fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let (v, e) = self.of_point_and_surface(a, b);
         self.kinematics_at(self.relative_velocity(v, e), v, e)
     }
 
@@ -296,7 +296,8 @@ impl PointOnSurface {
     }
 
     /// The same with how the contact moves: `g' = w_E x g + H u`.
-    fn with_motion(&self, v: &Velocity, e: &Velocity) -> (ContactKinematics, ContactMotion) {
+    fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
+        let (v, e) = self.of_point_and_surface(a, b);
         let Distance { gradient: g, curvature, along, .. } = self.distance;
         let u = self.relative_velocity(v, e);
         let kinematics = self.kinematics_at(u, v, e);

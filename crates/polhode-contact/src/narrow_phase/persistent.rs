@@ -7,7 +7,7 @@
 //! pairs that begin.
 
 use crate::narrow_phase::coherence::Coherence;
-use crate::narrow_phase::manifold::{Placed, along_axes, manifold_into};
+use crate::narrow_phase::manifold::{Placed, along_axes, manifold_into, near_manifold_into};
 use crate::narrow_phase::separating_axis::Workspace;
 use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
@@ -280,6 +280,30 @@ impl<T: Copy + Default> Record<T> {
             self.data.push(same.map_or_else(T::default, |(_, value)| *value));
         }
     }
+}
+
+/// What is remembered of one pair from one query to the next, for callers that keep their own pairs. It must be forgotten
+/// ([`Default`]) when another shape stands for one of the two.
+#[derive(Debug, Clone, Default)]
+pub struct PairMemory {
+    coherence: Coherence,
+}
+
+/// As [`near_manifold`](crate::near_manifold), the same bit for bit within the reach, with buffers that the caller keeps and
+/// with what is remembered of the pair; beyond the reach the separation of polyhedra is a lower bound that exceeds it.
+pub fn near_manifold_with(
+    workspace: &mut Workspace,
+    memory: &mut PairMemory,
+    (shape_a, pose_a): (&Shape, &Pose),
+    (shape_b, pose_b): (&Shape, &Pose),
+    reach: f64,
+    found: &mut Manifold,
+) {
+    if let (Shape::Convex(_), Shape::Convex(_)) = (shape_a, shape_b) {
+        let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
+        return find(workspace, &mut memory.coherence, a, b, reach, found);
+    }
+    near_manifold_into(workspace, shape_a, pose_a, shape_b, pose_b, reach, found);
 }
 
 /// The contacts of a pair, with the help of what is known of it.

@@ -237,14 +237,14 @@ fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
 /// rate of its separation is finite, whatever the ratio of the two lengths.
 #[test]
 fn a_rim_far_below_a_plane_has_kinematics() {
-    let (rim, ground) = (Shape::cylinder(0.5, 1.0).expect("a cylinder"), Shape::half_space(UnitVector::Z));
+    let (rim, floor) = (Shape::cylinder(0.5, 1.0).expect("a cylinder"), Shape::half_space(UnitVector::Z));
     for depth in [0.0, 1e3, 1e9, 1e16, 1e27, 1e100] {
         let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), -DVec3::Z * depth);
         let falling = Velocity::new(DVec3::new(0.2, 0.3, -1.0), DVec3::new(1.0, -2.0, 0.5));
-        let found = manifold(&rim, &pose, &ground, &Pose::IDENTITY, 0.0).contacts;
+        let found = manifold(&rim, &pose, &floor, &Pose::IDENTITY, 0.0).contacts;
         assert!(!found.is_empty());
         for contact in found {
-            let moving = kinematics(contact.feature, &rim, &pose, &falling, &ground, &Pose::IDENTITY, &Velocity::ZERO);
+            let moving = kinematics(contact.feature, &rim, &pose, &falling, &floor, &Pose::IDENTITY, &Velocity::ZERO);
             let arm = contact.geometry.point - pose.translation;
             let arm = arm + DVec3::Z * (contact.geometry.separation * 0.5);
             let moving = moving.unwrap_or_else(|| panic!("no kinematics at {depth}: {contact:?}"));
@@ -253,7 +253,7 @@ fn a_rim_far_below_a_plane_has_kinematics() {
             // The arm is read from places of the size of the depth.
             let rounding = 1e-12 * (1.0 + depth);
             assert!((moving.separation_rate - rate).abs() <= rounding && moving.acceleration_bias.is_finite());
-            let slips = tangential(contact.feature, &rim, &pose, &falling, &ground, &Pose::IDENTITY, &Velocity::ZERO);
+            let slips = tangential(contact.feature, &rim, &pose, &falling, &floor, &Pose::IDENTITY, &Velocity::ZERO);
             let slips = slips.unwrap_or_else(|| panic!("no slip at {depth}: {contact:?}"));
             assert!(slips.slip_velocity.is_finite() && slips.acceleration_bias.is_finite(), "{slips:?}");
         }

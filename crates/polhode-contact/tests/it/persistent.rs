@@ -2,7 +2,10 @@
 //! of contacts.
 
 use crate::support::{Random, at, cuboid, prism, yaw};
-use polhode_contact::{ContactChange, ConvexPolyhedron, Manifold, NarrowPhase, NarrowPhaseError, Shape, manifold};
+use polhode_contact::{
+    ContactChange, ConvexPolyhedron, Manifold, NarrowPhase, NarrowPhaseError, PairMemory, Shape, Workspace, manifold,
+    near_manifold, near_manifold_with,
+};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 
 /// All numbers of the contacts as bits, so that even signs of zeros count.
@@ -97,6 +100,37 @@ fn random_walks() {
             assert!(world.compared > 500, "{}", world.compared);
         }
     }
+}
+
+/// One pair with a memory that is asked at poses to and fro, as a search for a time asks, and with another reach each time:
+/// what `near_manifold` gives without.
+#[test]
+fn one_pair_with_changing_reach() {
+    let mut random = Random(23);
+    let mut compared = 0;
+    for step in [1e-13, 1e-9, 1e-5, 1e-3, 0.05] {
+        for round in 0..12 {
+            let shapes = [hull(&mut random, 14), prism(3 + round, 0.5, 0.7), cuboid(1.0, 0.8, 0.6)];
+            let (a, b) = (&shapes[round as usize % 3], &shapes[(round as usize + 1) % 3]);
+            let (mut workspace, mut memory, mut found) =
+                (Workspace::default(), PairMemory::default(), Manifold::default());
+            let mut poses = [Pose::IDENTITY, Pose::new(random.rotation(), random.vector() * 0.7)];
+            for k in 0..60 {
+                let back = poses;
+                poses = poses.map(|pose| moved(&pose, &mut random, step));
+                let reach = [1e-11, 0.01, 0.3][k % 3];
+                near_manifold_with(&mut workspace, &mut memory, (a, &poses[0]), (b, &poses[1]), reach, &mut found);
+                let fresh = near_manifold(a, &poses[0], b, &poses[1], reach);
+                assert_eq!(bits(&found), bits(&fresh), "step {step}, round {round}, {k}");
+                assert!(found.separation == fresh.separation || found.separation.min(fresh.separation) > reach);
+                compared += fresh.contacts.len();
+                if k % 2 == 0 {
+                    poses = back;
+                }
+            }
+        }
+    }
+    assert!(compared > 2000, "{compared}");
 }
 
 /// Stacks at rest, aligned, turned, and rocking by amounts from rounding to visible: where several axes are equally good.

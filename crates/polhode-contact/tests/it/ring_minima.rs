@@ -1,6 +1,6 @@
 //! A ring against a body, at any scale: every place at which its middle line is nearest to the body is a contact. The
-//! oracle shares no code with the narrow phase: the distances of fine samples of the middle line from the body, by closed
-//! forms of the body, each dip refined by golden section.
+//! oracle shares no code with the narrow phase: the distances of fine samples of the middle line from the body, by
+//! closed forms of the body, each minimum refined by golden section.
 
 use crate::support::{Random, cuboid, prism};
 use polhode_contact::{Contact, ConvexPolyhedron, Shape, evaluate, manifold, separation};
@@ -10,13 +10,14 @@ use std::f64::consts::TAU;
 /// Samples of the middle line.
 const SAMPLES: usize = 2000;
 
-/// Dips that rise less than this to either side, relative to the size, are not told from rounding.
+/// Minima that rise less than this to either side, relative to the size, are not told from rounding.
 const SHALLOW: f64 = 1e-10;
 
 /// A separation of the manifold agrees with the oracle's within this, relative to the size.
 const AGREES: f64 = 1e-12;
 
-/// A contact stands at a dip when it is this near, relative to the size: where a dip is shallow its place is hardly known.
+/// A contact stands at a minimum when it is this near, relative to the size: where a minimum is shallow its place is
+/// hardly known.
 const NEAR: f64 = 1e-2;
 
 /// Distance of a point from a rectangle or triangle with these corners in order, anticlockwise; negative inside.
@@ -88,7 +89,7 @@ struct Case<'a> {
 
 /// A place at which the middle line is nearest to the body.
 #[derive(Debug, Clone, Copy)]
-struct Dip {
+struct Minimum {
     place: DVec3,
     /// Of the tube from the body, m.
     separation: f64,
@@ -103,8 +104,8 @@ impl Case<'_> {
         from_body(self.body, self.place(angle))
     }
 
-    /// All places at which the middle line is nearest, but for dips that are level to rounding.
-    fn dips(&self) -> Vec<Dip> {
+    /// All places at which the middle line is nearest, but for minima that are level to rounding.
+    fn minima(&self) -> Vec<Minimum> {
         let step = TAU / SAMPLES as f64;
         let samples: Vec<f64> = (0..SAMPLES).map(|k| self.distance(step * k as f64)).collect();
         let at = |k: usize| samples[k % SAMPLES];
@@ -118,8 +119,8 @@ impl Case<'_> {
         lows.filter(|&k| rises(k, 1) && rises(k, SAMPLES - 1)).map(|k| self.refined(step * k as f64, step)).collect()
     }
 
-    /// The dip about an angle, by golden section.
-    fn refined(&self, angle: f64, step: f64) -> Dip {
+    /// The minimum about an angle, by golden section.
+    fn refined(&self, angle: f64, step: f64) -> Minimum {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut left, mut right) = (angle - step, angle + step);
         for _ in 0..60 {
@@ -131,18 +132,18 @@ impl Case<'_> {
             }
         }
         let middle = 0.5 * (left + right);
-        Dip { place: self.place(middle), separation: self.distance(middle) - self.minor }
+        Minimum { place: self.place(middle), separation: self.distance(middle) - self.minor }
     }
 
-    /// What is wrong with the manifold within `reach` (m), if anything: a dip without a contact, or a contact deeper than
-    /// any dip or off the middle line.
-    fn complaint(&self, world: &Pose, reach: f64, dips: &[Dip]) -> Option<String> {
+    /// What is wrong with the manifold within `reach` (m), if anything: a minimum without a contact, or a contact
+    /// deeper than any minimum or off the middle line.
+    fn complaint(&self, world: &Pose, reach: f64, minima: &[Minimum]) -> Option<String> {
         let ring = Shape::torus(self.major, self.minor).ok()?;
         let size = self.body.size().max(self.major);
         let ring_pose = *world * self.pose;
         let tolerance = AGREES * (size + world.translation.length());
         let found = manifold(self.body, world, &ring, &ring_pose, reach);
-        let least = dips.iter().map(|dip| dip.separation).fold(f64::INFINITY, f64::min);
+        let least = minima.iter().map(|minimum| minimum.separation).fold(f64::INFINITY, f64::min);
         if (found.separation - least).abs() > tolerance {
             return Some(format!("separation {:e}, not {least:e}", found.separation));
         }
@@ -150,15 +151,15 @@ impl Case<'_> {
         if alone.iter().any(|separation| (separation - least).abs() > tolerance) {
             return Some(format!("separation alone {alone:?}, not {least:e}"));
         }
-        for dip in dips.iter().filter(|dip| dip.separation <= reach - tolerance) {
+        for minimum in minima.iter().filter(|minimum| minimum.separation <= reach - tolerance) {
             let stands_for = |contact: &Contact| {
                 let Contact { geometry, .. } = contact;
-                let from_middle_line = geometry.point.distance(world.transform_point(dip.place));
-                (geometry.separation - dip.separation).abs() <= tolerance
+                let from_middle_line = geometry.point.distance(world.transform_point(minimum.place));
+                (geometry.separation - minimum.separation).abs() <= tolerance
                     && (from_middle_line - (self.minor + 0.5 * geometry.separation).abs()).abs() <= NEAR * size
             };
             if !found.contacts.iter().any(stands_for) {
-                return Some(format!("no contact at {dip:?}: {found:?}"));
+                return Some(format!("no contact at {minimum:?}: {found:?}"));
             }
         }
         let deeper = |contact: &&Contact| contact.geometry.separation < least - tolerance;
@@ -166,8 +167,8 @@ impl Case<'_> {
     }
 }
 
-/// Convex bodies of about unit size: a box, a plate, a stick, a prism, a random hull, a cylinder, a disc, a steep and a flat
-/// cone, a capsule and a ball.
+/// Convex bodies of about unit size: a box, a plate, a stick, a prism, a random hull, a cylinder, a disc, a steep and
+/// a flat cone, a capsule and a ball.
 fn bodies(random: &mut Random, scale: f64) -> Vec<Shape> {
     let stones: Vec<DVec3> = (0..12).map(|_| random.direction() * DVec3::new(0.5, 0.3, 0.4) * scale).collect();
     let round = [
@@ -196,10 +197,10 @@ fn reported(box_at: ([f64; 3], [f64; 4]), ring_at: ([f64; 3], [f64; 4])) -> Pose
     pose(box_at).relative(&pose(ring_at))
 }
 
-/// A ring over an edge and a corner of a box at once (reported: 0.18 mm of penetration on the edge went unseen). Seen along
-/// the edge the ring is an ellipse with the edge beyond its long axis: the place nearest to the edge there had just come apart
-/// from the farthest beside it, samples of the slope stepped over both, and the edge's contact was given another place, 0.4 m
-/// away. At four times of the reported run, at three scales.
+/// A ring over an edge and a corner of a box at once (reported: 0.18 mm of penetration on the edge went unseen). Seen
+/// along the edge the ring is an ellipse with the edge beyond its long axis: the place nearest to the edge there had
+/// just come apart from the farthest beside it, samples of the slope stepped over both, and the edge's contact was
+/// given another place, 0.4 m away. At four times of the reported run, at three scales.
 #[test]
 fn a_ring_over_an_edge_and_a_corner_touches_both() {
     let poses = [
@@ -250,46 +251,48 @@ fn a_ring_over_an_edge_and_a_corner_touches_both() {
         for (pose, number) in poses.iter().zip([2, 2, 1, 1]) {
             let pose = Pose::new(pose.rotation, pose.translation * scale);
             let case = Case { major: 0.3 * scale, minor: 0.08 * scale, pose, body: &body };
-            let (reach, dips) = (1e-3 * scale, case.dips());
-            assert_eq!(dips.iter().filter(|dip| dip.separation < reach).count(), number, "{dips:?}");
-            assert_eq!(case.complaint(&Pose::IDENTITY, reach, &dips), None);
+            let (reach, minima) = (1e-3 * scale, case.minima());
+            assert_eq!(minima.iter().filter(|minimum| minimum.separation < reach).count(), number, "{minima:?}");
+            assert_eq!(case.complaint(&Pose::IDENTITY, reach, &minima), None);
         }
     }
 }
 
-/// A random ring beside or around a body, with its dips; nothing where its middle line runs inside the body, where it has no
-/// one way out.
-fn random_case<'a>(random: &mut Random, body: &'a Shape, scale: f64) -> Option<(Case<'a>, Vec<Dip>)> {
+/// A random ring beside or around a body, with its minima; nothing where its middle line runs inside the body, where
+/// it has no one way out.
+fn random_case<'a>(random: &mut Random, body: &'a Shape, scale: f64) -> Option<(Case<'a>, Vec<Minimum>)> {
     let major = random.between(0.15, 0.8) * scale;
     let minor = random.between(0.05, 0.4) * major;
     let case = Case { major, minor, pose: Pose::new(random.rotation(), random.vector() * 0.8 * scale), body };
-    let dips = case.dips();
-    (least(&dips) > -minor).then_some((case, dips))
+    let minima = case.minima();
+    (least(&minima) > -minor).then_some((case, minima))
 }
 
-/// The least separation of some dips, m; infinite without any.
-fn least(dips: &[Dip]) -> f64 {
-    dips.iter().map(|dip| dip.separation).fold(f64::INFINITY, f64::min)
+/// The least separation of some minima, m; infinite without any.
+fn least(minima: &[Minimum]) -> f64 {
+    minima.iter().map(|minimum| minimum.separation).fold(f64::INFINITY, f64::min)
 }
 
-/// Random rings and bodies: boxes, plates and sticks whose edges and corners the ring lies over, prisms, hulls, cylinders,
-/// cones, capsules and balls. Every dip within reach is a contact with its separation, the least of them is the separation,
-/// and no contact lies deeper (of dips beside a lower one, on another element, one in ten was missing).
+/// Random rings and bodies: boxes, plates and sticks whose edges and corners the ring lies over, prisms, hulls,
+/// cylinders, cones, capsules and balls. Every minimum within reach is a contact with its separation, the least of
+/// them is the separation, and no contact lies deeper (of minima beside a lower one, on another element, one in ten
+/// was missing).
 #[test]
-fn every_dip_of_a_ring_is_a_contact() {
+fn every_minimum_of_a_ring_is_a_contact() {
     let mut random = Random(20_011);
     let mut several = 0;
     for scale in [1.0, 1e3, 1e-3] {
         let bodies = bodies(&mut random, scale);
         for number in 0..1000 {
             let body = &bodies[number % bodies.len()];
-            let Some((case, dips)) = random_case(&mut random, body, scale).filter(|(_, dips)| !dips.is_empty()) else {
+            let Some((case, minima)) = random_case(&mut random, body, scale).filter(|(_, minima)| !minima.is_empty())
+            else {
                 continue;
             };
             let world = Pose::new(random.rotation(), random.vector() * scale);
-            let reach = least(&dips) + random.between(0.0, 1.0) * case.minor;
-            several += usize::from(dips.iter().filter(|dip| dip.separation < reach).count() > 1);
-            let complaint = case.complaint(&world, reach, &dips);
+            let reach = least(&minima) + random.between(0.0, 1.0) * case.minor;
+            several += usize::from(minima.iter().filter(|minimum| minimum.separation < reach).count() > 1);
+            let complaint = case.complaint(&world, reach, &minima);
             assert_eq!(
                 complaint, None,
                 "{number} at {scale:e}: {body:?} {:?} {} {}",
@@ -300,9 +303,10 @@ fn every_dip_of_a_ring_is_a_contact() {
     assert!(several > 100, "{several}");
 }
 
-/// Poses at which two dips are about to merge, or a dip with the crest beside it, found by halving the way between two poses
-/// of which one has more dips: from there back to where there are more, each dip has its contact however near it lies to its
-/// end. Bodies without rims: of two places over one rim that lie on one half of it no name tells one from the other.
+/// Poses at which two minima are about to merge, or a minimum with the crest beside it, found by halving the way
+/// between two poses of which one has more minima: from there back to where there are more, each minimum has its
+/// contact however near it lies to its end. Bodies without rims: of two places over one rim that lie on one half of
+/// it no name tells one from the other.
 #[test]
 fn dips_about_to_vanish_are_contacts_to_their_end() {
     let mut random = Random(3_511);
@@ -311,7 +315,8 @@ fn dips_about_to_vanish_are_contacts_to_their_end() {
     let mut vanishing = 0;
     for number in 0..1000 {
         let body = &bodies[number % bodies.len()];
-        let Some((mut case, dips)) = random_case(&mut random, body, 1.0).filter(|(_, dips)| dips.len() > 1) else {
+        let Some((mut case, minima)) = random_case(&mut random, body, 1.0).filter(|(_, minima)| minima.len() > 1)
+        else {
             continue;
         };
         let start = case.pose;
@@ -322,26 +327,26 @@ fn dips_about_to_vanish_are_contacts_to_their_end() {
         };
         let count = |case: &mut Case<'_>, part: f64| {
             case.pose = along(part);
-            case.dips().len()
+            case.minima().len()
         };
         let (mut more, mut fewer) = (0.0, 1.0);
-        if count(&mut case, fewer) >= dips.len() {
+        if count(&mut case, fewer) >= minima.len() {
             continue;
         }
         for _ in 0..12 {
             let middle = 0.5 * (more + fewer);
-            if count(&mut case, middle) >= dips.len() { more = middle } else { fewer = middle }
+            if count(&mut case, middle) >= minima.len() { more = middle } else { fewer = middle }
         }
         for part in [more, 0.999 * more, 0.9 * more] {
             case.pose = along(part);
-            let dips = case.dips();
-            if least(&dips) <= -case.minor {
+            let minima = case.minima();
+            if least(&minima) <= -case.minor {
                 continue;
             }
             vanishing += 1;
             // All of them.
             assert_eq!(
-                case.complaint(&Pose::IDENTITY, 2.0, &dips),
+                case.complaint(&Pose::IDENTITY, 2.0, &minima),
                 None,
                 "{number} at {part}: {body:?} {:?}",
                 case.pose
@@ -351,8 +356,8 @@ fn dips_about_to_vanish_are_contacts_to_their_end() {
     assert!(vanishing > 60, "{vanishing}");
 }
 
-/// While a ring moves a little, each contact that stays on its features moves a little, and keeps the separation of a dip: a
-/// name does not go over to another place.
+/// While a ring moves a little, each contact that stays on its features moves a little, and keeps the separation of a
+/// minimum: a name does not go over to another place.
 #[test]
 fn a_contact_of_a_ring_stays_at_its_place_while_the_ring_moves() {
     let mut random = Random(7_919);
@@ -360,11 +365,11 @@ fn a_contact_of_a_ring_stays_at_its_place_while_the_ring_moves() {
     let mut followed = 0;
     for number in 0..600 {
         let body = &bodies[number % bodies.len()];
-        let Some((case, dips)) = random_case(&mut random, body, 1.0).filter(|(_, dips)| !dips.is_empty()) else {
+        let Some((case, minima)) = random_case(&mut random, body, 1.0).filter(|(_, minima)| !minima.is_empty()) else {
             continue;
         };
         let ring = Shape::torus(case.major, case.minor).expect("a ring");
-        let found = manifold(body, &Pose::IDENTITY, &ring, &case.pose, least(&dips) + case.minor);
+        let found = manifold(body, &Pose::IDENTITY, &ring, &case.pose, least(&minima) + case.minor);
         let (turn, way) = (random.direction() * 1e-6, random.vector() * 1e-6);
         let moved = Pose::new(Rotation::from_rotation_vector(turn) * case.pose.rotation, case.pose.translation + way);
         for contact in found.contacts {
@@ -374,7 +379,7 @@ fn a_contact_of_a_ring_stays_at_its_place_while_the_ring_moves() {
                 continue;
             }
             followed += 1;
-            // The separation is no steeper than the place moves; the place slides faster where the dip is shallow.
+            // The separation is no steeper than the place moves; the place slides faster where the minimum is shallow.
             let change = (after.separation - separation).abs();
             let slid = after.point.distance(contact.geometry.point);
             assert!(change < 1e-5 && slid < 1e-2, "{number}: {contact:?} {after:?}");

@@ -80,6 +80,10 @@ impl Field for AppliedForce {
         body == self.body
     }
 
+    fn bodies(&self) -> Option<Vec<usize>> {
+        Some(vec![self.body])
+    }
+
     fn turns(&self, _body: usize) -> bool {
         self.point.is_some()
     }
@@ -139,6 +143,10 @@ impl Field for AppliedTorque {
 
     fn acts_on(&self, body: usize) -> bool {
         body == self.body
+    }
+
+    fn bodies(&self) -> Option<Vec<usize>> {
+        Some(vec![self.body])
     }
 
     fn corner_between(&self, from: f64, to: f64) -> Option<f64> {

@@ -38,6 +38,10 @@ impl Field for Damper {
         self.link.acts_on(body)
     }
 
+    fn bodies(&self) -> Option<Vec<usize>> {
+        Some(self.link.bodies())
+    }
+
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         let Some((extent, rate)) = self.link.extent(bodies, states) else { return };
         let direction = extent.normalize_or_zero();

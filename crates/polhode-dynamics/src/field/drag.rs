@@ -77,6 +77,10 @@ impl Field for Drag {
         body == self.body
     }
 
+    fn bodies(&self) -> Option<Vec<usize>> {
+        Some(vec![self.body])
+    }
+
     fn turns(&self, _body: usize) -> bool {
         self.rotational != 0.0
     }

@@ -73,6 +73,10 @@ impl Link {
         [self.a, self.b].iter().any(|end| end.body() == Some(body))
     }
 
+    pub(super) fn bodies(&self) -> Vec<usize> {
+        [self.a, self.b].iter().filter_map(Anchor::body).collect()
+    }
+
     /// From a to b: the vector (m) and its rate (m/s).
     pub(super) fn extent(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<(DVec3, DVec3)> {
         let (a, b) = (self.a.motion(bodies, states)?, self.b.motion(bodies, states)?);

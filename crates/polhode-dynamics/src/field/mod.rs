@@ -138,6 +138,12 @@ pub trait Field: Debug + Send + Sync {
         true
     }
 
+    /// The bodies that the field acts on, if it names them: then nobody need ask it of all others. Must agree with
+    /// [`Field::acts_on`].
+    fn bodies(&self) -> Option<Vec<usize>> {
+        None
+    }
+
     /// Whether the field can exert a torque about the centre of mass of a body that it acts on. The attitude of a body that
     /// no field turns is that of free rotation.
     fn turns(&self, _body: usize) -> bool {

@@ -42,6 +42,10 @@ impl Field for Spring {
         self.link.acts_on(body)
     }
 
+    fn bodies(&self) -> Option<Vec<usize>> {
+        Some(self.link.bodies())
+    }
+
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         let Some((extent, _)) = self.link.extent(bodies, states) else { return };
         let distance = extent.length();

@@ -22,7 +22,7 @@ fn held(scene: &Scene) -> Vec<f64> {
     accelerations.collect()
 }
 
-/// A box of 1 kg between the ground and one of up to 1e10 kg stands still: forces of `1e10 g` cancel to the rounding of
+/// A box of 1 kg between the floor and one of up to 1e10 kg stands still: forces of `1e10 g` cancel to the rounding of
 /// `g`. Forces in working precision alone leave `1e-16` of them, 1e-5 m/s^2.
 #[test]
 fn a_light_body_under_a_heavy_one_is_not_shaken_by_rounding() {
@@ -52,11 +52,11 @@ fn forces_in_working_precision_shake_it() {
 fn contacts_that_all_but_coincide_share_their_load_at_every_mass_ratio() {
     for apart in [0.0, 1e-15, 1e-12, 1e-9, 1e-7] {
         for ratio in [1.0, 1e3, 1e6, 1e9] {
-            // A light plate on the ground and a heavy beam on it, in a plane: contacts at x = -1, 1 and 1 + apart.
+            // A light plate on the floor and a heavy beam on it, in a plane: contacts at x = -1, 1 and 1 + apart.
             let places = [-1.0, 1.0, 1.0 + apart];
-            let ground = places.iter().map(|&x| -> Row { vec![(0, vec![0.0, 1.0, x])] });
+            let floor = places.iter().map(|&x| -> Row { vec![(0, vec![0.0, 1.0, x])] });
             let between = places.iter().map(|&x| -> Row { vec![(1, vec![0.0, 1.0, x]), (0, vec![0.0, -1.0, -x])] });
-            let rows: Vec<Row> = ground.chain(between).collect();
+            let rows: Vec<Row> = floor.chain(between).collect();
             let diagonals = [vec![1.0, 1.0, 1.0 / 3.0], vec![ratio, ratio, ratio / 3.0]];
             let mut scene = Scene::new(3, &diagonals, &rows, &[0.0, -GRAVITY, 0.0]);
             scene.b[2] += 1e-15 * GRAVITY;

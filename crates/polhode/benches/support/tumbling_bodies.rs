@@ -51,11 +51,13 @@ impl TumblingBody {
     }
 
     /// For dynamics.
+    #[allow(dead_code, reason = "not every bench goes below the facade")]
     pub(crate) fn rigid_body(&self) -> RigidBody {
         RigidBody::new(&self.properties)
     }
 
     /// State at the start.
+    #[allow(dead_code, reason = "not every bench goes below the facade")]
     pub(crate) fn state(&self) -> BodyState {
         self.rigid_body().at_velocity(self.pose, self.velocity)
     }

@@ -52,17 +52,18 @@ pub(crate) struct Books {
 impl Books {
     /// Opens the books at the state given.
     pub(crate) fn open(world: &World, states: &[BodyState]) -> Self {
-        let (kinetic, potential) = totals(world, states);
+        let about = world.initial_center_of_mass();
+        let totals = Totals::of(world, states, about);
+        let (kinetic, potential) = (totals.kinetic.value(), totals.potential.value());
         let initial_j = kinetic + potential;
         let mut books = Self {
             ledger: Ledger { initial_j, current_j: initial_j, ..Ledger::default() },
             initial_potential_j: world.initial_potential(),
         };
         books.note_scale(kinetic, potential);
-        let momentum = &mut books.ledger.momentum;
-        momentum.about = world.initial_center_of_mass();
-        momentum.initial = momentum_of(world, states, 0..states.len(), momentum.about);
-        books.note_momentum(world, states);
+        books.ledger.momentum.about = about;
+        books.ledger.momentum.initial = totals.momentum.value();
+        books.note_momentum(&totals);
         books
     }
 
@@ -184,10 +185,11 @@ impl Books {
 
     /// Takes note of energies and momenta now: the totals, and the scales that closure is relative to.
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState]) -> Energy {
-        let (kinetic_j, potential) = totals(world, states);
+        let totals = Totals::of(world, states, self.ledger.momentum.about);
+        let (kinetic_j, potential) = (totals.kinetic.value(), totals.potential.value());
         self.ledger.current_j = kinetic_j + potential;
         self.note_scale(kinetic_j, potential);
-        self.note_momentum(world, states);
+        self.note_momentum(&totals);
         let potential_j = self.initial_potential_j + potential;
         let initial_j = self.initial_potential_j + self.ledger.initial_j;
         Energy { initial_j, final_j: kinetic_j + potential_j, kinetic_j, potential_j }
@@ -200,23 +202,57 @@ impl Books {
         self.ledger.scale_j = self.ledger.scale_j.max(scale);
     }
 
-    fn note_momentum(&mut self, world: &World, states: &[BodyState]) {
+    fn note_momentum(&mut self, totals: &Totals) {
         let ledger = &mut self.ledger.momentum;
-        ledger.current = momentum_of(world, states, 0..states.len(), ledger.about);
+        ledger.current = totals.momentum.value();
         let given = ledger.gravity.value();
-        let (mut linear, mut angular) = (0.0, 0.0);
-        for (body, state) in states.iter().enumerate() {
-            if let Some(rigid) = world.bodies[body].rigid.as_ref().filter(|_| world.carries_momentum(body)) {
-                let momentum = linear_momentum(rigid, state).length();
-                linear += momentum;
-                angular +=
-                    state.angular_momentum.length() + (state.pose.translation - ledger.about).length() * momentum;
+        ledger.scale_linear = ledger.scale_linear.max(totals.linear).max(given.linear.length());
+        ledger.scale_angular = ledger.scale_angular.max(totals.angular).max(given.angular.length());
+        // Weights of bodies on both sides of the point cancel in their moment, their rounding does not.
+        ledger.scale_angular = ledger.scale_angular.max(ledger.scale_linear * totals.extent);
+    }
+}
+
+/// Sums over all bodies at one time, in one pass: the bodies of a large scene do not stay in the caches from one to the next.
+#[derive(Debug, Default)]
+struct Totals {
+    /// J.
+    kinetic: CompensatedSum,
+    /// Against that at the start, J.
+    potential: CompensatedSum,
+    /// Angular part about the point.
+    momentum: crate::MomentumSum,
+    /// Magnitudes of linear (N s) and angular momentum (N m s) of all bodies added up.
+    linear: f64,
+    angular: f64,
+    /// Largest distance of a movable body from the point, m.
+    extent: f64,
+}
+
+impl Totals {
+    /// Of these states; angular momenta and distances are about a point (m).
+    fn of(world: &World, states: &[BodyState], about: DVec3) -> Self {
+        let mut totals = Self::default();
+        for (index, state) in states.iter().enumerate() {
+            let (kinetic, potential) = world.energies(index, state);
+            totals.kinetic.add(kinetic);
+            totals.potential.add(potential);
+            let body = &world.bodies[index];
+            let distance = (state.pose.translation - about).length();
+            if body.moves() {
+                totals.extent = distance.max(totals.extent);
+            }
+            if let Some(rigid) = body.rigid.as_ref().filter(|_| world.carries_momentum(index)) {
+                let linear = linear_momentum(rigid, state);
+                let angular = angular_momentum_about(about, rigid, state);
+                totals.momentum.add(Momentum { linear, angular });
+                let magnitude = linear.length();
+                totals.linear += magnitude;
+                totals.angular += state.angular_momentum.length() + distance * magnitude;
             }
         }
-        ledger.scale_linear = ledger.scale_linear.max(linear).max(given.linear.length());
-        ledger.scale_angular = ledger.scale_angular.max(angular).max(given.angular.length());
-        // Weights of bodies on both sides of the point cancel in their moment, their rounding does not.
-        ledger.scale_angular = ledger.scale_angular.max(ledger.scale_linear * world.extent_about(states, ledger.about));
+        totals.potential.add(world.field_energy(states));
+        totals
     }
 }
 
@@ -235,11 +271,14 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
     let mut sum = crate::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
-        let wrenches = world.wrenches_of(account, t, states);
+        if !world.has_fields_of(account) {
+            continue;
+        }
+        let wrenches = world.wrenches_of(account, t, states, bodies);
         let mut power = 0.0;
         for &body in bodies {
-            let (Some(slot), Some(rigid)) = (world.slot(body), &world.bodies[body].rigid) else { continue };
-            let (wrench, state) = (wrenches[slot], &states[body]);
+            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let (wrench, state) = (wrenches.of(body), &states[body]);
             let velocity = rigid.center_of_mass_velocity(state);
             power += wrench.force.dot(velocity.linear) + wrench.torque.dot(velocity.angular);
             if world.carries_momentum(body) {
@@ -287,17 +326,4 @@ pub(crate) fn momentum_of(
         }
     }
     sum.value()
-}
-
-/// Kinetic energy of the scene, and potential energy against that at the start, J.
-fn totals(world: &World, states: &[BodyState]) -> (f64, f64) {
-    let mut kinetic = CompensatedSum::ZERO;
-    let mut potential = CompensatedSum::ZERO;
-    for (index, state) in states.iter().enumerate() {
-        let (t, v) = world.energies(index, state);
-        kinetic.add(t);
-        potential.add(v);
-    }
-    potential.add(world.field_energy(states));
-    (kinetic.value(), potential.value())
 }

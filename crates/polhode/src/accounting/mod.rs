@@ -215,11 +215,6 @@ impl Accounts {
         self.steps += 1;
     }
 
-    /// Steps made so far.
-    pub(crate) fn steps(&self) -> u64 {
-        self.steps
-    }
-
     /// An event that will be told in its turn.
     pub(crate) fn add_event(&mut self, event: Event) {
         self.events.push(event);
@@ -241,6 +236,18 @@ impl Accounts {
         self.next_sample as f64 * world.scene.output_interval_s()
     }
 
+    /// Whether no sample has been told yet.
+    pub(crate) fn is_unsampled(&self) -> bool {
+        self.last_sample_s.is_none()
+    }
+
+    /// Passes over the next sample of the output's grid, but for every so many-th; whether it did.
+    pub(crate) fn skips_sample(&mut self, every: u64) -> bool {
+        let skips = !self.next_sample.is_multiple_of(every);
+        self.next_sample += u64::from(skips);
+        skips
+    }
+
     /// Tells the observer the states at `t` (s), unless it has had a sample of that time; whether it was told.
     pub(crate) fn emit_sample(
         &mut self,
@@ -256,6 +263,9 @@ impl Accounts {
             return false;
         }
         self.last_sample_s = Some(t);
+        if !observer.wants_samples() {
+            return true;
+        }
         let samples: Vec<_> = states.iter().enumerate().map(|(body, state)| world.sample(body, state)).collect();
         observer.sample(t, &samples);
         true

@@ -30,6 +30,10 @@ const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
 /// rounding units.
 const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
+/// Rounding of the poses that fields are evaluated at (relative, 2^-53 to 2^-50): one rounding unit. A larger one would let
+/// steps grow until their own error, which takes energy, is as large as it.
+const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
+
 /// What a stage that could not be evaluated shortens the step to.
 const FAILED_STAGE_FACTOR: f64 = 0.25;
 
@@ -74,6 +78,13 @@ impl ConstrainedStep {
                 states[body] = state;
             }
         }
+    }
+
+    /// State of a body of the island at a time within the step.
+    pub(super) fn state_at(&self, body: usize, t: f64) -> Option<BodyState> {
+        let mut flat = vec![0.0; self.end_state.len()];
+        self.dense.evaluate(t, &mut flat);
+        self.state(&flat, self.bodies.binary_search(&body).ok()?, t)
     }
 
     /// What the outside has given from the start of the step to `t`.
@@ -260,14 +271,19 @@ impl Engine {
     fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
         let mut worst = 0.0f64;
         let bodies = system.bodies();
-        let loads = system.loads_at(t + h, unpack(integrator.end_state()));
+        let first = bodies.iter().map(|&body| self.states[body]);
+        let before = system.loads_at(t, first);
+        let ends: Vec<BodyState> = unpack(integrator.end_state()).collect();
+        let loads = system.loads_at(t + h, ends.iter().copied());
         for (index, &body) in bodies.iter().enumerate() {
             let offset = index * WIDTH;
             let own = offset..offset + WIDTH;
             let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
             let (Some(rates), Some(end)) = (rates, end) else { continue };
             let allowances = allowances(core, body, &self.states[body], rates, end, loads.of(body));
-            let roundings = roundings(core, body, system.cancelling()[index], h);
+            let cancelling = system.cancelling()[index];
+            let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
+            let roundings = roundings(core, body, (cancelling, of_places(ends)), h);
             for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
                 let allowed = allowed.max(rounding);
                 let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
@@ -343,13 +359,33 @@ fn allowances(
     ]
 }
 
-/// What contact forces whose magnitudes add up to `cancelling` (N, N m) leave by rounding in a step of `h` (s), for
-/// each quantity of a body: shorter steps do not make it less.
-fn roundings(core: &Core, body: usize, [force, moment]: [f64; 2], h: f64) -> [f64; 4] {
+/// What rounding leaves in a step of `h` (s), for each quantity of a body: of contact forces whose magnitudes add up to
+/// `cancelling` (N, N m), and of fields that the rounding of places changes by `fields` (N, N m). Shorter steps do not make
+/// it less.
+fn roundings(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> [f64; 4] {
     let Some(rigid) = &core.world.bodies[body].rigid else { return [0.0; 4] };
     let inverse_moment = 1.0 / rigid.moments().min_element();
-    let (speed, spin) = (DIRECTION_ROUNDING * force * h, DIRECTION_ROUNDING * moment * h);
+    let speed = (DIRECTION_ROUNDING * force).max(fields[0]) * h;
+    let spin = (DIRECTION_ROUNDING * moment).max(fields[1]) * h;
     [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
+}
+
+/// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and loads at
+/// both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. Measured as the change of the load over
+/// the step per rounding unit by which the pose has changed, of place or attitude by the larger number of units, so that it
+/// is not too large where the load depends on one of them alone. A body that has not moved tells nothing: zero.
+fn of_places([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
+    let (from, to) = (&start.pose, &end.pose);
+    let unit = POSE_ROUNDING * from.translation.abs().max(to.translation.abs()).max_element();
+    let way = (to.translation - from.translation).length();
+    let places = if unit > 0.0 { way / unit } else { f64::INFINITY };
+    let turn = (to.rotation.quaternion() - from.rotation.quaternion()).length();
+    let units = places.max(turn / POSE_ROUNDING);
+    if units > 0.0 {
+        [(after.force - before.force).length() / units, (after.torque - before.torque).length() / units]
+    } else {
+        [0.0; 2]
+    }
 }
 
 /// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the motion

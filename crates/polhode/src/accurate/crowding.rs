@@ -163,8 +163,7 @@ impl Engine {
         instant: Instant,
         stuck: NoAdvance,
     ) -> Result<(), SimulationError> {
-        // Time steps do not follow prescribed motions yet.
-        if !core.settings.crowding.steps() || !core.world.prescribed().is_empty() {
+        if !core.settings.crowding.steps() {
             return Err(instant.no_progress(core, stuck));
         }
         let longest = core.settings.step_s;
@@ -201,6 +200,7 @@ impl Engine {
         if sample > t {
             limit = limit.min(sample);
         }
+        limit = limit.min(self.end_of_kinematic_boxes(core, t));
         let mut h = crowd.step_s.min(limit - t);
         let pairs = self.gather(core, &mut instant, h)?;
         let about = core.accounts.books.ledger.momentum.about;
@@ -308,7 +308,7 @@ impl Engine {
                         joins.insert(other);
                     }
                 }
-                let coupled = core.world.couplings.iter().filter(|together| together.contains(&body)).flatten();
+                let coupled = core.world.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }
             if joins.is_empty() {

@@ -11,14 +11,12 @@ use super::near_pairs::NearPairs;
 use super::pace::Pace;
 use crate::accounting::Accounts;
 use crate::accounting::books::{Books, Received, gravity_at};
-use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
 use crate::interaction::assembly::free_acceleration;
-use crate::interaction::groups::groups;
 use crate::observer::Observer;
 use crate::scene::Integrator;
-use crate::simulation::emit_sample;
+use crate::simulation::emit_samples_before;
 use crate::snapshot::content;
 use crate::tier::{Reached, Tier};
 use crate::world::World;
@@ -30,6 +28,10 @@ use std::collections::BTreeMap;
 
 /// Samples between two looks of a caller at bodies that all fly in closed form and meet nothing.
 const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
+
+/// Where no body is integrated and nobody wants samples, energies and the finiteness of states are looked at once in so many
+/// samples of the output's grid.
+const UNSEEN_SAMPLES: u64 = 256;
 
 /// How a body moves until the next event.
 #[derive(Debug, Clone)]
@@ -210,16 +212,17 @@ impl Engine {
         until: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        loop {
-            let t = core.accounts.next_sample_s(&core.world);
-            if t >= until {
-                return Ok(());
+        let is_watched = observer.wants_samples() || observer.wants_frames();
+        emit_samples_before(until, self, core, observer, |engine, core, t| {
+            // In closed form nothing is lost between two looks, and nobody looks.
+            if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNSEEN_SAMPLES) {
+                return Ok(None);
             }
-            let states = self.states_at(core, t)?;
+            let states = engine.states_at(core, t)?;
             core.accounts.observe(&core.world, &states, t)?;
-            self.observed_s = t;
-            emit_sample(&*self, core, &states, t, observer);
-        }
+            engine.observed_s = t;
+            Ok(Some(states))
+        })
     }
 
     /// The island of a body that moves in one.
@@ -430,9 +433,6 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            let states = self.states.clone();
-            let t = core.t;
-            emit_sample(&*self, core, &states, t, observer);
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
@@ -500,6 +500,10 @@ impl Tier for Engine {
             }
         }
         states
+    }
+
+    fn state(&self, core: &Core, body: usize) -> BodyState {
+        self.present_state(core, body)
     }
 
     fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
@@ -640,40 +644,5 @@ impl Tier for Engine {
 
     fn save(&self) -> content::Tier {
         content::Tier::Accurate(self.saved())
-    }
-}
-
-impl Engine {
-    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
-    fn refresh_resting_forces(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        if core.effects == Effects::Planned {
-            return Ok(());
-        }
-        let rest = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
-        let known: Vec<Touch> = self.contacts.all().copied().collect();
-        let resting = known
-            .iter()
-            .enumerate()
-            .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
-            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        for group in groups(&core.world, resting) {
-            let mut pairs: Vec<_> = group.contacts.iter().map(|&i| (known[i].id.a, known[i].id.b)).collect();
-            pairs.dedup();
-            let mut contacts = Vec::with_capacity(group.contacts.len());
-            for (a, b) in pairs {
-                let reach = core.world.touch_distance(&self.states, a, b);
-                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach));
-            }
-            for touch in &mut contacts {
-                // Contacts that were known keep their status as a warm start.
-                if let Ok(index) = known.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    touch.hold = known[index].hold;
-                }
-            }
-            let forces = Forces::solve(&core.world, core.t, &self.states, &group.bodies, &contacts, &mut core.solver)
-                .map_err(|source| Core::response_error(core.t, source))?;
-            core.accounts.note_solve(core.t, &forces.solution.report)?;
-        }
-        Ok(())
     }
 }

@@ -4,6 +4,7 @@
 //! stays, one that accelerates apart opens. The motion it gives is unique though the forces may not be (erratum E13).
 
 use crate::collision::contact_set::{Hold, Touch};
+use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::Assembly;
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -49,22 +50,14 @@ impl Forces {
         contacts: &[Touch],
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
-        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let assembly = Assembly::new(world, states, bodies, rows)?;
-        let loads = world.loads(t, states);
-        let free = assembly.free_accelerations(world, states, &loads);
+        let loads = world.loads_on(t, states, bodies);
+        let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
+        let AccelerationProblem { assembly, free, constants: b } = problem;
         let load = bodies.iter().map(|&body| {
             let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
             mass * world.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        let b = assembly.acceleration_constants(
-            world,
-            t,
-            states,
-            &free,
-            contacts.iter().map(|touch| (touch.id, &touch.kinematics)),
-        )?;
         let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();

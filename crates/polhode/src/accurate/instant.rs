@@ -152,7 +152,7 @@ impl Engine {
             if let Some(island) = self.island_of(body) {
                 open.extend(island.bodies.iter().copied());
             }
-            for together in core.world.couplings.iter().filter(|together| together.contains(&body)) {
+            for together in core.world.couplings_of(body) {
                 open.extend(together.iter().copied());
             }
             let mut partners: Vec<usize> = self.near.partners(body).to_vec();

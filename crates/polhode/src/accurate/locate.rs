@@ -27,7 +27,7 @@ const EXTRAPOLATION: f64 = 1e-5;
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
 /// Intervals of a step at whose ends contacts that are not held are looked for.
-pub(super) const DIP_SAMPLES: u32 = 8;
+pub(super) const PENETRATION_CHECKS: u32 = 8;
 
 /// When and how the held contacts of an island cease to be right.
 #[derive(Debug, Default)]
@@ -90,9 +90,9 @@ impl Engine {
         }
     }
 
-    /// The time of the change that shows at `wrong`: when the contact closes that has sunk in by then, or the force of
-    /// one that opens reaches zero. What has sunk in most visibly at `wrong` need not have been the first to: where
-    /// another contact has sunk in by the time found, it is located in turn.
+    /// The time of the change that shows at `wrong`: when the contact closes that penetrates by then, or the force of
+    /// one that opens reaches zero. What penetrates most visibly at `wrong` need not have been the first to: where
+    /// another contact penetrates by the time found, it is located in turn.
     fn change_before(
         &self,
         core: &mut Core,
@@ -127,11 +127,12 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
         let start = step.t;
-        let (mut right, mut wrong) = match self.first_dip(core, step, start, limit, tolerated, states)? {
-            Some(interval) => interval,
-            None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
-            None => (start, limit),
-        };
+        let (mut right, mut wrong) =
+            match self.first_penetrating_interval(core, step, start, limit, tolerated, states)? {
+                Some(interval) => interval,
+                None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
+                None => (start, limit),
+            };
         let mut suspect = None;
         loop {
             let bracket = close_in((right, wrong), |t| {
@@ -141,20 +142,20 @@ impl Engine {
             wrong = bracket.after;
             // Another pair may have come to overlap before.
             step.states_at(&core.world, wrong, states);
-            if !self.sunk(core, step, states, tolerated).is_unseen() {
+            if !self.penetrates_unseen(core, step, states, tolerated) {
                 return Ok(Some(wrong));
             }
-            match self.first_seen_sinking(core, step, (start, wrong), tolerated, states) {
+            match self.penetration_shown_within(core, step, (start, wrong), tolerated, states) {
                 Some(t) if t < wrong => (right, wrong) = (start, t),
                 _ => return Ok(Some(wrong)),
             }
         }
     }
 
-    /// The first of some intervals of the step at whose end a contact that is not held has sunk in: bodies that rock on
-    /// each other may sink and rise again within a step, and its end would not show it. Nor would it show that a kinematic
+    /// The first of some intervals of the step at whose end a contact that is not held penetrates: bodies that rock on
+    /// each other may penetrate and part again within a step, and its end would not show it. Nor would it show that a kinematic
     /// body has left what it carries for a moment: where one moves, forces are looked at too.
-    fn first_dip(
+    fn first_penetrating_interval(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
@@ -166,19 +167,19 @@ impl Engine {
         let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
         let driven = members.any(|body| !core.world.stands_still(body, start, limit));
         let mut before = start;
-        for k in 1..=DIP_SAMPLES {
-            let t = start + (limit - start) * (f64::from(k) / f64::from(DIP_SAMPLES));
+        for k in 1..=PENETRATION_CHECKS {
+            let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
             step.states_at(&core.world, t, states);
-            let sunk = self.first_sunk(core, step, states, tolerated);
+            let penetration = self.first_penetration(core, step, states, tolerated);
             // What is wrong at the end is looked for there, with all else.
-            if sunk.contact.is_some() && k < DIP_SAMPLES {
+            if penetration.contact.is_some() && k < PENETRATION_CHECKS {
                 return Ok(Some((before, t)));
             }
-            let unseen = sunk.contact.is_none() && sunk.is_unseen();
-            if unseen && let Some(t) = self.first_seen_sinking(core, step, (before, t), tolerated, states) {
+            let unseen = penetration.contact.is_none() && penetration.is_unseen();
+            if unseen && let Some(t) = self.penetration_shown_within(core, step, (before, t), tolerated, states) {
                 return Ok(Some((before, t)));
             }
-            if driven && k < DIP_SAMPLES && !self.violations(core, step, t, tolerated, states)?.is_empty() {
+            if driven && k < PENETRATION_CHECKS && !self.violations(core, step, t, tolerated, states)?.is_empty() {
                 return Ok(Some((before, t)));
             }
             before = t;

@@ -18,11 +18,12 @@
 //! | `instant` | whom an event concerns, and how they go on |
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
-//! | `present` | the constraints of the present, and what pivots bear |
+//! | `pivot_views` | what pivots bear at the present |
 //! | `pace` | whether time advances |
 //! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
+//! | `present` | the state of a body and the contacts that touch, at the present |
 //! | `saved` | what a run goes on from, as plain data and back |
 
 mod agenda;
@@ -38,6 +39,7 @@ mod locate;
 mod near_pairs;
 mod pace;
 mod penetration;
+mod pivot_views;
 mod present;
 mod program;
 mod resolve;

@@ -10,7 +10,7 @@
 use super::agenda::Due;
 use super::engine::{Engine, Mode};
 use super::island::Step;
-use super::locate::DIP_SAMPLES;
+use super::locate::PENETRATION_CHECKS;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
@@ -175,6 +175,12 @@ impl Engine {
         let next = ((t / step + 0.5).floor() + 1.0) * step;
         // The quotient may round to the cell below.
         if next > t { next } else { next + step }
+    }
+
+    /// Until when the boxes of kinematic bodies hold, s; infinite where there are none.
+    pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
+        let bounds = !core.world.prescribed().is_empty() && self.near.flight_end > t;
+        if bounds { self.near.flight_end } else { f64::INFINITY }
     }
 
     /// Sees to it that the boxes of flights and of kinematic bodies that begin at `t` have an end.
@@ -432,6 +438,6 @@ fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f
         let bounds = motion.bounds(start, end);
         bounds.speed + bounds.angular_speed * core.world.bodies[body].size
     });
-    let between = (end - start) / f64::from(DIP_SAMPLES);
+    let between = (end - start) / f64::from(PENETRATION_CHECKS);
     (speed[0] + speed[1]) * between > FAST * core.world.pair_size(bodies[0].0, bodies[1].0)
 }

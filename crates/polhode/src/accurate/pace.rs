@@ -24,7 +24,18 @@ const BACKOFF_FACTOR: f64 = 8.0;
 const ADVANCE_RELATIVE: f64 = 1e-4;
 
 /// Steps without an advance of time that are too many: many times those that approach an event.
-const MOST_STEPS: u64 = 1024;
+const MOST_STEPS: u64 = 256;
+
+/// Steps over which their mean length is taken: at a contact whose place turns ever faster, as that of a ball that settles in
+/// a ring, every step advances, and yet a run would take for ever.
+const MEAN_OF_STEPS: u64 = 2048;
+
+/// The same of bodies that have been through a stretch of crowded events.
+const MEAN_OF_STEPS_AGAIN: u64 = 256;
+
+/// Mean length of these steps below which they crowd, as a fraction of the longest step: a turn of a contact's place takes
+/// some ten of them.
+const MEAN_RELATIVE: f64 = 3e-5;
 
 /// Whether a time is too short to be a step, s.
 pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
@@ -60,6 +71,9 @@ pub(super) struct Pace {
     /// Events within the present window of one longest step, and its start, s.
     window_events: u64,
     window_start: f64,
+    /// Steps of which the mean length is to be taken, and the start of the first, s.
+    mean_steps: u64,
+    mean_start: f64,
     /// Whether events have crowded before.
     has_crowded: bool,
 }
@@ -76,7 +90,7 @@ pub(super) struct NoAdvance {
 impl Pace {
     /// At the start of a run or of a body's life, `t` (s).
     pub(super) fn starting_at(t: f64) -> Self {
-        Self { since: t, advanced_at: t, window_start: t, ..Self::default() }
+        Self { since: t, advanced_at: t, window_start: t, mean_start: t, ..Self::default() }
     }
 
     /// After a time step of a stretch of crowded events that ends at `t` (s).
@@ -86,9 +100,32 @@ impl Pace {
 
     /// The pace as plain data.
     pub(super) fn save(&self) -> content::Pace {
-        let Self { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded } =
-            *self;
-        content::Pace { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded }
+        let Self {
+            since,
+            stalls,
+            events,
+            advanced_at,
+            steps,
+            backoffs,
+            window_events,
+            window_start,
+            mean_steps,
+            mean_start,
+            has_crowded,
+        } = *self;
+        content::Pace {
+            since,
+            stalls,
+            events,
+            advanced_at,
+            steps,
+            backoffs,
+            window_events,
+            window_start,
+            mean_steps,
+            mean_start,
+            has_crowded,
+        }
     }
 
     /// The pace of such data.
@@ -102,9 +139,23 @@ impl Pace {
             backoffs,
             window_events,
             window_start,
+            mean_steps,
+            mean_start,
             has_crowded,
         } = *saved;
-        Self { since, stalls, events, advanced_at, steps, backoffs, window_events, window_start, has_crowded }
+        Self {
+            since,
+            stalls,
+            events,
+            advanced_at,
+            steps,
+            backoffs,
+            window_events,
+            window_start,
+            mean_steps,
+            mean_start,
+            has_crowded,
+        }
     }
 
     /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until
@@ -157,6 +208,7 @@ impl Pace {
         if self.window_events > most {
             return Err(NoAdvance { steps: self.window_events, advanced_s: t - self.window_start });
         }
+        self.note_mean_step(t, longest_step_s)?;
         let advanced_s = t - self.advanced_at;
         if advanced_s >= ADVANCE_RELATIVE * longest_step_s {
             (self.advanced_at, self.steps, self.backoffs) = (t, 0, 0);
@@ -165,6 +217,20 @@ impl Pace {
         self.steps += 1;
         let most = if self.has_crowded { MOST_STEPS_AGAIN } else { MOST_STEPS };
         if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
+    }
+
+    /// Takes a step that ends at `t` into the mean of their lengths.
+    fn note_mean_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
+        self.mean_steps += 1;
+        let (steps, advanced_s) = (self.mean_steps, t - self.mean_start);
+        if steps < if self.has_crowded { MEAN_OF_STEPS_AGAIN } else { MEAN_OF_STEPS } {
+            return Ok(());
+        }
+        (self.mean_steps, self.mean_start) = (0, t);
+        if advanced_s < MEAN_RELATIVE * longest_step_s * steps as f64 {
+            return Err(NoAdvance { steps, advanced_s });
+        }
+        Ok(())
     }
 
     /// Events since a whole step was made.
@@ -182,6 +248,8 @@ impl Pace {
             backoffs: self.backoffs.max(other.backoffs),
             window_events: self.window_events.max(other.window_events),
             window_start: self.window_start.max(other.window_start),
+            mean_steps: self.mean_steps.max(other.mean_steps),
+            mean_start: self.mean_start.max(other.mean_start),
             has_crowded: self.has_crowded || other.has_crowded,
             ..slowest
         }

@@ -1,19 +1,18 @@
 //! Bodies held together that come to overlap elsewhere.
 //!
-//! A contact that is not held, has sunk in and closes says so by itself, as long as it stands on its features: that is for
-//! some 1e-11 of the bodies' size where features end, as at the bend of a ridge. A trial is looked at some times only, and
-//! by then the bodies may overlap so much more that no contact of theirs tells where they came in. The separation of the
-//! pair does, which is that of its parts along all axes: an interval at whose end it is below those of all contacts
+//! A contact that is not held, penetrates and closes shows by itself as long as it stands on its features: that is for
+//! some 1e-11 of the bodies' size where features end, as at the bend of a ridge. A trial is checked at a few times only, and
+//! by then the bodies may overlap so much more that none of their contacts shows where the penetration began. The separation
+//! of the pair does, which is that of its parts along all axes: an interval at whose end it is below those of all contacts
 //! is bisected until the contact shows.
 //!
-//! Fails where bodies come to overlap and part again between two looks.
+//! Fails where bodies come to overlap and part again between two checks.
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::interaction::locator::{Side, close_in};
-use polhode_contact::separation;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 use std::convert::Infallible;
@@ -22,23 +21,23 @@ use std::convert::Infallible;
 /// judged by (1e-12).
 const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
-/// Bodies that overlap by this many such depths more than any contact says have come in somewhere: by what a run is judged
-/// by.
+/// Bodies that overlap by this many such depths more than any of their contacts penetrate somewhere else: what a run is
+/// judged by.
 const DEEP: f64 = 4.0;
 
-/// How far pairs that are held together overlap beside the contacts that hold them.
-pub(super) struct Sunk {
+/// How far a pair that is held together penetrates beside the contacts that hold it.
+pub(super) struct Penetration {
     /// A contact that is not held, penetrates and closes.
     pub(super) contact: Option<ContactId>,
-    /// Of pairs without such a contact: how much more the bodies overlap than any contact of theirs, held or parting, in units
-    /// of the depth at which a contact counts as penetrating.
-    depths: f64,
+    /// Without such a contact: how much more the bodies overlap than any of their contacts, held or parting, in units of the
+    /// depth at which a contact counts as penetrating.
+    excess_depths: f64,
 }
 
-impl Sunk {
-    /// Whether some pair has come to overlap where no contact shows it.
+impl Penetration {
+    /// Whether the pair overlaps where no contact shows it.
     pub(super) fn is_unseen(&self) -> bool {
-        self.depths > DEEP
+        self.excess_depths > DEEP
     }
 }
 
@@ -51,44 +50,38 @@ impl Engine {
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> Option<ContactId> {
-        step.held_pairs().into_iter().find_map(|pair| self.sunk_pair(core, step, pair, states, tolerated).contact)
+        self.penetrations(core, step, states, tolerated).find_map(|penetration| penetration.contact)
     }
 
-    /// How far the group's touching pairs overlap where no contact is held.
-    pub(super) fn sunk(
+    /// Whether some pair of the group overlaps where no contact shows it.
+    pub(super) fn penetrates_unseen(
         &self,
         core: &Core,
         step: &ConstrainedStep,
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
-    ) -> Sunk {
-        let mut all = Sunk { contact: None, depths: 0.0 };
-        for pair in step.held_pairs() {
-            let sunk = self.sunk_pair(core, step, pair, states, tolerated);
-            all.contact = all.contact.or(sunk.contact);
-            // A NaN compares as nothing, and is found where it comes from.
-            all.depths = all.depths.max(sunk.depths);
-        }
-        all
+    ) -> bool {
+        self.penetrations(core, step, states, tolerated).any(|penetration| penetration.is_unseen())
     }
 
-    /// As [`Self::sunk`], up to the first pair with a contact that says so: then nothing is said of what is unseen.
-    pub(super) fn first_sunk(
+    /// The penetration of the first pair of the group with a penetrating contact; without one, that of the pair that overlaps
+    /// most where no contact shows it.
+    pub(super) fn first_penetration(
         &self,
         core: &Core,
         step: &ConstrainedStep,
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
-    ) -> Sunk {
-        let mut all = Sunk { contact: None, depths: 0.0 };
-        for pair in step.held_pairs() {
-            let sunk = self.sunk_pair(core, step, pair, states, tolerated);
-            if sunk.contact.is_some() {
-                return sunk;
+    ) -> Penetration {
+        let mut excess_depths = 0.0_f64;
+        for penetration in self.penetrations(core, step, states, tolerated) {
+            if penetration.contact.is_some() {
+                return penetration;
             }
-            all.depths = all.depths.max(sunk.depths);
+            // A NaN compares as nothing, and is found where it comes from.
+            excess_depths = excess_depths.max(penetration.excess_depths);
         }
-        all
+        Penetration { contact: None, excess_depths }
     }
 
     /// Whether a contact of one pair that is not held penetrates and closes.
@@ -100,35 +93,48 @@ impl Engine {
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> bool {
-        self.sunk_pair(core, step, pair, states, tolerated).contact.is_some()
+        self.penetration_of_pair(core, step, pair, states, tolerated).contact.is_some()
     }
 
-    fn sunk_pair(
+    /// The penetrations of the group's touching pairs, in their order.
+    fn penetrations<'a>(
+        &'a self,
+        core: &'a Core,
+        step: &'a ConstrainedStep,
+        states: &'a [BodyState],
+        tolerated: &'a BTreeSet<ContactId>,
+    ) -> impl Iterator<Item = Penetration> + 'a {
+        let of_pair = move |pair| self.penetration_of_pair(core, step, pair, states, tolerated);
+        step.held_pairs().into_iter().map(of_pair)
+    }
+
+    fn penetration_of_pair(
         &self,
         core: &Core,
         step: &ConstrainedStep,
         (a, b): (usize, usize),
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
-    ) -> Sunk {
+    ) -> Penetration {
         let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
         // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
         let (separation, contacts) = core.world.pair(states, a, b, core.world.touch_distance(states, a, b));
-        // What parts already needs no contact: it leaves by itself, unless it has come in since the step began.
-        let came_in = || separation < -depth && !self.overlapped(core, (a, b), depth);
+        // What parts already needs no contact: it leaves by itself, unless it has begun to penetrate since the step began.
+        let began_in_step = || separation < -depth && !self.overlapped(core, (a, b), depth);
         let closing = contacts.iter().filter(|touch| {
             touch.kinematics.geometry.separation < -depth
-                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(core, touch.id, depth) || came_in())
+                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(core, touch.id, depth) || began_in_step())
         });
         let not_held = |id: &ContactId| step.held.binary_search(id).is_err() && !tolerated.contains(id);
         let contact = closing.map(|touch| touch.id).find(not_held);
         if contact.is_some() || separation >= -depth {
-            return Sunk { contact, depths: 0.0 };
+            return Penetration { contact, excess_depths: 0.0 };
         }
         let held = step.held.iter().filter(|id| (id.a, id.b) == (a, b));
         let held = held.filter_map(|&id| Some(core.world.kinematics(states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
-        Sunk { contact, depths: (held.chain(found).fold(0.0, f64::min) - separation) / depth }
+        let shown = held.chain(found).fold(0.0, f64::min);
+        Penetration { contact, excess_depths: (shown - separation) / depth }
     }
 
     /// Whether a contact was clear of its features at the start of the step.
@@ -139,14 +145,12 @@ impl Engine {
     /// Whether two bodies overlapped at the start of the step. What has swung through another one since then is nearest to
     /// the way out on its far side, by features that were never clear.
     fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
-        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &self.states[a].pose, shape_b, &self.states[b].pose) < -depth
-        })
+        core.world.separation_afresh(&self.states, a, b).is_some_and(|separation| separation < -depth)
     }
 
     /// A time at which the contact shows through which the bodies have come to overlap within an interval: once they
-    /// overlap deeply it may have left its features, and nothing else tells where they came in.
-    pub(super) fn first_seen_sinking(
+    /// overlap deeply it may have left its features, and nothing else tells where the penetration began.
+    pub(super) fn penetration_shown_within(
         &self,
         core: &Core,
         step: &ConstrainedStep,
@@ -156,10 +160,10 @@ impl Engine {
     ) -> Option<f64> {
         let closed_in = close_in(interval, |t| {
             step.states_at(&core.world, t, states);
-            let sunk = self.first_sunk(core, step, states, tolerated);
-            Ok::<_, Infallible>(match sunk.contact {
+            let penetration = self.first_penetration(core, step, states, tolerated);
+            Ok::<_, Infallible>(match penetration.contact {
                 Some(_) => Side::Here,
-                None if sunk.depths > 1.0 => Side::After,
+                None if penetration.excess_depths > 1.0 => Side::After,
                 None => Side::Before,
             })
         });

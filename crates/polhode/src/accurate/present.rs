@@ -1,23 +1,36 @@
-//! The constraints of the present: contacts that touch, bodies that constraints connect, what pivots bear.
-//!
-//! By rows that is the force of constraint. Of a body of which turning alone is left it follows from Newton's law for its centre
-//! of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with `a_cm = alpha x r + w x (w x r)`, r from the pivot to the centre of
-//! mass.
+//! What the engine says of the present: the state of a body, the contacts that touch, the bodies that they join.
 
-use super::engine::Engine;
+use super::engine::{Engine, Mode};
 use super::hold::Forces;
-use crate::BodyId;
+use super::island::Step;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
-use crate::frame::PivotView;
-use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
-use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::ComplementaritySolver;
-use polhode_spatial::DVec3;
-use std::collections::BTreeMap;
+use crate::{Effects, SimulationError};
+use polhode_dynamics::BodyState;
 
 impl Engine {
+    /// State of a body at the present; the states of others are not looked at.
+    pub(super) fn present_state(&self, core: &Core, body: usize) -> BodyState {
+        let t = core.t;
+        if let Mode::Flight(flight) = &self.tracks[body].mode {
+            return flight.state(t);
+        }
+        if let Some(state) = core.world.prescribed_state(body, t) {
+            return state;
+        }
+        let start = self.states[body];
+        let Some(island) = self.island_of(body).filter(|island| island.t != t) else { return start };
+        let Ok(place) = island.bodies.binary_search(&body) else { return start };
+        let present = match &island.step {
+            Step::Constrained(step) => step.state_at(body, t),
+            Step::Free(step) => step.present().get(place).copied(),
+            Step::Crowd(step) => step.states_at(t).get(place).copied(),
+            Step::Waiting(_) => None,
+        };
+        present.unwrap_or(start)
+    }
+
     /// Contacts that touched when their bodies were last looked at, as they stand in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
         let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
@@ -47,46 +60,36 @@ impl Engine {
         found
     }
 
-    /// The force of every pivot at `t` (s) at these states.
-    pub(super) fn pivot_views(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
-        let world = &core.world;
-        let is_turning = |body: &usize| world.bodies[*body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
-        let turning: Vec<usize> = world.movable.iter().copied().filter(is_turning).collect();
-        if turning.is_empty() && !world.has_rows() {
-            return Vec::new();
+    /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.
+    pub(super) fn refresh_resting_forces(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        if core.effects == Effects::Planned {
+            return Ok(());
         }
-        let loads = world.loads(t, states);
-        let mut needed: BTreeMap<usize, DVec3> = BTreeMap::new();
-        let newton = |body: usize, linear: DVec3, angular: DVec3| {
-            let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-            let of_center = world.reported_acceleration(body, &states[body], linear, angular).linear;
-            (of_center - world.gravity()) * mass - loads.of(body).force
-        };
-        for &body in &turning {
-            let (linear, angular) = free_acceleration(world, states, &loads, body);
-            needed.insert(body, newton(body, linear, angular));
-        }
-        let mut solver = ComplementaritySolver::default();
-        for (group, members) in self.present_groups(core, states) {
-            let Ok(forces) = Forces::solve(world, t, states, &group, &members, &mut solver) else {
-                let unknown = group.iter().filter(|body| is_turning(body) || world.is_held_by_rows(**body));
-                needed.extend(unknown.map(|&body| (body, DVec3::NAN)));
-                continue;
-            };
-            for (body, linear, angular) in forces.accelerations().filter(|(body, ..)| is_turning(body)) {
-                let sign = |touch: &Touch| (touch.id.a == body, touch.id.b == body);
-                let by_contacts = members.iter().zip(forces.of_contacts()).map(|(touch, &force)| match sign(touch) {
-                    (true, _) => touch.kinematics.geometry.normal * force,
-                    (_, true) => touch.kinematics.geometry.normal * -force,
-                    _ => DVec3::ZERO,
-                });
-                needed.insert(body, newton(body, linear, angular) - by_contacts.sum::<DVec3>());
+        let rest = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
+        let known: Vec<Touch> = self.contacts.all().copied().collect();
+        let resting = known
+            .iter()
+            .enumerate()
+            .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
+            .map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        for group in groups(&core.world, resting) {
+            let mut pairs: Vec<_> = group.contacts.iter().map(|&i| (known[i].id.a, known[i].id.b)).collect();
+            pairs.dedup();
+            let mut contacts = Vec::with_capacity(group.contacts.len());
+            for (a, b) in pairs {
+                let reach = core.world.touch_distance(&self.states, a, b);
+                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach));
             }
-            let by_rows = forces.assembly.pivot_forces(&forces.solution.forces);
-            needed.extend(by_rows.map(|(pivot, force)| (pivot.body, force)));
+            for touch in &mut contacts {
+                // Contacts that were known keep their status as a warm start.
+                if let Ok(index) = known.binary_search_by(|known| known.id.cmp(&touch.id)) {
+                    touch.hold = known[index].hold;
+                }
+            }
+            let forces = Forces::solve(&core.world, core.t, &self.states, &group.bodies, &contacts, &mut core.solver)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            core.accounts.note_solve(core.t, &forces.solution.report)?;
         }
-        let place = |body: usize| world.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
-        let view = |(body, force_n)| PivotView { body: BodyId::new(body), point_m: place(body), force_n };
-        needed.into_iter().map(view).collect()
+        Ok(())
     }
 }

@@ -421,7 +421,7 @@ impl Engine {
     /// Whether the forces on a body stay as they are while it rests: none changes with time, and the bodies that forces
     /// couple it to rest too or are about to.
     fn forces_last(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        let couplings = core.world.couplings.iter().filter(|together| together.contains(&body));
+        let couplings = core.world.couplings_of(body);
         let still =
             |&other: &usize| matches!(self.tracks[other].mode, Mode::Rest) || self.is_slow(core, speed_scale, other);
         !core.world.is_driven(body) && couplings.flatten().all(still)

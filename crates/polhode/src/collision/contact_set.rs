@@ -5,7 +5,7 @@
 
 use crate::prescribed;
 use crate::world::{TOUCH_RELATIVE, World};
-use polhode_contact::{ContactFeature, ContactKinematics, Shape, counterpart};
+use polhode_contact::{ContactFeature, ContactKinematics, Manifold, Shape, counterpart};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
@@ -113,8 +113,12 @@ impl World {
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
         let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
-        let manifold = polhode_contact::near_manifold(shape_a, pose_a, shape_b, pose_b, reach);
-        let mut features: Vec<_> = manifold.contacts.iter().map(|contact| contact.feature).collect();
+        let read = |found: &Manifold| {
+            (found.separation, found.contacts.iter().map(|contact| contact.feature).collect::<Vec<_>>())
+        };
+        let Some((separation, mut features)) = self.manifold_of(states, (a, b), reach, read) else {
+            return (f64::INFINITY, Vec::new());
+        };
         let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
         for i in 0..features.len() {
             features.extend(counterpart(features[i], shape_a, pose_a, shape_b, pose_b, distance));
@@ -137,6 +141,6 @@ impl World {
             let geometry = &touch.kinematics.geometry;
             geometry.separation <= reach && geometry.margin >= border
         };
-        (manifold.separation, features.into_iter().filter_map(touch).filter(within).collect())
+        (separation, features.into_iter().filter_map(touch).filter(within).collect())
     }
 }

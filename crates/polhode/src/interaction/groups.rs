@@ -3,6 +3,7 @@
 //! Immovable bodies carry no motion from one contact to another and so connect nothing. Groups and their members are
 //! ordered by body number, so that results do not depend on how they were found.
 
+use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
 
 /// Bodies connected by contacts, and those contacts.
@@ -16,7 +17,7 @@ pub(crate) struct Group {
 
 /// The groups that `contacts` (index of the contact, body A, body B) form.
 pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
-    joined(world, contacts, &[], &[])
+    joined(world, contacts, &[])
 }
 
 /// The groups that `contacts` and the force fields that couple bodies form among `bodies`, each of which is in one.
@@ -25,33 +26,28 @@ pub(crate) fn coupled_groups(
     contacts: impl Iterator<Item = (usize, usize, usize)>,
     bodies: &[usize],
 ) -> Vec<Group> {
-    joined(world, contacts, bodies, &world.couplings)
+    joined(world, contacts, bodies)
 }
 
 /// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies concerned alone.
-fn joined(
-    world: &World,
-    contacts: impl Iterator<Item = (usize, usize, usize)>,
-    bodies: &[usize],
-    couplings: &[Vec<usize>],
-) -> Vec<Group> {
+fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, bodies: &[usize]) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
     let moves = |body: &usize| world.bodies[*body].moves();
     let mut members: Vec<usize> = contacts.iter().flat_map(|&(_, a, b)| [a, b]).filter(moves).collect();
     members.extend_from_slice(bodies);
     members.sort_unstable();
     members.dedup();
+    let mut belongs = bodies.to_vec();
+    belongs.sort_unstable();
     let place = |body: usize| members.binary_search(&body).ok();
-    let mut parent: Vec<usize> = (0..members.len()).collect();
+    let mut sets = DisjointSets::new(members.len());
     let mut join = |a: usize, b: usize| {
         if let (Some(a), Some(b)) = (place(a), place(b)) {
-            let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
-            // The smaller number is the root, which makes the order of groups that of their first bodies.
-            parent[root_a.max(root_b)] = root_a.min(root_b);
+            sets.join(a, b);
         }
     };
-    for together in couplings {
-        let mut coupled = together.iter().copied().filter(|body| bodies.contains(body));
+    for together in world.couplings_among(&belongs) {
+        let mut coupled = together.iter().copied().filter(|body| belongs.binary_search(body).is_ok());
         let Some(first) = coupled.next() else { continue };
         coupled.for_each(|body| join(first, body));
     }
@@ -61,8 +57,7 @@ fn joined(
     let mut slot: Vec<Option<usize>> = vec![None; members.len()];
     let mut groups: Vec<Group> = Vec::new();
     for (index, &body) in members.iter().enumerate() {
-        let root = root(&mut parent, index);
-        let group = *slot[root].get_or_insert_with(|| {
+        let group = *slot[sets.smallest(index)].get_or_insert_with(|| {
             groups.push(Group::default());
             groups.len() - 1
         });
@@ -70,19 +65,10 @@ fn joined(
     }
     for (contact, a, b) in contacts {
         let member = if world.bodies[a].moves() { a } else { b };
-        let group = place(member).and_then(|index| slot[root(&mut parent, index)]);
+        let group = place(member).and_then(|index| slot[sets.smallest(index)]);
         if let Some(group) = group {
             groups[group].contacts.push(contact);
         }
     }
     groups
-}
-
-/// Representative of a member's group, with path halving.
-fn root(parent: &mut [usize], mut member: usize) -> usize {
-    while parent[member] != member {
-        parent[member] = parent[parent[member]];
-        member = parent[member];
-    }
-    member
 }

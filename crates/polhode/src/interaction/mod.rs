@@ -3,6 +3,7 @@
 //! Collision detection knows no mass and the response knows no shape; here contacts become rows over bodies, bodies
 //! become groups, impulses become momenta, and what has drifted is put back together.
 
+pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;
 pub(crate) mod constraint;
 pub(crate) mod groups;

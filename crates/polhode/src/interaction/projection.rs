@@ -24,10 +24,10 @@ const MAX_NEWTON_STEPS: usize = 3;
 /// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
 const JUMPED_RELATIVE: f64 = 1e-5;
 
-/// A relative velocity beyond this multiple of the tolerance, times the speeds of the bodies and what gravity gives over their
-/// size, is not drift either: the place of a contact has jumped to where the bodies approach or part, and to stop them there
-/// is the part of an impact. A step errs by a part of the tolerance.
-const JUMPED_SPEED: f64 = 1e4;
+/// A relative velocity beyond this fraction of the speeds of the bodies and of what gravity gives over their size, and beyond
+/// the tolerance of the method, is not drift either: the place of a contact has jumped to where the bodies approach or part,
+/// and to stop them there is the part of an impact.
+const JUMPED_SPEED: f64 = 1e-7;
 
 /// Contacts that are farther from zero separation than this fraction of the pair's size and rounding after the last Newton
 /// step have not been put together: by what penetration is judged by at the default tolerance.
@@ -87,7 +87,7 @@ pub(crate) fn project(
         done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
     }
     let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
-        let limit = JUMPED_SPEED * tolerance * speed_of_pair(world, states, id);
+        let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(world, states, id);
         world.kinematics(states, id).is_none_or(|kinematics| kinematics.separation_rate.abs() <= limit)
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));

@@ -3,6 +3,7 @@
 use super::{Body, DEFAULT_GRAVITY, Force, Geometry, Method, PairRule, PrescribedMotion, Scene, SceneError, force};
 use polhode_contact::Shape;
 use polhode_spatial::DVec3;
+use std::collections::BTreeSet;
 
 /// Simulated time when none is given, s.
 const DEFAULT_DURATION_S: f64 = 1.0;
@@ -105,9 +106,10 @@ impl SceneBuilder {
         }
         scene.method.validate()?;
         check_counts(&scene)?;
+        let mut names = BTreeSet::new();
         for (number, body) in scene.bodies.iter().enumerate() {
             check_body(number, body)?;
-            if scene.bodies[..number].iter().any(|other| other.name == body.name) {
+            if !names.insert(body.name.as_str()) {
                 return Err(SceneError::DuplicateName(body.name.clone()));
             }
         }

@@ -71,7 +71,7 @@ pub enum SceneError {
     MovingHalfSpace(String),
     /// A surface of triangles is given to a body that moves.
     #[error(
-        "body {0} is a surface of triangles, which is ground: it must be fixed or kinematic; a body that moves by forces needs a closed mesh"
+        "body {0} is a surface of triangles: it must be fixed or kinematic; a body that moves by forces needs a closed mesh"
     )]
     MovingSurface(String),
     /// A group of bodies names one that is not there.

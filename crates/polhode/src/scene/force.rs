@@ -253,6 +253,10 @@ impl Field for Shared {
         self.0.acts_on(body)
     }
 
+    fn bodies(&self) -> Option<Vec<usize>> {
+        self.0.bodies()
+    }
+
     fn turns(&self, body: usize) -> bool {
         self.0.turns(body)
     }

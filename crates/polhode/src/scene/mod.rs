@@ -11,6 +11,7 @@ mod geometry;
 mod material;
 mod method;
 pub mod motion;
+mod pairs;
 
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
@@ -132,15 +133,8 @@ impl Scene {
 
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
-        self.colliding_pairs().next().is_some()
-    }
-
-    /// The pairs of bodies that may collide, ascending.
-    pub fn colliding_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let shaped: Vec<usize> = (0..self.bodies.len()).filter(|&body| self.bodies[body].geometry.is_some()).collect();
-        let count = shaped.len();
-        let pairs = (0..count).flat_map(move |i| (i + 1..count).map(move |j| (i, j)));
-        pairs.map(move |(i, j)| (shaped[i], shaped[j])).filter(|&(a, b)| self.may_collide(a, b))
+        // Mostly two neighbours do.
+        (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 
     /// Whether two bodies may collide: not both out of the reach of forces, both with a shape, and not in one `no_contact` group.

@@ -243,6 +243,8 @@ pub(crate) struct Pace {
     pub(crate) backoffs: u32,
     pub(crate) window_events: u64,
     pub(crate) window_start: f64,
+    pub(crate) mean_steps: u64,
+    pub(crate) mean_start: f64,
     pub(crate) has_crowded: bool,
 }
 

@@ -1,16 +1,16 @@
 //! A run by fixed time steps, and one step of it.
 
 use super::islands::{Island, IslandSearch, islands};
-use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::frame::{ContactView, IslandView, MotionKind};
-use crate::interaction::assembly::{Assembly, free_acceleration};
+use crate::interaction::acceleration_problem::AccelerationProblem;
+use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
-use crate::simulation::emit_sample;
+use crate::simulation::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
@@ -105,14 +105,14 @@ impl SteppedEngine {
     /// When the state is no longer finite or a contact problem is not.
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
-        let pairs = self.search.pairs(&core.world, &self.states, h).map_err(SimulationError::BroadPhase)?;
+        let interval = (core.t, h);
+        let pairs = self.search.pairs(&core.world, &self.states, interval).map_err(SimulationError::BroadPhase)?;
         let islands = islands(&core.world, &pairs);
         self.emit_samples_within(core, &islands, t_next, observer)?;
         self.fly(core, &islands, t_next);
         let mut touching = BTreeSet::new();
         self.forces.clear();
         for island in &islands {
-            let interval = (core.t, h);
             let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
             let report = report.map_err(|source| Core::response_error(core.t, source))?;
             self.note(core, &report, h);
@@ -126,6 +126,7 @@ impl SteppedEngine {
             touching.extend(report.touching.iter().copied());
         }
         self.islands = islands.into_iter().map(|island| island.bodies).collect();
+        core.world.prescribe(t_next, &mut self.states);
         core.t = t_next;
         core.accounts.count_step();
         self.report_pairs(core, touching);
@@ -213,30 +214,33 @@ impl SteppedEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        loop {
-            let t = core.accounts.next_sample_s(&core.world);
-            if t >= t_next {
-                return Ok(());
-            }
-            let mut states = self.states.clone();
-            if t > core.t {
-                let mut in_island = vec![false; states.len()];
-                for island in islands {
-                    island.bodies.iter().for_each(|&body| in_island[body] = true);
-                    let mut stepper = self.stepper.clone();
-                    stepper
-                        .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
-                        .map_err(|source| Core::response_error(core.t, source))?;
-                }
-                for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
-                    if let Some(flight) = self.flight(core, body) {
-                        states[body] = flight.state(t);
-                        core.world.keep_in_plane(body, &mut states[body]);
-                    }
-                }
-            }
-            emit_sample(&*self, core, &states, t, observer);
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| {
+            engine.states_within(core, islands, t).map(Some)
+        })
+    }
+
+    /// States of all bodies at `t` (s) within the step of these islands.
+    fn states_within(&mut self, core: &Core, islands: &[Island], t: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let mut states = self.states.clone();
+        if t <= core.t {
+            return Ok(states);
         }
+        let mut in_island = vec![false; states.len()];
+        for island in islands {
+            island.bodies.iter().for_each(|&body| in_island[body] = true);
+            let mut stepper = self.stepper.clone();
+            stepper
+                .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
+                .map_err(|source| Core::response_error(core.t, source))?;
+        }
+        for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
+            if let Some(flight) = self.flight(core, body) {
+                states[body] = flight.state(t);
+                core.world.keep_in_plane(body, &mut states[body]);
+            }
+        }
+        core.world.prescribe(t, &mut states);
+        Ok(states)
     }
 
     /// What the forces of contacts add to the accelerations of their bodies.
@@ -246,12 +250,9 @@ impl SteppedEngine {
         bodies: &[usize],
         contacts: &[Touch],
     ) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
-        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let assembly = Assembly::new(&core.world, &self.states, bodies, rows)?;
         let loads = core.world.loads(core.t, &self.states);
-        let free = assembly.free_accelerations(&core.world, &self.states, &loads);
-        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-        let b = assembly.acceleration_constants(&core.world, core.t, &self.states, &free, kinematics)?;
+        let problem = AccelerationProblem::new(&core.world, core.t, &self.states, bodies, contacts, &loads)?;
+        let AccelerationProblem { assembly, constants: b, .. } = problem;
         let mut solver = ComplementaritySolver::default();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;
@@ -266,10 +267,6 @@ impl Tier for SteppedEngine {
         limit_s: f64,
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
-        if !self.begun {
-            let (t, states) = (core.t, self.states.clone());
-            emit_sample(&*self, core, &states, t, observer);
-        }
         // Times are multiples of the step, so that rounding does not add up; a program may cut a step short.
         let step = core.settings.step_s;
         while self.grid as f64 * step <= core.t {
@@ -292,16 +289,15 @@ impl Tier for SteppedEngine {
         self.states.clone()
     }
 
-    fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
-        // Every step is booked when it is made.
-        Ok(())
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let failed = |source| Core::response_error(core.t, source);
         let world = &core.world;
         let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
-        let pairs = self.search.pairs(world, &self.states, 0.0).map_err(SimulationError::BroadPhase)?;
+        let pairs = self.search.pairs(world, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
         let mut touches = Vec::new();
         for (a, b) in pairs {
             let reach = world.touch_distance(&self.states, a, b);
@@ -309,8 +305,14 @@ impl Tier for SteppedEngine {
         }
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let loads = world.loads(core.t, &self.states);
-        let mut found: Vec<(DVec3, DVec3)> =
-            (0..self.states.len()).map(|body| free_acceleration(world, &self.states, &loads, body)).collect();
+        let own_acceleration = |body: usize| {
+            if world.trajectory(body).is_some() {
+                world.prescribed_acceleration(body, core.t)
+            } else {
+                free_acceleration(world, &self.states, &loads, body)
+            }
+        };
+        let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len()).map(own_acceleration).collect();
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
         for group in groups(world, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
@@ -364,10 +366,6 @@ impl Tier for SteppedEngine {
 
     fn states_mut(&mut self) -> &mut [BodyState] {
         &mut self.states
-    }
-
-    fn resume(&mut self, _core: &mut Core, _moved: &[usize]) -> Result<(), SimulationError> {
-        Ok(())
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {

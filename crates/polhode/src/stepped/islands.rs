@@ -1,5 +1,6 @@
 //! Islands: bodies that may touch within a step, or that forces couple.
 
+use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
@@ -37,7 +38,7 @@ impl IslandSearch {
         self.colliders.retain(|&other| other != body);
     }
 
-    /// Pairs that may touch within `h` seconds, A < B, ascending.
+    /// Pairs that may touch from `t` to `t + h` (s), A < B, ascending.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -45,14 +46,14 @@ impl IslandSearch {
         &mut self,
         world: &World,
         states: &[BodyState],
-        h: f64,
+        interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         if !world.may_collide_at_all() {
             return Ok(Vec::new());
         }
         self.boxes.clear();
         for &body in &self.colliders {
-            self.boxes.push(swept_box(world, states, body, h));
+            self.boxes.push(swept_box(world, states, body, interval));
         }
         self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
         let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
@@ -63,8 +64,8 @@ impl IslandSearch {
     }
 }
 
-/// The box of a body with what it may go within `h`.
-fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
+/// The box of a body with what it may go from `t` to `t + h` (s).
+fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let (own, state) = (&world.bodies[body], &states[body]);
     let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
     let mut way = world.touch_distance(states, body, body);
@@ -73,23 +74,22 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, h: f64) -> Aabb {
         let speed = velocity.linear.length() + velocity.angular.length() * own.size;
         way += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
     }
-    let standing = swept_aabb(shape, &Still(state.pose), 0.0, 0.0);
+    let swept = match world.trajectory(body) {
+        Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
+        None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
+    };
     // What cannot be bounded may be anywhere.
-    standing.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
+    swept.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
 }
 
 /// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no
 /// field acts on, is in none; one that a field acts on is an island by itself.
 pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
-    let mut parent: Vec<usize> = (0..world.bodies.len()).collect();
+    let mut sets = DisjointSets::new(world.bodies.len());
     let mut taken = vec![false; world.bodies.len()];
-    let mut join = |a: usize, b: usize| {
-        let (root_a, root_b) = (root(&mut parent, a), root(&mut parent, b));
-        parent[root_a.max(root_b)] = root_a.min(root_b);
-    };
     for together in &world.couplings {
         for &body in together {
-            join(together[0], body);
+            sets.join(together[0], body);
         }
     }
     for &body in &world.movable {
@@ -100,13 +100,13 @@ pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
         taken[a] |= moves[0];
         taken[b] |= moves[1];
         if moves == [true, true] {
-            join(a, b);
+            sets.join(a, b);
         }
     }
     let mut slots: Vec<Option<usize>> = vec![None; world.bodies.len()];
     let mut islands: Vec<Island> = Vec::new();
     for body in (0..taken.len()).filter(|&body| taken[body]) {
-        let slot = *slots[root(&mut parent, body)].get_or_insert_with(|| {
+        let slot = *slots[sets.smallest(body)].get_or_insert_with(|| {
             islands.push(Island::default());
             islands.len() - 1
         });
@@ -114,18 +114,9 @@ pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
     }
     for &(a, b) in pairs {
         let member = if world.bodies[a].moves() { a } else { b };
-        if let Some(slot) = slots[root(&mut parent, member)] {
+        if let Some(slot) = slots[sets.smallest(member)] {
             islands[slot].pairs.push((a, b));
         }
     }
     islands
-}
-
-/// Representative of a body, with path halving.
-fn root(parent: &mut [usize], mut body: usize) -> usize {
-    while parent[body] != body {
-        parent[body] = parent[parent[body]];
-        body = parent[body];
-    }
-    body
 }

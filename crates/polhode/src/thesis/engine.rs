@@ -1,19 +1,19 @@
 //! A run by the thesis's algorithm, and one step of it.
 
 use super::system::LoadedBodies;
-use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
+use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::{Assembly, free_acceleration};
 use crate::interaction::groups::groups;
 use crate::interaction::impact::{impulse_event, strike, support};
 use crate::observer::Observer;
 use crate::scene::ContactMethod;
-use crate::simulation::emit_sample;
+use crate::simulation::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
@@ -244,20 +244,16 @@ impl ThesisEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        loop {
-            let t = core.accounts.next_sample_s(&core.world);
-            if t >= t_next {
-                return Ok(());
-            }
-            let motion = self.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
-            let mut movable = core.world.movable_states(&self.states);
-            let within = t.min(self.integrator.time());
-            self.integrator
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| {
+            let motion = engine.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
+            let mut movable = core.world.movable_states(&engine.states);
+            let within = t.min(engine.integrator.time());
+            engine
+                .integrator
                 .states_within(&motion, within, &mut movable)
                 .map_err(|source| SimulationError::Integration { t: core.t, source })?;
-            let states = all_states(core, &self.states, &movable, t);
-            emit_sample(&*self, core, &states, t, observer);
-        }
+            Ok(Some(all_states(core, &engine.states, &movable, t)))
+        })
     }
 }
 
@@ -268,10 +264,6 @@ impl Tier for ThesisEngine {
         limit_s: f64,
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
-        if core.accounts.steps() == 0 {
-            let (t, states) = (core.t, self.states.clone());
-            emit_sample(&*self, core, &states, t, observer);
-        }
         while core.t < limit_s {
             let h = core.settings.step_s;
             let t_next = if h >= limit_s - core.t { limit_s } else { core.t + h };
@@ -288,9 +280,8 @@ impl Tier for ThesisEngine {
         self.states.clone()
     }
 
-    fn book_present(&mut self, _core: &Core, _accounts: &mut Accounts) -> Result<(), SimulationError> {
-        // Every step is booked when it is made.
-        Ok(())
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
@@ -335,17 +326,8 @@ impl Tier for ThesisEngine {
         vec![IslandView { bodies: moving.map(|(body, _)| BodyId::new(body)).collect() }]
     }
 
-    fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
-        // All bodies stand at the present between two steps.
-        Ok(())
-    }
-
     fn states_mut(&mut self) -> &mut [BodyState] {
         &mut self.states
-    }
-
-    fn resume(&mut self, _core: &mut Core, _moved: &[usize]) -> Result<(), SimulationError> {
-        Ok(())
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
@@ -396,17 +378,9 @@ fn group_forces(
     contacts: &[Touch],
 ) -> Result<Vec<f64>, ResponseError> {
     let world = &core.world;
-    let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let assembly = Assembly::new(world, states, bodies, rows)?;
     let loads = world.loads(core.t, states);
-    let free = assembly.free_accelerations(world, states, &loads);
-    let b = assembly.acceleration_constants(
-        world,
-        core.t,
-        states,
-        &free,
-        contacts.iter().map(|touch| (touch.id, &touch.kinematics)),
-    )?;
+    let problem = AccelerationProblem::new(world, core.t, states, bodies, contacts, &loads)?;
+    let AccelerationProblem { assembly, constants: b, .. } = problem;
     let delassus = assembly.problem.delassus();
     let (forces, bound) = match core.settings.contact {
         ContactMethod::LeastForce => {

@@ -3,7 +3,7 @@
 use super::drift;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::free_acceleration;
-use crate::world::{Loads, World};
+use crate::world::World;
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -55,7 +55,7 @@ impl NearContact {
     }
 
     /// Whether the contact is struck where a step of `h` begins: it closes within `instant` (s), or it closes later in the
-    /// step and bounces. One that does not bounce would be stopped before it lands.
+    /// step and bounces. One that does not bounce would be stopped before it touches.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
         let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
         self.impact_time(h).is_some_and(|time| time <= instant || bounces())
@@ -75,17 +75,19 @@ impl NearContact {
 /// Linear and angular accelerations without contact forces of some bodies, ascending.
 #[derive(Debug)]
 pub(super) struct FreeAccelerations<'a> {
+    world: &'a World,
+    /// When, s.
+    t: f64,
     bodies: &'a [usize],
     values: Vec<(DVec3, DVec3)>,
 }
 
 impl<'a> FreeAccelerations<'a> {
     /// Under gravity and the fields at `t`.
-    pub(super) fn with_fields(world: &World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
-        let loads =
-            if bodies.iter().any(|&body| world.is_loaded(body)) { world.loads(t, states) } else { Loads::default() };
+    pub(super) fn with_fields(world: &'a World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
+        let loads = world.loads_on(t, states, bodies);
         let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
-        Self { bodies, values }
+        Self { world, t, bodies, values }
     }
 
     fn of(&self, body: usize) -> (DVec3, DVec3) {
@@ -99,7 +101,8 @@ impl<'a> FreeAccelerations<'a> {
             let (linear, angular) = self.of(body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
-        geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias
+        let relative = geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias;
+        relative + self.world.prescribed_acceleration_of(self.t, states, id, geometry)
     }
 
     /// Largest linear acceleration, m/s^2.
@@ -147,6 +150,7 @@ pub(super) fn near_contacts(
     span: Span,
 ) -> Vec<NearContact> {
     let h = span.h;
+    world.prescribe_members(pairs, t, states);
     let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
@@ -156,14 +160,16 @@ pub(super) fn near_contacts(
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = drift(world, body, state, h);
     }
+    world.prescribe_members(&pairs, t + h, states);
     let mut ahead = Vec::new();
-    for (a, b) in pairs {
+    for &(a, b) in &pairs {
         let reach = world.touch_distance(states, a, b);
         ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
     }
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = *state;
     }
+    world.prescribe_members(&pairs, t, states);
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for id in ahead {
@@ -209,7 +215,8 @@ fn contacts_within_reach(
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
     let mut near = Vec::new();
     for &(a, b) in pairs {
-        let reach = reach + world.touch_distance(states, a, b);
+        let driven = [(a, b), (b, a)].map(|(body, other)| world.prescribed_speed_at(body, other, states, (t, h)));
+        let reach = reach + REACH_FACTOR * h * (driven[0] + driven[1]) + world.touch_distance(states, a, b);
         for touch in world.contacts_of_pair(states, a, b, reach) {
             let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
             near.push(near_contact(world, states, &free, touch.id, kinematics, span));
@@ -228,7 +235,8 @@ fn near_contact(
     span: Span,
 ) -> NearContact {
     let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
-    let pressing = pressing[0].max(pressing[1]);
+    let driven = world.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
+    let pressing = pressing[0].max(pressing[1]) + driven;
     // The speed of a fall from the height of a bounce that may be lost.
     let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
     NearContact {

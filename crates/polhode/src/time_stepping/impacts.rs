@@ -4,9 +4,8 @@
 //! at once, or within the step if it has restitution. With it are struck all contacts that touch and are connected to
 //! it, as at an impact of the accurate tier; then, with the new velocities, whatever closes now, until nothing does.
 //! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
-//! restitution that close later in the step are left to the sustained impulses, which land them.
+//! restitution that close later in the step are left to the sustained impulses, which close their gap exactly.
 
-use super::NO_WORK_J;
 use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Part, TimeStepper};
@@ -95,19 +94,27 @@ impl TimeStepper {
         for &body in &group.bodies {
             world.keep_in_plane(body, &mut states[body]);
         }
-        note(world, &touches, &outcome, t, report);
+        note(world, states, &touches, &outcome, t, report);
         Ok(true)
     }
 }
 
 /// Books an impact and lists its impulses.
-fn note(world: &World, touches: &[Touch], outcome: &ImpactOutcome, t: f64, report: &mut TimeStepReport) {
+fn note(
+    world: &World,
+    states: &[BodyState],
+    touches: &[Touch],
+    outcome: &ImpactOutcome,
+    t: f64,
+    report: &mut TimeStepReport,
+) {
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
     let impulses = touches.iter().zip(&outcome.impulses);
     let impulses = impulses.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p));
-    let given = support(world, report.books.ledger.momentum.about, impulses);
-    report.books.impact(outcome.energy_change, given, NO_WORK_J);
+    let given = support(world, report.books.ledger.momentum.about, impulses.clone());
+    let work = world.prescribed_work(states, impulses);
+    report.books.impact(outcome.energy_change, given, work);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,
         id: touches[application.row].id,

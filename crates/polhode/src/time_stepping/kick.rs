@@ -1,11 +1,11 @@
 //! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
 //!
-//! Fields that depend on velocities are evaluated twice, at the velocity that comes in and at that with half the kick, so
+//! Fields that depend on velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so
 //! that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the momenta, so
 //! that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and after.
 
 use crate::accounting::books::{Books, Received};
-use crate::world::World;
+use crate::world::{Loads, World};
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
@@ -28,28 +28,28 @@ pub(super) fn kick(
     let mut accounts = None;
     if world.free_motion().dependence() == Dependence::Velocities {
         push(world, states, bodies, t, 0.5 * h);
-        let loads = world.loads(t, states);
-        accounts = Some(wrenches(world, t, states));
+        let loads = world.loads_on(t, states, bodies);
+        accounts = Some(wrenches(world, t, states, bodies));
         restore(states, bodies, &before);
         apply(world, states, bodies, &loads, h);
     } else {
         push(world, states, bodies, t, h);
     }
-    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states));
+    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, bodies));
     received(world, states, bodies, &before, &accounts, h, books)
 }
 
-fn wrenches(world: &World, t: f64, states: &[BodyState]) -> [(Account, Vec<polhode_dynamics::field::Wrench>); 3] {
+fn wrenches(world: &World, t: f64, states: &[BodyState], bodies: &[usize]) -> [(Account, Loads); 3] {
     [Account::Potential, Account::Damping, Account::External]
-        .map(|account| (account, if world.has_fields() { world.wrenches_of(account, t, states) } else { Vec::new() }))
+        .map(|account| (account, world.wrenches_of(account, t, states, bodies)))
 }
 
 fn push(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64) {
-    let loads = world.loads(t, states);
+    let loads = world.loads_on(t, states, bodies);
     apply(world, states, bodies, &loads, h);
 }
 
-fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &crate::world::Loads, h: f64) {
+fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &Loads, h: f64) {
     for &body in bodies {
         if let Some(rigid) = &world.bodies[body].rigid {
             let (state, load) = (&mut states[body], loads.of(body));
@@ -71,7 +71,7 @@ fn received(
     states: &[BodyState],
     bodies: &[usize],
     before: &[BodyState],
-    accounts: &[(Account, Vec<polhode_dynamics::field::Wrench>)],
+    accounts: &[(Account, Loads)],
     h: f64,
     books: &Books,
 ) -> Received {
@@ -80,8 +80,8 @@ fn received(
     for (account, wrenches) in accounts {
         let mut work = 0.0;
         for (&body, start) in bodies.iter().zip(before) {
-            let (Some(slot), Some(rigid)) = (world.slot(body), &world.bodies[body].rigid) else { continue };
-            let Some(wrench) = wrenches.get(slot) else { continue };
+            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let wrench = wrenches.of(body);
             let ends = [start, &states[body]].map(|state| rigid.center_of_mass_velocity(state));
             let mean =
                 Velocity::new((ends[0].linear + ends[1].linear) * 0.5, (ends[0].angular + ends[1].angular) * 0.5);

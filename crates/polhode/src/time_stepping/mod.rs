@@ -36,7 +36,7 @@ pub(crate) use step::{TimeStepper, given_by_gravity};
 use crate::world::World;
 use polhode_dynamics::{BodyState, Flight};
 
-/// Work of prescribed motions in a time step, J: a scene that has such motions makes none.
+/// Work of prescribed motions, J, where overlap is moved out and velocities are set to rest: their impulses do it before.
 const NO_WORK_J: f64 = 0.0;
 
 /// The state of a body after `h` seconds of free flight under gravity alone: exact, and without a turn exactly unturned.

@@ -94,7 +94,8 @@ impl TimeStepper {
     }
 
     /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
-    /// one of a pair may be immovable, and no body beside these may be touched or coupled by a field.
+    /// one of a pair may be immovable or kinematic, and no body beside these may be touched or coupled by a field. Kinematic
+    /// members of pairs are set to where their motions have them during and at the end of the step.
     ///
     /// The step is split where contacts close fast enough to bounce, as far as the flight of the bodies tells and the number
     /// of splits allows: impacts are then struck where and when they happen. Without splits it is one step.
@@ -171,6 +172,7 @@ impl TimeStepper {
 
         let before = report.books.balance(world, states, bodies);
         let mut received = self.fly(world, states, bodies, 0.5 * h);
+        world.prescribe_members(pairs, t + 0.5 * h, states);
         received += kick(world, states, bodies, t + 0.5 * h, h, &report.books);
         let middle = report.books.balance(world, states, bodies);
         report.books.smooth_stage(before, middle, received);
@@ -178,11 +180,14 @@ impl TimeStepper {
         let carrying = self.sustain(world, states, bodies, &near, (t + 0.5 * h, h), &mut report)?;
         let before = report.books.balance(world, states, bodies);
         let received = self.fly(world, states, bodies, 0.5 * h);
+        world.prescribe_members(pairs, t + h, states);
         let after = report.books.balance(world, states, bodies);
         report.books.smooth_stage(before, after, received);
 
         self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
-        rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
+        if world.members_stand_still(pairs, t, t + h) {
+            rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
+        }
         if !report.at_rest {
             let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
             let may_overlap =

@@ -6,17 +6,20 @@
 //!
 //! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
 //!
-//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and lands exactly;
+//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and its gap closes exactly;
 //! - the second takes over where bodies that already touch approach: they end at rest relative to each other;
 //! - the third is the law of energy: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
 //!
 //! For bodies that rest, all three agree: `u- = -g h/2` and `u+ = g h/2`, and they end exactly where they began. Since
 //! velocities that are reversed, `u+ = -u-`, satisfy all rows, the problem always has a solution.
 //!
+//! A kinematic body is one of infinite mass whose velocity and acceleration are given: they are in `u-`, `u+` and `a`. The law
+//! of energy is one of relative rates, and the work of the prescribed motion, `-p` times its part of the rate, is booked as
+//! work of the outside.
+//!
 //! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
 //! there are none.
 
-use super::NO_WORK_J;
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
@@ -171,10 +174,10 @@ fn rows(
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
-        let landing = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
+        let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
         // A gap that is a rounding is none.
-        let landing = if landing <= half_fall + rounding { half_fall } else { landing };
-        let bound = landing.max(kinematics.separation_rate);
+        let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
+        let bound = gap_bound.max(kinematics.separation_rate);
         Row { contact, kinematics, bound, half_fall, rounding }
     };
     Ok(here.into_iter().zip(accelerations).map(row).collect())
@@ -193,7 +196,8 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change(world, states, rows, near), given, NO_WORK_J);
+        let work = world.prescribed_work(states, group.impulses_of(rows, near));
+        report.books.impact(group.energy_change(world, states, rows, near), given, work);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;

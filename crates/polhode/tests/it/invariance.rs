@@ -54,7 +54,7 @@ fn tilted_landing_follows_a_turned_and_moved_world() {
     assert!((moved.0 - home.0).length() < 1e-8 && (moved.1 - home.1).length() < 1e-8, "{moved:?} {home:?}");
 }
 
-/// Leaving out rest, and asking for every effect, give the same bits, while a box lands, rattles and comes to rest. It is
+/// Leaving out rest, and asking for every effect, give the same bits, while a box falls, rattles and comes to rest. It is
 /// turned about no axis of its own, so that its motion is in no plane.
 #[test]
 fn all_effects_give_the_same_bits_as_the_plan() {

@@ -92,18 +92,18 @@ fn shaker_throws_a_ball_off_when_it_accelerates_down_by_more_than_gravity() {
     let shaker = shaken(amplitude, frequency, -FRAC_PI_2).material(elastic(e));
     let off = ((G / (amplitude * rate * rate)).asin() + FRAC_PI_2) / rate;
     let flying = |t: f64| top(off) + speed(off) * (t - off) - 0.5 * G * (t - off).powi(2);
-    let lands = root(off + 0.02, off + 0.5, |t| flying(t) - top(t));
-    let scene = scene("shaker", lands + 0.02).body(shaker).body(ball).build().unwrap();
+    let touch_s = root(off + 0.02, off + 0.5, |t| flying(t) - top(t));
+    let scene = scene("shaker", touch_s + 0.02).body(shaker).body(ball).build().unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
 
     let detached = times_of(&recorder, EventKind::Detach);
     assert!(detached.len() == 1 && (detached[0] - off).abs() < 1e-9, "{detached:?} {off}");
     let worst =
-        worst_place(&recorder, 1, |t| DVec3::Z * (RADIUS + if t < off { top(t) } else { flying(t.min(lands)) }));
-    assert!(worst < 1e-10 || recorder.times.last().unwrap() > &lands, "{worst:e}");
+        worst_place(&recorder, 1, |t| DVec3::Z * (RADIUS + if t < off { top(t) } else { flying(t.min(touch_s)) }));
+    assert!(worst < 1e-10 || recorder.times.last().unwrap() > &touch_s, "{worst:e}");
     let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
-    let approach = speed(lands) - (speed(off) - G * (lands - off));
-    assert!(impacts.len() == 1 && (impacts[0].t - lands).abs() < 1e-9, "{impacts:?} {lands}");
+    let approach = speed(touch_s) - (speed(off) - G * (touch_s - off));
+    assert!(impacts.len() == 1 && (impacts[0].t - touch_s).abs() < 1e-9, "{impacts:?} {touch_s}");
     assert!((impacts[0].impulse / (mass * (1.0 + e) * approach) - 1.0).abs() < 1e-8, "{impacts:?}");
     let lost = 0.5 * mass * (1.0 - e * e) * approach * approach;
     assert!((report.ledger.impact.value() / lost - 1.0).abs() < 1e-8);
@@ -218,14 +218,14 @@ fn stack_follows_a_platform_that_starts_late() {
 #[test]
 fn motion_does_not_depend_on_the_velocity_of_the_observer() {
     let runs = [DVec3::ZERO, DVec3::new(0.4, -0.3, 0.7)].map(|seen| {
-        let ground = slab(steady(seen, DVec3::ZERO)).material(elastic(0.5));
-        let fixed = Body::fixed("slab").geometry(ground.shape().unwrap().clone()).pose(*ground.initial_pose());
-        let ground = if seen == DVec3::ZERO { fixed.material(elastic(0.5)) } else { ground };
+        let support = slab(steady(seen, DVec3::ZERO)).material(elastic(0.5));
+        let fixed = Body::fixed("slab").geometry(support.shape().unwrap().clone()).pose(*support.initial_pose());
+        let support = if seen == DVec3::ZERO { fixed.material(elastic(0.5)) } else { support };
         let ball = ball("ball", 1.2, RADIUS, DVec3::new(-1.0, 0.0, 0.5), seen + DVec3::X * 0.1);
         let box_on = brick("box", DVec3::new(0.5, 0.4, 0.2), DVec3::new(0.5, 0.0, 0.1))
             .velocity(Velocity::new(seen + DVec3::Y * 0.2, DVec3::ZERO));
         let ball = ball.material(elastic(0.5));
-        run(&scene("frame", 2.0).body(ground).body(ball).body(box_on).build().unwrap(), Effects::Planned)
+        run(&scene("frame", 2.0).body(support).body(ball).body(box_on).build().unwrap(), Effects::Planned)
     });
     let seen = DVec3::new(0.4, -0.3, 0.7);
     let [(still, on_fixed), (moving, on_moving)] = &runs;
@@ -248,11 +248,11 @@ fn tilting_half_space_is_a_wide_slab() {
     let motion = PrescribedMotion::sine(DVec3::Z * 0.02, DVec3::Y * 0.1, 0.7, 0.0).unwrap();
     let slab = Shape::cuboid(DVec3::new(40.0, 4.0, 0.2)).unwrap().translated(DVec3::Z * -0.1).unwrap();
     let runs = [slab, Shape::half_space(UnitVector::Z)].map(|shape| {
-        let ground = Body::kinematic("ground", motion.clone()).geometry(Geometry::Shape(shape));
+        let support = Body::kinematic("support", motion.clone()).geometry(Geometry::Shape(shape));
         let velocity = motion.from_pose(&Pose::IDENTITY).velocity(0.0);
         let start = DVec3::Z * RADIUS;
         let ball = ball("ball", 1.2, RADIUS, start, velocity.linear + velocity.angular.cross(start));
-        run(&scene("tilt", 2.0).body(ground).body(ball).build().unwrap(), Effects::Planned)
+        run(&scene("tilt", 2.0).body(support).body(ball).build().unwrap(), Effects::Planned)
     });
     let [(on_slab, by_slab), (on_plane, by_plane)] = &runs;
     let worst = apart(by_plane, by_slab, 1, DVec3::ZERO);
@@ -387,9 +387,9 @@ fn ball_bounces_on_a_shaker_by_the_map() {
         let gap = |dt: f64| z + v * dt - 0.5 * G * dt * dt - top(t0 + dt);
         let first = (1..10_000).map(|k| 1e-3 * f64::from(k)).find(|&dt| gap(dt) < 0.0).unwrap();
         let dt = root(first - 1e-3, first, gap);
-        let (landing, under) = (v - G * dt, speed(t0 + dt));
-        let impulse = 0.6 * (1.0 + e) * (under - landing);
-        (t0, z, v) = (t0 + dt, top(t0 + dt), under + e * (under - landing));
+        let (before, under) = (v - G * dt, speed(t0 + dt));
+        let impulse = 0.6 * (1.0 + e) * (under - before);
+        (t0, z, v) = (t0 + dt, top(t0 + dt), under + e * (under - before));
         assert!((impact.t - t0).abs() < 1e-8 && (impact.impulse / impulse - 1.0).abs() < 1e-7, "{impact:?} {t0}");
     }
     assert!(impacts.len() >= 8, "{}", impacts.len());
@@ -435,7 +435,7 @@ fn pusher_that_touches_from_the_start() {
     assert_closes(&report);
 }
 
-/// Balls in a closed box that is shaken and rocked stay in it, never sink into its walls, and have what the box gives them.
+/// Balls in a closed box that is shaken and rocked stay in it, never penetrate its walls, and have what the box gives them.
 #[test]
 fn balls_in_a_shaken_box() {
     let wall = |size: DVec3, place: DVec3| Shape::cuboid(size).unwrap().translated(place).unwrap();
@@ -490,13 +490,13 @@ fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
 }
 
 /// Bodies that fall on slabs that move in many ways come to no harm: the ledgers close, nothing is lost but in impacts,
-/// nothing sinks in.
+/// nothing penetrates.
 #[test]
 fn bodies_fall_on_moving_slabs() {
     for seed in 0..16 {
         let random = |k: u32| f64::from((seed * 7919 + k * 104_729 + 13) % 1000) / 1000.0;
-        let ground = floor().pose(Pose::from_translation(DVec3::Z * -1.5));
-        let mut builder = scene("slabs", 2.0).body(random_slab(seed, random)).body(ground);
+        let support = floor().pose(Pose::from_translation(DVec3::Z * -1.5));
+        let mut builder = scene("slabs", 2.0).body(random_slab(seed, random)).body(support);
         for k in 0..3 {
             let place = DVec3::new(0.7 * (f64::from(k) - 1.0), random(k + 10) - 0.5, 1.2 + 0.3 * f64::from(k));
             let turned = Rotation::from_rotation_vector(DVec3::new(random(k + 20), random(k + 30), 0.3));

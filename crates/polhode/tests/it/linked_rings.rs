@@ -78,7 +78,7 @@ fn the_links_of_a_swinging_chain_do_not_overlap() {
 }
 
 /// Links that are turned a little swing out of their plane, where contacts change one by one. At one of the changes two
-/// crossings sink in within a step, and the one that shows at its end is not the first.
+/// crossings penetrate within a step, and the one that shows at its end is not the first.
 #[test]
 fn links_that_swing_out_of_their_plane_do_not_overlap() {
     for angles in [[0.0, -0.01, 0.3, -0.19], [0.0, -0.1, 0.24, -0.14], [0.0, 0.02, -0.29, 0.2]] {
@@ -88,7 +88,7 @@ fn links_that_swing_out_of_their_plane_do_not_overlap() {
     }
 }
 
-/// However the bends meet, what comes in beside the held contacts is found before it is deeper than a run is judged by: in
+/// However the bends meet, what penetrates beside the held contacts is found before it is deeper than a run is judged by: in
 /// five of these chains it was not, where an overlap had to be sixty-four times the depth of penetration to be looked into.
 #[test]
 fn chains_turned_every_way_overlap_by_no_more_than_judged() {

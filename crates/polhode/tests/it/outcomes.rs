@@ -16,7 +16,7 @@ fn ball_on_ring(tolerance: f64) -> SceneBuilder {
         .body(ball("ball", 1.0, 0.5, DVec3::new(0.05, 0.0, 1.0), DVec3::ZERO).material(elastic(0.2)))
 }
 
-/// A tolerance that lets a ball sink into a ring by a tenth of its size, and projections take a part of its energy beyond that
+/// A tolerance that lets a ball penetrate a ring by a tenth of its size, and projections take a part of its energy beyond that
 /// tolerance: the run is degraded, by warnings that come first and name bodies and time, and what was skipped is counted.
 #[test]
 fn ball_that_sinks_into_a_ring_degrades_its_run() {
@@ -61,7 +61,7 @@ fn stopped_run_is_degraded_by_what_it_has_done() {
     assert_eq!(end(1e-2, 1.5), Outcome::Degraded);
 }
 
-/// The tier `thesis` promises nothing of penetration: a ball that has sunk in by what it falls in one step is a completed run,
+/// The tier `thesis` promises nothing of penetration: a ball that penetrates by what it falls in one step is a completed run,
 /// whose certificate says how deep.
 #[test]
 fn thesis_promises_nothing_of_penetration() {
@@ -81,14 +81,17 @@ fn thesis_promises_nothing_of_penetration() {
 /// Bodies that overlap within touch at the start are moved out: by as much as the certificate says, which is no broken promise.
 #[test]
 fn overlap_within_touch_at_the_start_is_not_degraded() {
-    let sunk_m = 0.9e-9;
-    let scene =
-        Scene::builder("sunk").body(floor()).body(brick("box", DVec3::ONE, DVec3::Z * (0.5 - sunk_m))).build().unwrap();
+    let overlap_m = 0.9e-9;
+    let scene = Scene::builder("overlap")
+        .body(floor())
+        .body(brick("box", DVec3::ONE, DVec3::Z * (0.5 - overlap_m)))
+        .build()
+        .unwrap();
     let (report, _) = run(&scene, Effects::Planned);
     let certificate = report.certificate;
     assert_eq!((report.outcome, certificate.max_projection_of_limit), (Outcome::Completed, 0.0));
-    assert!((certificate.max_projection_m - sunk_m).abs() < 1e-15, "{certificate:?}");
-    assert!((certificate.max_projection_j - 9.81 * sunk_m).abs() < 1e-14, "{certificate:?}");
+    assert!((certificate.max_projection_m - overlap_m).abs() < 1e-15, "{certificate:?}");
+    assert!((certificate.max_projection_j - 9.81 * overlap_m).abs() < 1e-14, "{certificate:?}");
     assert!(report.warnings[0].contains("moved apart"));
 }
 

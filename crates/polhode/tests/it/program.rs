@@ -203,7 +203,7 @@ fn a_pose_is_set_where_there_is_room() {
     assert_eq!(simulation.body(ball), before);
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.4)).unwrap();
     assert_eq!(simulation.body(ball).velocity, before.velocity);
-    // Put in touch it lands on the brick at once: without restitution both rest.
+    // Put in touch it strikes the brick at once: without restitution both rest.
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.3)).unwrap();
     assert_eq!(simulation.body(ball).velocity, Velocity::ZERO);
     simulation.advance_to(0.6, &mut Unobserved).unwrap();
@@ -245,16 +245,16 @@ fn bad_actions_are_refused_and_change_nothing() {
     let mut recorder = Recorder::default();
     Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
     let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    let (low, ground) = (simulation.body_id("low").unwrap(), simulation.body_id("floor").unwrap());
+    let (low, base) = (simulation.body_id("low").unwrap(), simulation.body_id("floor").unwrap());
     let mut again = Recorder::default();
     simulation.advance_to(0.3, &mut again).unwrap();
     let nan = DVec3::new(0.0, f64::NAN, 0.0);
     assert!(simulation.set_force(low, nan, DVec3::ZERO).is_err());
-    assert!(simulation.set_force(ground, DVec3::X, DVec3::ZERO).is_err());
+    assert!(simulation.set_force(base, DVec3::X, DVec3::ZERO).is_err());
     assert!(simulation.apply_impulse(low, DVec3::X, nan).is_err());
     assert!(simulation.set_velocity(low, Velocity::new(nan, DVec3::ZERO)).is_err());
     assert!(simulation.set_pose(low, Pose::from_translation(nan)).is_err());
-    assert!(simulation.set_pose(ground, Pose::IDENTITY).is_err());
+    assert!(simulation.set_pose(base, Pose::IDENTITY).is_err());
     simulation.run(&mut again).unwrap();
     assert_eq!(bits(&recorder), bits(&again));
 }

@@ -120,7 +120,7 @@ fn cylinder(at: DVec3, turn: DVec3, spin: DVec3) -> Body {
 }
 
 /// Cones and cylinders that fall into a valley come to lie flush on one side and slide: the run ends, no energy comes from
-/// nowhere, nothing sinks in. In the valley of a mesh they move as in that of two half-spaces until they touch both.
+/// nowhere, nothing penetrates. In the valley of a mesh they move as in that of two half-spaces until they touch both.
 #[test]
 fn discs_that_slide_flush_in_a_valley_do_not_stop_time() {
     let level = DVec3::ZERO;
@@ -166,7 +166,7 @@ fn a_ring_that_has_met_a_box_without_restitution_parts() {
 }
 
 /// A ring that falls about a cone touches its side at two places, on either half of the ring: each is followed by a name of
-/// its own, the run ends, and nothing sinks in.
+/// its own, the run ends, and nothing penetrates.
 #[test]
 fn a_ring_about_a_cone_is_followed_at_both_of_its_places() {
     let lower = cone(DVec3::Z * 0.7, DVec3::new(-0.09, 0.42, 0.25), DVec3::ZERO);
@@ -191,7 +191,7 @@ fn rings_that_have_met_without_restitution_part() {
         let lower = ring("lower", DVec3::Z * 0.8, DVec3::new(0.3, -0.6, 0.2));
         let upper = ring("upper", at, turn);
         let scene = Scene::builder("rings").duration_s(0.8).body(floor()).body(lower).body(upper).build().unwrap();
-        // The first sinks into the floor by four times what is promised, 8e-13 m, and the run is degraded.
+        // The first penetrates the floor by four times what is promised, 8e-13 m, and the run is degraded.
         let (report, _) = run_whatever(&scene, Effects::Planned);
         assert!(report.certificate.max_penetration_m < 1e-11, "{at}: {:?}", report.certificate);
         assert!(report.energy.final_j <= report.energy.initial_j, "{at}");
@@ -220,7 +220,7 @@ fn a_ring_on_a_cone_is_followed_where_its_two_places_merge() {
 }
 
 /// An almost level ring touches a cone almost all around, and the place of its contact runs faster than time advances: what
-/// is found wrong with such an instant is put up with for a moment (for a whole step the ring, in flight, sank in by 0.35 mm).
+/// is found wrong with such an instant is tolerated for a moment (for a whole step the ring, in flight, penetrated by 0.35 mm).
 #[test]
 fn what_is_put_up_with_is_looked_at_again_soon() {
     let report = ring_on_a_cone(DVec3::new(1e-5, 0.0, 0.55), DVec3::new(1e-3, 3e-4, 0.0), 0.2);
@@ -249,7 +249,7 @@ fn a_cylinder_in_a_ring_is_not_met_late() {
 }
 
 /// A chain of rings that hang in each other from a ring that stands still, started with some play: it falls, pulls taut and
-/// swings; no link sinks into another, none comes off, and energy closes.
+/// swings; no link penetrates another, none comes off, and energy closes.
 #[test]
 fn a_chain_of_rings_hangs_together() {
     let (shape, primitive) = (Shape::torus(0.3, 0.05).unwrap(), Torus::new(0.3, 0.05).unwrap());

@@ -182,7 +182,7 @@ fn stacks_go_on_with_the_same_bits() {
     for effects in [Effects::Planned, Effects::All] {
         check(&diamond(3, Sides::Touch).duration_s(0.3).build().unwrap(), effects);
     }
-    // Two bricks that fall beside each other and land on a third.
+    // Two bricks that fall beside each other onto a third.
     let size = DVec3::new(1.0, 0.5, 0.25);
     let mut scene = Scene::builder("falling stack").method(accurate()).duration_s(0.6).body(floor());
     for (k, (x, z)) in [(0.0, 0.125), (-0.55, 0.6), (0.52, 0.7)].into_iter().enumerate() {

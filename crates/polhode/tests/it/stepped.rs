@@ -9,12 +9,12 @@ use polhode::{Body, Effects, EventKind, Recorder, RunReport, Scene, SceneBuilder
 
 const G: f64 = 9.81;
 
-fn stepped(step_s: f64) -> Method {
+pub(crate) fn stepped(step_s: f64) -> Method {
     Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() }
 }
 
 /// Runs by this method; the ledgers must close and energy must not be gained.
-fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
+pub(crate) fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
     let scene = scene.clone().method(method).build().unwrap();
     let mut recorder = Recorder::default();
     let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
@@ -298,7 +298,7 @@ fn falls_keep_their_symmetries() {
     assert_eq!(home, with, "the same bits with a stranger");
 }
 
-/// Skipping rest and computing it at every step give the same bits, while a box lands, rattles and comes to rest.
+/// Skipping rest and computing it at every step give the same bits, while a box falls, rattles and comes to rest.
 #[test]
 fn skipping_rest_gives_the_same_bits() {
     let turn = Rotation::from_rotation_vector(DVec3::new(0.02, 0.03, 0.4));
@@ -319,7 +319,7 @@ fn skipping_rest_gives_the_same_bits() {
 /// A box falls flat and rests: the pair begins to touch once and does not rattle, and nothing is left of its velocity.
 #[test]
 fn landing_box_begins_contact_and_rests() {
-    let scene = Scene::builder("landing").duration_s(1.0).output_interval_s(0.1).body(floor());
+    let scene = Scene::builder("falling").duration_s(1.0).output_interval_s(0.1).body(floor());
     let scene = scene.body(brick("box", DVec3::new(0.5, 0.4, 0.2), DVec3::Z * 0.3));
     let (report, recorder) = run(&scene, 1e-3);
     let kinds: Vec<_> = recorder.events.iter().map(|event| event.kind).collect();

@@ -27,6 +27,26 @@ use std::f64::consts::TAU;
 /// Stretches at first.
 const FIRST: u32 = 16;
 
+/// Sine and cosine of the middles of the first stretches, the odd multiples of pi/16, with the bits of `libm`.
+const FIRST_MIDDLES: [(f64, f64); FIRST as usize] = [
+    (0.19509032201612825, 0.9807852804032304),
+    (0.5555702330196022, 0.8314696123025452),
+    (0.8314696123025452, 0.5555702330196023),
+    (0.9807852804032304, 0.19509032201612833),
+    (0.9807852804032304, -0.1950903220161282),
+    (0.8314696123025453, -0.555570233019602),
+    (0.5555702330196022, -0.8314696123025453),
+    (0.1950903220161286, -0.9807852804032304),
+    (-0.19509032201612836, -0.9807852804032304),
+    (-0.555570233019602, -0.8314696123025455),
+    (-0.8314696123025452, -0.5555702330196022),
+    (-0.9807852804032303, -0.19509032201612866),
+    (-0.9807852804032304, 0.1950903220161283),
+    (-0.8314696123025455, 0.5555702330196018),
+    (-0.5555702330196022, 0.8314696123025452),
+    (-0.19509032201612872, 0.9807852804032303),
+];
+
 /// Most stretches of one width that are open at once: those about eight angles, some to either side.
 const MOST_STRETCHES: usize = 48;
 
@@ -51,6 +71,8 @@ pub(crate) struct Height {
     sine: DVec3,
     /// Bounds of the first three derivatives of the square of the length.
     of_square: [f64; 3],
+    /// Length of `(p, q)`.
+    of_linear: f64,
 }
 
 /// Parts of a turn.
@@ -73,12 +95,17 @@ impl Height {
         let once = 2.0 * libm::hypot(middle.dot(cosine), middle.dot(sine));
         let twice = libm::hypot(0.5 * (cosine.length_squared() - sine.length_squared()), cosine.dot(sine));
         let of_square = [2.0, 4.0, 8.0].map(|factor| once + factor * twice);
-        Self { linear, weight, middle, cosine, sine, of_square }
+        let of_linear = libm::hypot(linear[0], linear[1]);
+        Self { linear, weight, middle, cosine, sine, of_square, of_linear }
     }
 
     /// First and second derivative at an angle, and the square of the length.
     fn derivatives(&self, angle: f64) -> (f64, f64, f64) {
-        let (sine, cosine) = libm::sincos(angle);
+        self.derivatives_along(libm::sincos(angle))
+    }
+
+    /// The same at the angle of this sine and cosine.
+    fn derivatives_along(&self, (sine, cosine): (f64, f64)) -> (f64, f64, f64) {
         let turning = self.sine * cosine - self.cosine * sine;
         let bending = -(self.cosine * cosine + self.sine * sine);
         let vector = self.middle - bending;
@@ -107,12 +134,16 @@ impl Height {
         let [first, second, third] = self.of_square;
         let length = square.sqrt();
         let of_length = (0.5 * third + (0.75 * second + 0.375 * first * first / square) * first / square) / length;
-        libm::hypot(self.linear[0], self.linear[1]) + self.weight.abs() * of_length
+        self.of_linear + self.weight.abs() * of_length
     }
 
     fn judge(&self, stretch: Stretch) -> Holds {
         let half = 0.5 * stretch.width;
-        let (slope, bend, square) = self.derivatives(TAU * (stretch.from + half));
+        self.judge_by(half, self.derivatives(TAU * (stretch.from + half)))
+    }
+
+    /// Judges a stretch by half its width and what the height does in its middle.
+    fn judge_by(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> Holds {
         let reach = TAU * half;
         let steepest = self.steepest(square - self.of_square[0] * reach);
         if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
@@ -145,27 +176,33 @@ impl Height {
             }
         };
         let width = f64::from(FIRST).recip();
-        let mut open = [Stretch { from: 0.0, width }; MOST_STRETCHES];
-        let mut count = FIRST as usize;
-        for (k, stretch) in open[..count].iter_mut().enumerate() {
-            stretch.from = width * k as f64;
+        let mut buffers = [[Stretch { from: 0.0, width }; MOST_STRETCHES]; 2];
+        let [open, narrower] = &mut buffers;
+        let (mut open, mut narrower) = (open, narrower);
+        let mut count = 0;
+        let mut sort =
+            |stretch: Stretch, holds: Holds, narrower: &mut [Stretch; MOST_STRETCHES], left: &mut usize| match holds {
+                Holds::None => {}
+                Holds::Unknown if stretch.width > NARROWEST && *left + 2 <= MOST_STRETCHES => {
+                    let width = 0.5 * stretch.width;
+                    narrower[*left] = Stretch { width, ..stretch };
+                    narrower[*left + 1] = Stretch { from: stretch.from + width, width };
+                    *left += 2;
+                }
+                Holds::AtMostOne | Holds::Unknown => report(stretch),
+            };
+        // The first stretches are the same for all heights, and so are the sines and cosines of their middles.
+        for (k, &middle) in FIRST_MIDDLES.iter().enumerate() {
+            let holds = self.judge_by(0.5 * width, self.derivatives_along(middle));
+            sort(Stretch { from: width * k as f64, width }, holds, open, &mut count);
         }
         while count > 0 {
-            let mut narrower = open;
             let mut left = 0;
             for stretch in &open[..count] {
-                match self.judge(*stretch) {
-                    Holds::None => {}
-                    Holds::Unknown if stretch.width > NARROWEST && left + 2 <= MOST_STRETCHES => {
-                        let width = 0.5 * stretch.width;
-                        narrower[left] = Stretch { width, ..*stretch };
-                        narrower[left + 1] = Stretch { from: stretch.from + width, width };
-                        left += 2;
-                    }
-                    Holds::AtMostOne | Holds::Unknown => report(*stretch),
-                }
+                sort(*stretch, self.judge(*stretch), narrower, &mut left);
             }
-            (open, count) = (narrower, left);
+            std::mem::swap(&mut open, &mut narrower);
+            count = left;
         }
         if found == 0 && self.slope(0.0).is_finite() {
             visit(0.0);
@@ -201,4 +238,18 @@ pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64
         }
     }
     0.5 * (left + right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FIRST, FIRST_MIDDLES};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn middles_of_the_first_stretches_have_the_bits_of_their_formula() {
+        for (k, &(sine, cosine)) in FIRST_MIDDLES.iter().enumerate() {
+            let (s, c) = libm::sincos(TAU * (k as f64 / f64::from(FIRST) + 0.5 / f64::from(FIRST)));
+            assert_eq!((sine.to_bits(), cosine.to_bits()), (s.to_bits(), c.to_bits()), "{k}: ({s:?}, {c:?})");
+        }
+    }
 }

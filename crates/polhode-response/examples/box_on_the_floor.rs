@@ -1,4 +1,4 @@
-//! The forces on the four corners of a loaded box that stands on the ground: of all that hold it the least.
+//! The forces on the four corners of a loaded box that stands on the floor: of all that hold it the least.
 //!
 //! With half edges a and the centre of mass at the distance c from the middle they are `m g (1/4 + c x / (4 a^2))`.
 

@@ -1,0 +1,138 @@
+//! A simulation in the hand of a program, and islands whose events crowd: `cargo bench -p polhode --bench stepping`.
+//!
+//! | name | hot path |
+//! |---|---|
+//! | `step in a loop: 30 boxes slide` | thirty islands that advance by their own steps, the agenda that orders them |
+//! | `body of each: 30 boxes slide` | the state of one body within the step of its island |
+//! | `snapshot`, `restore` | a pile in motion as plain data, and back |
+//! | `crowded bounces` | the time steps of a stretch in which events crowd: balls that bounce in a corner |
+//! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use polhode::contact::Shape;
+use polhode::scene::{Material, Method, Tier};
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+use polhode::{Body, BodyId, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved};
+use std::error::Error;
+use std::hint::black_box;
+
+type Made<T> = Result<T, Box<dyn Error>>;
+
+/// Boxes that slide side by side.
+const BOXES: usize = 30;
+/// Stacks along each side, boxes in each, and the step of tier `stepped`, s.
+const STACKS: usize = 5;
+const STACKED: usize = 5;
+const STEP_S: f64 = 1e-3;
+
+fn floor() -> Body {
+    Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)))
+}
+
+/// A cube of 1 kg with edges of 1 m.
+fn cube(name: String, place: DVec3) -> Made<Body> {
+    let inertia = Inertia::from_diagonal(DVec3::splat(1.0 / 6.0))?;
+    let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia);
+    let shape = Geometry::Shape(Shape::cuboid(DVec3::ONE)?);
+    Ok(Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(place)))
+}
+
+fn ball(name: String, place: DVec3, material: Material) -> Made<Body> {
+    let inertia = Inertia::from_diagonal(DVec3::splat(0.1))?;
+    let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia);
+    let shape = Geometry::Shape(Shape::sphere(0.5)?);
+    Ok(Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(place)).material(material))
+}
+
+/// Boxes of which each is an island, for their speeds differ.
+fn sliding() -> Made<Scene> {
+    let mut builder = Scene::builder("sliding").duration_s(1.0).body(floor());
+    for k in 0..BOXES {
+        let speed = Velocity::new(DVec3::X * (1.0 + 0.01 * k as f64), DVec3::ZERO);
+        builder = builder.body(cube(format!("box {k}"), DVec3::new(0.0, 1.5 * k as f64, 0.5))?.velocity(speed));
+    }
+    Ok(builder.build()?)
+}
+
+/// Stacks that stand apart from each other.
+fn stacks() -> Made<SceneBuilder> {
+    let mut builder = Scene::builder("stacks").duration_s(1.0).body(floor());
+    for k in 0..STACKS * STACKS * STACKED {
+        let (row, column, level) = (k % STACKS, k / STACKS % STACKS, k / STACKS / STACKS);
+        let place = DVec3::new(2.0 * row as f64, 2.0 * column as f64, 0.5 + level as f64);
+        builder = builder.body(cube(format!("box {k}"), place)?);
+    }
+    Ok(builder)
+}
+
+/// Three balls that bounce in a V of two planes until they rest.
+fn crowded() -> Made<Scene> {
+    let rubber = Material::new("rubber", 0.0, 0.5)?;
+    let wall = |name: &str, normal: DVec3| -> Made<Body> {
+        let shape = Geometry::Shape(Shape::half_space(UnitVector::new(normal)?));
+        Ok(Body::fixed(name).geometry(shape).material(rubber.clone()))
+    };
+    let mut builder = Scene::builder("corner").duration_s(1.5);
+    builder = builder.body(wall("left", DVec3::new(1.0, 0.0, 1.0))?).body(wall("right", DVec3::new(-1.0, 0.0, 1.0))?);
+    for (k, x) in [-0.6, 0.55, 0.02].into_iter().enumerate() {
+        builder = builder.body(ball(format!("ball {k}"), DVec3::new(x, 0.0, 2.0 + k as f64), rubber.clone())?);
+    }
+    Ok(builder.build()?)
+}
+
+/// Steps to the end of the duration; whether it got there.
+fn step_to_the_end(scene: &Scene) -> bool {
+    let Ok(mut simulation) = Simulation::new(scene, Effects::Planned) else { return false };
+    while simulation.time() < scene.duration_s() {
+        if simulation.step(&mut Unobserved).is_err() {
+            return false;
+        }
+    }
+    true
+}
+
+/// One by one the places of bodies in the middle of a step.
+fn bench_reading(criterion: &mut Criterion, scene: &Scene) -> Made<()> {
+    let mut simulation = Simulation::new(scene, Effects::Planned)?;
+    simulation.advance_to(0.505, &mut Unobserved)?;
+    let ids: Vec<BodyId> = scene.bodies().iter().filter_map(|body| simulation.body_id(body.name())).collect();
+    criterion.bench_function("body of each: 30 boxes slide", |bencher| {
+        bencher.iter(|| ids.iter().map(|&id| simulation.body(id).pose.translation.x).sum::<f64>());
+    });
+    let snapshot = simulation.snapshot();
+    criterion.bench_function("snapshot: 30 boxes slide", |bencher| bencher.iter(|| simulation.snapshot()));
+    criterion.bench_function("restore: 30 boxes slide", |bencher| {
+        bencher.iter(|| black_box(simulation.restore(black_box(&snapshot))).is_ok());
+    });
+    Ok(())
+}
+
+fn bench_all(criterion: &mut Criterion) -> Made<()> {
+    let sliding = sliding()?;
+    criterion.bench_function("step in a loop: 30 boxes slide", |bencher| {
+        bencher.iter(|| step_to_the_end(black_box(&sliding)));
+    });
+    bench_reading(criterion, &sliding)?;
+    let crowded = crowded()?;
+    criterion.bench_function("crowded bounces", |bencher| bencher.iter(|| step_to_the_end(black_box(&crowded))));
+    let method = Method { tier: Some(Tier::Stepped), step_s: Some(STEP_S), ..Method::default() };
+    let scene = stacks()?.method(method).build()?;
+    let mut simulation = Simulation::new(&scene, Effects::All)?;
+    criterion.bench_function("stepped: 5 x 5 stacks, a step", |bencher| {
+        bencher.iter(|| simulation.step(&mut Unobserved).is_ok());
+    });
+    Ok(())
+}
+
+fn stepping(criterion: &mut Criterion) {
+    if let Err(error) = bench_all(criterion) {
+        println!("a scene cannot be made or run: {error}");
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = stepping
+}
+criterion_main!(benches);

@@ -1,0 +1,158 @@
+//! What the pairs of bodies that may collide have in common, found without a walk over the pairs.
+//!
+//! Bodies of one material, alike fixed or not, and in the same groups of `no_contact` are alike. Of two materials so many
+//! pairs may collide as there are, less those of two bodies that no force moves and those that share a group.
+
+use super::Scene;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Pairs of bodies that may collide.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct CollidingPairs {
+    /// How many there are.
+    pub(crate) count: usize,
+    /// Largest coefficient of restitution of any; zero without any.
+    pub(crate) largest_restitution: f64,
+}
+
+/// Bodies with a shape that are alike in what decides whether they collide, and how.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Class {
+    material: usize,
+    is_fixed: bool,
+    groups: Vec<usize>,
+}
+
+impl Scene {
+    /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
+    pub(crate) fn colliding(&self) -> CollidingPairs {
+        let mut materials: BTreeMap<(&str, u64), (usize, usize)> = BTreeMap::new();
+        let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
+        for (group, members) in self.no_contact.iter().enumerate() {
+            for &body in members {
+                let known = groups_of.get_mut(body).filter(|groups| groups.last() != Some(&group));
+                if let Some(groups) = known {
+                    groups.push(group);
+                }
+            }
+        }
+        let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
+        for (body, groups) in
+            groups_of.into_iter().enumerate().filter(|&(body, _)| self.bodies[body].geometry.is_some())
+        {
+            let own = &self.bodies[body].material;
+            let number = materials.len();
+            let key = (own.name(), own.restitution().to_bits());
+            let (material, _) = *materials.entry(key).or_insert((number, body));
+            let class = Class { material, is_fixed: self.bodies[body].is_fixed(), groups };
+            *classes.entry(class).or_default() += 1;
+        }
+        let mut examples: Vec<(usize, usize)> = materials.into_values().collect();
+        examples.sort_unstable();
+        let classes: Vec<(Class, usize)> = classes.into_iter().collect();
+        let mut allowed = all_pairs(&classes, examples.len());
+        for (pair, excluded) in pairs_in_groups(&classes) {
+            if let Some(allowed) = allowed.get_mut(&pair) {
+                *allowed -= excluded;
+            }
+        }
+        let mut found = CollidingPairs::default();
+        for ((x, y), count) in allowed.into_iter().filter(|&(_, count)| count > 0) {
+            found.count += count;
+            let restitution = self.pair_material(examples[x].1, examples[y].1).restitution();
+            found.largest_restitution = found.largest_restitution.max(restitution);
+        }
+        found
+    }
+}
+
+/// For every two materials (the smaller number first) the number of pairs of which forces move one.
+fn all_pairs(classes: &[(Class, usize)], materials: usize) -> BTreeMap<(usize, usize), usize> {
+    let (mut all, mut fixed) = (vec![0; materials], vec![0; materials]);
+    for (class, count) in classes {
+        all[class.material] += count;
+        fixed[class.material] += if class.is_fixed { *count } else { 0 };
+    }
+    let mut pairs = BTreeMap::new();
+    for x in 0..materials {
+        pairs.insert((x, x), among(all[x]) - among(fixed[x]));
+        for y in x + 1..materials {
+            pairs.insert((x, y), all[x] * all[y] - fixed[x] * fixed[y]);
+        }
+    }
+    pairs
+}
+
+/// Pairs of two materials, of which forces move one, that share a group.
+fn pairs_in_groups(classes: &[(Class, usize)]) -> Vec<((usize, usize), usize)> {
+    let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (number, (class, _)) in classes.iter().enumerate() {
+        for &group in &class.groups {
+            members.entry(group).or_default().push(number);
+        }
+    }
+    let sharing: BTreeSet<(usize, usize)> = members
+        .values()
+        .flat_map(|members| members.iter().enumerate().flat_map(|(k, &i)| members[k..].iter().map(move |&j| (i, j))))
+        .collect();
+    let excluded = |(i, j): (usize, usize)| {
+        let ((one, count), (other, others)) = (&classes[i], &classes[j]);
+        let materials = (one.material.min(other.material), one.material.max(other.material));
+        let pairs = if i == j { among(*count) } else { count * others };
+        (!(one.is_fixed && other.is_fixed)).then_some((materials, pairs))
+    };
+    sharing.into_iter().filter_map(excluded).collect()
+}
+
+/// Pairs among so many.
+const fn among(count: usize) -> usize {
+    count * count.saturating_sub(1) / 2
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+mod tests {
+    use crate::scene::{Material, PairRule};
+    use crate::{Body, Scene};
+    use polhode_contact::Shape;
+    use polhode_mesh::primitives::solid_box;
+    use polhode_spatial::{DVec3, Mass};
+
+    /// Scenes of all kinds of bodies, materials, rules and groups: the count and the restitution are those of a walk over
+    /// all pairs.
+    #[test]
+    fn counts_are_those_of_a_walk_over_all_pairs() {
+        let mut state = 7_u32;
+        let mut random = |below: usize| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as usize % below
+        };
+        for _ in 0..200 {
+            let count = 1 + random(12);
+            let mut builder = Scene::builder("pairs");
+            for body in 0..count {
+                let name = format!("b{body}");
+                let properties = solid_box(DVec3::ONE, Mass::new(1.0).unwrap()).unwrap();
+                let own = if random(3) == 0 { Body::fixed(name) } else { Body::movable(name, properties) };
+                let kind = random(3);
+                let material = Material::new(format!("m{kind}"), 0.0, 0.25 * kind as f64).unwrap();
+                let own = own.material(material);
+                let shape = Shape::cuboid(DVec3::ONE).unwrap();
+                builder = builder.body(if random(5) == 0 { own } else { own.geometry(shape.into()) });
+            }
+            for _ in 0..random(4) {
+                let members = (0..random(5)).map(|_| random(count)).collect();
+                builder = builder.no_contact(members);
+            }
+            let rule = PairRule::new(["m1".to_owned(), "m2".to_owned()], None, Some(0.9)).unwrap();
+            let scene = builder.pair_rule(rule).build().unwrap();
+            let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+            let pairs: Vec<_> = pairs.filter(|&(a, b)| scene.may_collide(a, b)).collect();
+            let restitution = |&(a, b): &(usize, usize)| scene.pair_material(a, b).restitution();
+            let found = scene.colliding();
+            assert_eq!(found.count, pairs.len());
+            assert_eq!(found.largest_restitution, pairs.iter().map(restitution).fold(0.0, f64::max));
+            assert_eq!(scene.any_may_collide(), !pairs.is_empty());
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Forces that are stiff to the last digits of a place, and forces that grow without bound.
+
+use crate::checks::{heavy_brick, particle};
+use crate::support::{accurate, floor, run};
+use polhode::scene::{Attachment, Force, Method, Tier};
+use polhode::spatial::DVec3;
+use polhode::{Effects, Scene, SceneBuilder, Simulation, SimulationError, Unobserved};
+
+const CENTER: DVec3 = DVec3::new(0.0, 0.0, 2.0);
+
+/// A box of 1 kg above the floor on a spring of 1e12 N/m: its weight moves it by 1e-11 m, a hundred thousand rounding units
+/// of its height, each of which changes the force by 1e-4 N. That noise in the estimate of the error is no error of the
+/// integration: the period of 6.3 us takes a few steps, where it took a hundred.
+#[test]
+fn rounding_of_a_place_in_a_stiff_spring_asks_for_no_steps() {
+    let (stiffness, duration) = (1e12_f64, 1e-3);
+    let spring = Force::Spring {
+        a: Attachment::World(DVec3::Z),
+        b: Attachment::Body { body: 1, point: DVec3::ZERO },
+        stiffness,
+        rest_length: 0.0,
+        damping: 0.0,
+    };
+    let scene = Scene::builder("stiff")
+        .method(accurate())
+        .duration_s(duration)
+        .body(floor())
+        .body(heavy_brick("box", 1.0, DVec3::ONE, DVec3::Z))
+        .force(spring)
+        .build()
+        .unwrap();
+    let (report, recorder) = run(&scene, Effects::Planned);
+    assert!(report.steps < 2000, "{} steps", report.steps);
+    let w = stiffness.sqrt();
+    let place = |t: f64| 1.0 - 9.81 / stiffness * (1.0 - (w * t).cos());
+    for (t, bodies) in recorder.times.iter().zip(&recorder.samples) {
+        let error = (bodies[1].pose.translation.z - place(*t)).abs();
+        assert!(error < 1e-12, "t = {t}: {error:e} m");
+    }
+}
+
+/// A body that starts at the place of what attracts it, or at rest beside it.
+fn attracted(place: DVec3, tier: Tier) -> SceneBuilder {
+    Scene::builder("attracted")
+        .method(Method { tier: Some(tier), ..Method::default() })
+        .gravity(DVec3::ZERO)
+        .duration_s(3.0)
+        .body(particle("comet", 1.0, place, DVec3::ZERO))
+        .force(Force::PointGravity { center: CENTER, mu: 1.0 })
+}
+
+/// No tier starts where a force is not finite, and the error says which force, on which body, and when.
+#[test]
+fn start_at_an_attracting_point_names_the_force() {
+    for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis] {
+        for scene in [attracted(CENTER, tier), attracted(CENTER, tier).body(floor())] {
+            let refused = Simulation::new(&scene.build().unwrap(), Effects::Planned).err();
+            let Some(SimulationError::ForceNotFinite { t, body, force }) = refused else {
+                panic!("{tier:?}: {refused:?}");
+            };
+            assert_eq!((t, body.as_str()), (0.0, "comet"));
+            assert!(force.contains("number 1") && force.contains("point gravity"), "{force}");
+        }
+    }
+}
+
+/// A fall from rest ends at the point: from the distance d after `pi/2 sqrt(d^3/(2 mu))`, with an error that says so.
+#[test]
+fn radial_fall_ends_where_the_force_is_singular() {
+    for offset in [DVec3::Z, DVec3::new(0.1, 0.2, 1.1)] {
+        let fall = attracted(CENTER + offset, Tier::Accurate);
+        for scene in [fall.clone(), fall.body(floor())] {
+            let scene = scene.build().unwrap();
+            let failed = Simulation::new(&scene, Effects::Planned).and_then(|mut own| own.run(&mut Unobserved)).err();
+            let Some(SimulationError::SingularForce { t, body, force, force_n }) = failed else {
+                panic!("{offset}: {failed:?}");
+            };
+            let end = std::f64::consts::FRAC_PI_2 * (offset.length().powi(3) / 2.0).sqrt();
+            assert!((t - end).abs() < 1e-9, "{t} s, {end} s");
+            assert!(
+                body == "comet" && force.contains("point gravity") && force_n > 1e9,
+                "{body}, {force}, {force_n:e}"
+            );
+        }
+    }
+}
