@@ -31,16 +31,26 @@ impl DenseStep {
     /// # Errors
     /// Those of `sample`.
     pub fn through<E>(t0: f64, h: f64, mut sample: impl FnMut(f64) -> Result<Vec<BodyState>, E>) -> Result<Self, E> {
-        let mut values: Vec<Vec<f64>> = Vec::with_capacity(COEFFICIENTS);
-        for x in NODES {
+        let mut last: Option<Vec<f64>> = None;
+        Self::through_values(t0, h, |x| {
             let mut flat: Vec<f64> = sample(t0 + x * h)?.iter().flat_map(BodyState::to_array).collect();
-            if let Some(last) = values.last() {
+            if let Some(last) = &last {
                 keep_signs(last, &mut flat);
             }
-            values.push(flat);
-        }
-        let count = values.iter().map(Vec::len).min().unwrap_or(0);
-        let component = |i: usize| nested(std::array::from_fn(|k| values[k][i]));
+            last = Some(flat.clone());
+            Ok(flat)
+        })
+    }
+
+    /// As [`DenseStep::through`], for flat states of any meaning that are smooth over the step; `sample` gives the state at a
+    /// fraction of it, in ascending order from 0 to exactly 1.
+    ///
+    /// # Errors
+    /// Those of `sample`.
+    pub fn through_values<E>(t0: f64, h: f64, mut sample: impl FnMut(f64) -> Result<Vec<f64>, E>) -> Result<Self, E> {
+        let flat = NODES.iter().map(|&x| sample(x)).collect::<Result<Vec<Vec<f64>>, E>>()?;
+        let count = flat.iter().map(Vec::len).min().unwrap_or(0);
+        let component = |i: usize| nested(std::array::from_fn(|k| flat[k][i]));
         Ok(Self::new(t0, h, (0..count).map(component).collect()))
     }
 

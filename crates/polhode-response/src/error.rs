@@ -78,6 +78,20 @@ pub enum ResponseError {
         /// The value found.
         value: f64,
     },
+    /// A block has not the rows of its kind.
+    #[error("the rows of one constraint: expected {expected}, found {found}")]
+    BlockRows {
+        /// How many its kind has.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// A cone with friction.
+    #[error("a cone with friction {friction} is not yet available: rows without friction are solved")]
+    FrictionNotAvailable {
+        /// Its coefficient.
+        friction: f64,
+    },
     /// Rows that were independent no longer are.
     #[error("row {row} depends on the rows before it (relative pivot {pivot:e}); choose the independent rows afresh")]
     LostRank {

@@ -7,6 +7,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`problem`] | [`ContactProblem`]: inverse masses and rows |
+//! | [`row_block`] | [`RowBlock`]: what the rows of one constraint ask for together |
 //! | [`delassus`] | [`Delassus`]: the matrix `G` |
 //! | [`complementarity`] | [`ComplementaritySolver`]: `0 <= f _\|_ G f + b >= 0`, exactly |
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
@@ -52,6 +53,7 @@ pub mod minimum_norm;
 mod precise;
 pub mod problem;
 pub mod report;
+pub mod row_block;
 pub mod settings;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
@@ -64,6 +66,7 @@ pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
 pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
+pub use row_block::{RowBlock, RowEntries};
 pub use settings::{FallbackPolicy, SolverSettings};
 
 pub use polhode_spatial as spatial;

@@ -7,7 +7,8 @@
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
 //! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
 //!
-//! Rows are of a [`RowKind`]: contacts push (unilateral), joints hold with a force of either sign (bilateral).
+//! Rows are of a [`RowKind`]: contacts push (unilateral), joints hold with a force of either sign (bilateral). What one
+//! constraint brings together is a [`RowBlock`](crate::RowBlock).
 //!
 //! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
 //! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
@@ -177,6 +178,14 @@ impl ContactProblem {
         self.kinds.clear();
         self.jacobian.clear();
         self.response.clear();
+    }
+
+    /// Removes the rows from `rows` on.
+    pub(crate) fn truncate_rows(&mut self, rows: usize) {
+        self.rows.truncate(rows);
+        self.kinds.truncate(rows);
+        self.jacobian.truncate(2 * rows * self.width);
+        self.response.truncate(2 * rows * self.width);
     }
 
     /// Number of rows.

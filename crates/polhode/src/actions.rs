@@ -10,7 +10,7 @@ use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
 use crate::scene::{Body, Scene};
 use crate::simulation::Simulation;
-use crate::world::INITIAL_OVERLAP_RELATIVE;
+use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
 use crate::{BodyId, Effects, Plan, SimulationError, free_method};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
@@ -84,11 +84,12 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the impulse", impulse_ns)?;
         self.finite(index, "the point of the impulse", point_m)?;
-        self.change_state(index, &[], "apply_impulse", |rigid, state| {
+        self.change_state(index, &[], "apply_impulse", |world, rigid, state| {
             state.angular_momentum += (point_m - state.pose.translation).cross(impulse_ns);
             if !rigid.is_pivoted() {
                 state.linear_velocity += impulse_ns * rigid.inverse_mass();
             }
+            world.hold_velocity(index, state);
         })
     }
 
@@ -100,8 +101,8 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the velocity", velocity.linear)?;
         self.finite(index, "the angular velocity", velocity.angular)?;
-        self.change_state(index, &[], "set_velocity", |rigid, state| {
-            *state = rigid.at_velocity(state.pose, velocity);
+        self.change_state(index, &[], "set_velocity", |world, rigid, state| {
+            *state = rigid.at_velocity(state.pose, world.admitted_velocity(index, &state.pose, velocity));
         })
     }
 
@@ -116,17 +117,16 @@ impl Simulation {
         }
         let mut states = self.tier.states(&self.core);
         let moved = self.core.world.moving_pose(index, pose);
-        let pivoted = self.core.world.bodies[index].rigid.as_ref().is_some_and(polhode_dynamics::RigidBody::is_pivoted);
-        let distance = (moved.translation - states[index].pose.translation).length();
-        if pivoted && distance > self.core.world.touch_distance(&states, index, index) {
+        let distance = self.core.world.leaves_pivot_by(index, &states[index], &moved);
+        if distance > self.core.world.touch_distance(&states, index, index) {
             return Err(ActionError::PivotedBody(self.name(index)).into());
         }
         states[index].pose = moved;
         self.check_clear(index, &states)?;
-        self.change_state(index, &[index], "set_pose", |rigid, state| {
+        self.change_state(index, &[index], "set_pose", |world, rigid, state| {
             // The velocities stay, so that the momentum turns with the body.
             let velocity = rigid.center_of_mass_velocity(state);
-            *state = rigid.at_velocity(moved, velocity);
+            *state = rigid.at_velocity(moved, world.admitted_velocity(index, &moved, velocity));
         })
     }
 
@@ -173,12 +173,12 @@ impl Simulation {
         index: usize,
         moved: &[usize],
         what: &'static str,
-        change: impl Fn(&polhode_dynamics::RigidBody, &mut BodyState),
+        change: impl Fn(&World, &polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
         if let Some(rigid) = &self.core.world.bodies[index].rigid {
             // Finite numbers may have an effect that is not.
             let mut state = self.tier.states(&self.core)[index];
-            change(rigid, &mut state);
+            change(&self.core.world, rigid, &mut state);
             if !(state.is_finite() && rigid.kinetic_energy(&state).is_finite()) {
                 return Err(ActionError::NotFinite { body: self.name(index), what: "the motion after it" }.into());
             }
@@ -187,7 +187,7 @@ impl Simulation {
             let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
             let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &[index]);
-            change(&rigid, &mut simulation.tier.states_mut()[index]);
+            change(&simulation.core.world, &rigid, &mut simulation.tier.states_mut()[index]);
             let after = simulation.tier.states_mut().to_vec();
             let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &[index]);
             simulation.core.accounts.books.program(before, after);
@@ -266,7 +266,7 @@ impl Simulation {
 }
 
 /// Checks that a body overlaps no other one.
-fn check_clear(world: &crate::world::World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
+fn check_clear(world: &World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
         let Some(separation) = world.separation_afresh(states, index, other) else { continue };
         let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);

@@ -43,6 +43,17 @@ pub struct ContactView {
     pub normal_force_n: f64,
 }
 
+/// What holds a body at its pivot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PivotView {
+    /// The body.
+    pub body: BodyId,
+    /// Where it is held, world, m.
+    pub point_m: DVec3,
+    /// Force of the pivot on the body, world, N; NaN if it could not be found. Unique but for what contacts leave open.
+    pub force_n: DVec3,
+}
+
 /// Bodies that move together: connected by contacts that hold, or by forces that couple them. Bodies in flight, at rest or
 /// immovable are in none.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -38,13 +38,20 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         _ if settings.tier == Tier::Stepped => {
             choice(settings.integrator, "the tier's: exact drift, forces as one kick in the middle of the step")
         }
+        Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
+            Integrator::Rk4,
+            "asked for; bodies that contacts hold go by it too, with the contact forces at every stage",
+        ),
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
             choice(integrator, "asked for; bodies that forces couple and that may collide go by dop853")
         }
         Some(integrator) => choice(integrator, "asked for"),
         None if settings.tier == Tier::Thesis => choice(settings.integrator, "the thesis's"),
-        None if !world.free_motion().has_loads() => {
+        None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
+        }
+        None if world.has_rows() => {
+            choice(Integrator::Dop853, "rows hold bodies at pivots: error control, with the forces of constraint")
         }
         None if !is_conservative(world) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")

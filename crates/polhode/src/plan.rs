@@ -2,7 +2,8 @@
 //!
 //! A plan is derived from the scene and printed; it decides nothing in secret. For every [`Effect`] it holds whether
 //! it is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
-//! skipping rest gives the same bits as simulating everything (`Effects::All`).
+//! skipping rest gives the same bits as simulating everything (`Effects::All`); a reduction (a plane instead of space, turning
+//! alone instead of a body that rows hold at its pivot) gives the same motion to 1e-12 over a second.
 
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
@@ -182,9 +183,8 @@ fn decisions(
     let scene = &world.scene;
     let mut list = motion_decisions(world, settings, findings);
     list.extend(contact_decisions(scene, effects, touching_pairs));
-    for (effect, fact) in [(Effect::Friction, "every pair has friction 0"), (Effect::Joints, "the scene has none")] {
-        list.push(decision(effect, false, fact.to_owned(), "everything about it"));
-    }
+    list.push(decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "everything about it"));
+    list.push(joint_decision(world));
     let loaded = world.loaded_count();
     let pivots = scene.bodies().iter().filter(|body| body.pivot_point().is_some()).count();
     list.push(decision(
@@ -194,6 +194,28 @@ fn decisions(
         if loaded > 0 { "nothing: evaluated at every stage" } else { "everything about it" },
     ));
     list
+}
+
+/// Pivots are the joints that there are: held by rows, or solved once and for all.
+fn joint_decision(world: &World) -> EffectDecision {
+    let pivots = world.scene.bodies().iter().filter(|body| body.pivot_point().is_some()).count();
+    let rows = world.held_by_rows.len();
+    let (fact, saves) = match (pivots, rows) {
+        (0, _) => ("the scene has none".to_owned(), "everything about it"),
+        (_, 0) => (
+            format!("of {pivots} bodies at pivots turning alone is left: no row holds them"),
+            "three rows a pivot and their projection; agrees with them to 1e-12 over a second",
+        ),
+        _ if rows == pivots => (
+            format!("three rows hold each of {pivots} bodies at pivots"),
+            "nothing: their forces are solved for at every stage, with those of contacts",
+        ),
+        _ => (
+            format!("three rows hold each of {rows} of {pivots} bodies at pivots; of the others turning alone is left"),
+            "nothing: their forces are solved for at every stage, with those of contacts",
+        ),
+    };
+    decision(Effect::Joints, rows > 0, fact, saves)
 }
 
 /// Effects of motion between contacts.

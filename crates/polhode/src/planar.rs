@@ -96,7 +96,7 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if !world.prescribed.is_empty() {
         return PlanarFinding::off("the motion of a body is prescribed: its symmetry is not examined");
     }
-    if world.free_motion().has_loads() {
+    if world.has_loads() {
         return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
     }
     let keeps_symmetry =

@@ -194,6 +194,7 @@ mod tests {
     use crate::interaction::assembly::Assembly;
     use crate::interaction::groups::Group;
     use crate::interaction::impact::strike;
+    use crate::pivots::PivotRows;
     use crate::scene::{Body, Geometry, ImpactLaw, MotionTable, PrescribedMotion, SampledOrientations, Scene};
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
@@ -231,7 +232,7 @@ mod tests {
             .velocity(Velocity::new(DVec3::new(0.5, 0.1, -0.7), DVec3::new(1.0, -2.0, 0.5)));
         let table = Body::kinematic("table", motion).geometry(Geometry::Shape(shape));
         let scene = Scene::builder("kinematic").body(table).body(flying).build()?;
-        Ok(World::new(&scene)?)
+        Ok(World::new(&scene, PivotRows::default())?)
     }
 
     /// States at `t`: of the kinematic body as prescribed, of the other one in free flight.
@@ -321,7 +322,7 @@ mod tests {
             let before = world.energies(BODY, &states[BODY]).0;
             let law = ImpactLaw::Simultaneous;
             let solver = &mut ComplementaritySolver::default();
-            let outcome = strike(&world, &mut states, &group, &touches, law, &settings, solver)?;
+            let outcome = strike(&world, &mut states, &group, &touches, law, &settings, solver)?.outcome;
             let gained = world.energies(BODY, &states[BODY]).0 - before;
             let work = -outcome.impulses[0] * term;
             assert!(

@@ -3,6 +3,7 @@
 //! | tier | penetration of a pair | displacement by one projection | energy that projections take |
 //! |---|---|---|---|
 //! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
+//! | `accurate` by `rk4` | as above | no promise: known by the step | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
 //! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet, what
@@ -14,6 +15,7 @@
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::core::Core;
+use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
 use crate::world::{World, WorldBody};
 use polhode_contact::ContactKinematics;
@@ -79,7 +81,7 @@ impl Core {
         let allowed = |(a, b): (usize, usize)| {
             drift.map_or(f64::INFINITY, |drift| drift * self.world.pair_size(a, b) + self.world.rounding(states, a, b))
         };
-        if let Some(pair) = done.pair {
+        if let Some(pair) = done.pair() {
             let moved = Measure { t, pair, value: done.moved_m, allowed: allowed(pair) };
             self.accounts.measures.projection.note(moved);
         }
@@ -89,7 +91,7 @@ impl Core {
 
     /// The same for overlaps within touch at the start, which are moved out whatever their depth.
     pub(crate) fn book_initial_projection(&mut self, t: f64, done: &Projection, balances: (Balance, Balance)) {
-        if let Some(pair) = done.pair {
+        if let Some(pair) = done.pair() {
             let moved = Measure { t, pair, value: done.moved_m, allowed: f64::INFINITY };
             self.accounts.measures.projection.note(moved);
         }
@@ -99,18 +101,20 @@ impl Core {
     /// Books a projection and counts what it has left alone; what it took, J.
     fn enter_projection(&mut self, t: f64, done: &Projection, (before, after): (Balance, Balance)) -> f64 {
         let energy_j = self.accounts.books.projection(before, after, done.work_j);
-        if let Some(pair) = done.pair {
+        if let Some(pair) = done.pair() {
             // What is allowed is a part of the largest energy of the run, which is known at its end.
             let taken = Measure { t, pair, value: energy_j.abs(), allowed: f64::INFINITY };
             self.accounts.measures.projection_energy.note(taken);
         }
-        for &(a, b) in &done.jumped {
+        for (a, b) in done.jumped.iter().map(ConstraintId::bodies) {
             let names = self.world.pair_names(a, b);
             self.accounts.tolerate(t, format!("a contact of {names} whose place had jumped was not put together"));
         }
-        for &(a, b) in &done.unconverged {
+        for constraint in &done.unconverged {
+            let (a, b) = constraint.bodies();
             let names = self.world.pair_names(a, b);
-            self.accounts.tolerate(t, format!("a contact of {names} was not put exactly together by projection"));
+            let what = if constraint.contact().is_some() { "contact" } else { "pivot" };
+            self.accounts.tolerate(t, format!("a {what} of {names} was not put exactly together by projection"));
         }
         energy_j
     }
@@ -119,7 +123,7 @@ impl Core {
 impl World {
     /// The names of two bodies, as warnings give them.
     pub(crate) fn pair_names(&self, a: usize, b: usize) -> String {
-        self.names_of(&[a, b])
+        if a == b { self.names_of(&[a]) } else { self.names_of(&[a, b]) }
     }
 
     /// The names of some bodies, as warnings give them: of many the first.

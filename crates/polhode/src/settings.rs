@@ -63,6 +63,12 @@ impl Settings {
                 }
     }
 
+    /// Whether bodies that contacts or pivots hold are integrated by the classical method of order 4 at the fixed step,
+    /// because the scene asks for it, and not by DOP853 under error control.
+    pub(crate) fn constrains_by_rk4(&self) -> bool {
+        self.tier == Tier::Accurate && self.asked_integrator == Some(Integrator::Rk4)
+    }
+
     /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where it
     /// promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
     /// contacts go within a step.
@@ -75,12 +81,20 @@ impl Settings {
     }
 
     /// What projections may move a body by or take, as a fraction of the size of its pair or of the energy of the scene
-    /// (dimensionless); none for a tier that promises nothing.
+    /// (dimensionless); none for a tier that promises nothing, and for a method whose error is known by its
+    /// step alone.
     pub(crate) fn promised_drift(&self) -> Option<f64> {
         match self.tier {
             Tier::Thesis | Tier::Stepped => None,
+            Tier::Accurate if self.constrains_by_rk4() => None,
             Tier::Accurate => Some(self.tolerance.max(DRIFT_FACTOR * DEFAULT_TOLERANCE)),
         }
+    }
+
+    /// What a step of constrained motion errs by at the most (dimensionless): the tolerance under error control, anything by a
+    /// method whose error is known by its step.
+    pub(crate) fn step_error(&self) -> f64 {
+        if self.constrains_by_rk4() { f64::INFINITY } else { self.tolerance }
     }
 
     /// Whether splitting under error control is the plan's choice, not the scene's.

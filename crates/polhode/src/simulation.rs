@@ -4,9 +4,10 @@ use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::core::Core;
-use crate::frame::{ContactView, Frame, IslandView};
+use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
+use crate::pivots::PivotRows;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding, PlaneOfMotion};
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
@@ -104,7 +105,7 @@ impl Simulation {
         // The method or the duration may have been put in after the scene was built.
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
-        let (mut world, mut states) = World::new(scene)?;
+        let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
         if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
             return Err(error);
         }
@@ -240,6 +241,23 @@ impl Simulation {
     /// Contacts that touch at the present. Only sums of forces and the motion are unique.
     pub fn contacts(&self) -> Vec<ContactView> {
         self.tier.contacts(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// What the pivots bear at the present, in the order of the bodies. Tier `accurate` alone finds it.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::spatial::{DVec3, Mass, Pose};
+    /// use polhode::{Body, Effects, Scene, Simulation};
+    /// // A pendulum of 2 kg that hangs at rest.
+    /// let rod = Body::movable("rod", solid_box(DVec3::new(0.1, 0.1, 1.0), Mass::new(2.0)?)?).pivot(DVec3::Z * 0.5);
+    /// let scene = Scene::builder("pendulum").body(rod.pose(Pose::IDENTITY)).build()?;
+    /// let simulation = Simulation::new(&scene, Effects::Planned)?;
+    /// assert!((simulation.pivots()[0].force_n - DVec3::Z * 19.62).length() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn pivots(&self) -> Vec<PivotView> {
+        self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// Bodies that move together at the present.

@@ -5,7 +5,7 @@
 
 use crate::accounting::Accounts;
 use crate::core::Core;
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
 use crate::observer::Observer;
 use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
@@ -66,6 +66,11 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// Contacts that touch at `t` (s), a time within the present steps, when the bodies have these states; a force that
     /// cannot be found is NaN.
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView>;
+
+    /// What the pivots bear at `t` (s), when the bodies have these states; nothing from a tier that does not find it.
+    fn pivots(&self, _core: &Core, _t: f64, _states: &[BodyState]) -> Vec<PivotView> {
+        Vec::new()
+    }
 
     /// How each body moves.
     fn motions(&self) -> Vec<MotionKind>;

@@ -1,13 +1,14 @@
 //! The scene as the engine sees it: bodies in their moving frames, and what acts on them.
 //!
 //! The moving frame C of a body has the axes of the body and its origin at the centre of mass (thesis 3.2: "we can
-//! offset all the values so that the origin is forced to coincide with the centre of mass"), or at the pivot that the
-//! body is held at. Shapes are moved into it once, here; results are moved back when they are sampled.
+//! offset all the values so that the origin is forced to coincide with the centre of mass"), or at the pivot of a
+//! body of which turning alone is left (`pivots.rs`). Shapes are moved into it once, here; results are moved back when they are sampled.
 
 use crate::Acceleration;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::field_index::{FieldBuffers, FieldIndex, acted_on};
 use crate::observer::BodySample;
+use crate::pivots::{HeldPoint, PivotForm, PivotRows};
 use crate::planar::PlaneOfMotion;
 use crate::prescribed;
 use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError, Trajectory};
@@ -45,7 +46,9 @@ pub(crate) struct WorldBody {
     /// Shape in the moving frame.
     pub(crate) shape: Option<Shape>,
     /// `p_BC`: origin of the moving frame in the body's own, m.
-    origin: DVec3,
+    pub(crate) origin: DVec3,
+    /// Its point that rows hold, if any.
+    pub(crate) held: Option<HeldPoint>,
     /// Centre of mass at the start, world, m.
     start: DVec3,
     /// Largest extent of the body, m; zero for a half-space.
@@ -64,6 +67,10 @@ pub(crate) struct World {
     /// Kinematic bodies.
     pub(crate) prescribed: Vec<usize>,
     rigid: Arc<[RigidBody]>,
+    /// Bodies that rows hold at pivots, ascending.
+    pub(crate) held_by_rows: Vec<usize>,
+    /// Which bodies they are to hold.
+    pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
     fields: Arc<[Box<dyn Field>]>,
     /// Whether a field, or the torque of gravity about a pivot, can act on any body.
@@ -90,10 +97,14 @@ impl World {
     ///
     /// # Errors
     /// When a shape cannot be moved into its central frame.
-    pub(crate) fn new(scene: &Scene) -> Result<(Self, Vec<BodyState>), SceneError> {
+    pub(crate) fn new(scene: &Scene, pivot_rows: PivotRows) -> Result<(Self, Vec<BodyState>), SceneError> {
         let may_collide = |a: usize| (0..scene.bodies().len()).any(|b| scene.may_collide(a, b));
-        let bodies = scene.bodies().iter().enumerate().map(|(index, body)| WorldBody::new(body, || may_collide(index)));
+        let bodies = scene.bodies().iter().enumerate().map(|(index, body)| {
+            let form = pivot_rows.form(body, || may_collide(index));
+            WorldBody::new(body, form, || may_collide(index))
+        });
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let held_by_rows = (0..bodies.len()).filter(|&body| bodies[body].held.is_some()).collect();
         let states: Vec<_> =
             scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
@@ -105,6 +116,8 @@ impl World {
             movable,
             prescribed,
             rigid,
+            held_by_rows,
+            pivot_rows,
             fields: Arc::from(Vec::new()),
             is_loaded_at_all: false,
             driven: Vec::new(),
@@ -120,6 +133,15 @@ impl World {
         world.make_fields()?;
         world.initial_field_potential = world.field_potential(&states);
         Ok((world, states))
+    }
+
+    /// Takes what follows from the frames of the bodies from them anew.
+    ///
+    /// # Errors
+    /// When a force cannot be made into a field.
+    pub(crate) fn frames_have_changed(&mut self) -> Result<(), SceneError> {
+        self.rigid = self.movable.iter().filter_map(|&body| self.bodies[body].rigid).collect();
+        self.make_fields()
     }
 
     /// Makes the scene's forces into fields over the movable bodies.
@@ -200,10 +222,14 @@ impl World {
     /// When its shape cannot be moved into its central frame; nothing has changed then.
     pub(crate) fn add_body(&mut self, body: Body, t: f64) -> Result<(usize, BodyState), SceneError> {
         let number = self.bodies.len();
-        let added = WorldBody::new(&body, || true)?;
+        let form = self.pivot_rows.form(&body, || body.shape().is_some());
+        let added = WorldBody::new(&body, form, || true)?;
         let state = added.state_at(&body, t);
         if added.trajectory.is_some() {
             self.prescribed.push(number);
+        }
+        if added.held.is_some() {
+            self.held_by_rows.push(number);
         }
         if let Some(rigid) = added.rigid {
             self.movable.push(number);
@@ -225,6 +251,8 @@ impl World {
         self.bodies[body].shape = None;
         self.narrow_phase.forget(body);
         self.bodies[body].trajectory = None;
+        self.bodies[body].held = None;
+        self.held_by_rows.retain(|&other| other != body);
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
         self.applied.remove(&body);
@@ -251,21 +279,31 @@ impl World {
         self.movable.iter().map(|&body| states[body]).collect()
     }
 
-    /// Whether a field, or the torque of gravity about a pivot, can act on a body.
+    /// Whether a field, the torque of gravity about a pivot or the rows of one can act on a body.
     pub(crate) fn is_loaded(&self, body: usize) -> bool {
         let swings = FreeMotion::new(&self.rigid, self.gravity(), &[]);
-        self.slot(body).is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
+        self.is_held_by_rows(body)
+            || self
+                .slot(body)
+                .is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
     }
 
     /// Whether a force acts on a body but none that could turn it.
     pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
         let motion = self.free_motion();
-        self.is_loaded(body) && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
+        !self.is_held_by_rows(body)
+            && self.is_loaded(body)
+            && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
     }
 
     /// How many movable bodies a field or a pivot can act on.
     pub(crate) fn loaded_count(&self) -> usize {
         self.movable.iter().filter(|&&body| self.is_loaded(body)).count()
+    }
+
+    /// Whether anything but uniform gravity acts on bodies between contacts.
+    pub(crate) fn has_loads(&self) -> bool {
+        self.has_rows() || self.free_motion().has_loads()
     }
 
     /// What fields and gravity about pivots do to all bodies; empty when nothing does.
@@ -586,10 +624,12 @@ impl MovingFrames for World {
 }
 
 impl WorldBody {
-    fn new(body: &Body, may_collide: impl Fn() -> bool) -> Result<Self, SceneError> {
+    fn new(body: &Body, form: PivotForm, may_collide: impl Fn() -> bool) -> Result<Self, SceneError> {
         let refused = |source| SceneError::Shape { body: body.name().to_owned(), source };
         let center_of_mass = body.mass_properties().map_or(DVec3::ZERO, MassProperties::center_of_mass);
-        let pivot = body.pivot_point().map(|point| body.initial_pose().inverse_transform_point(point));
+        let held = HeldPoint::of(body).filter(|_| form == PivotForm::Rows);
+        let pivot = body.pivot_point().filter(|_| form == PivotForm::Turning);
+        let pivot = pivot.map(|point| body.initial_pose().inverse_transform_point(point));
         let origin = pivot.unwrap_or(center_of_mass);
         let shape = match body.shape() {
             Some(Geometry::Shape(shape)) => Some(shape.translated(-origin).map_err(refused)?),
@@ -609,6 +649,7 @@ impl WorldBody {
             size: size_of(body, shape.as_ref()),
             shape,
             origin,
+            held,
             removed: false,
         })
     }
@@ -617,7 +658,10 @@ impl WorldBody {
     fn state_at(&self, body: &Body, t: f64) -> BodyState {
         let pose = *body.initial_pose() * Pose::from_translation(self.origin);
         match (&self.rigid, &self.trajectory) {
-            (Some(rigid), _) => rigid.at_velocity(pose, *body.initial_velocity()),
+            (Some(rigid), _) => {
+                let given = *body.initial_velocity();
+                rigid.at_velocity(pose, self.held.map_or(given, |held| held.turning(&pose, given.angular)))
+            }
             (None, Some(trajectory)) => prescribed::state_at(trajectory, t),
             (None, None) => BodyState::at_rest(pose),
         }

@@ -1,15 +1,19 @@
 //! What the plan leaves out is not missed: the same bits where effects are absent or bodies rest, the same motion to
-//! 1e-12 where the plan reduces the motion (a plane instead of space).
+//! 1e-12 where the plan reduces the motion (a plane instead of space, turning alone instead of rows that hold a pivot).
 
 use super::free_rotation::bits;
 use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::Row;
+use polhode::scene::{Integrator, Method};
 use polhode::{Decision, Effect, Effects, EventKind};
 use std::error::Error;
 
 /// Up to when motions are compared at most, s.
 const HORIZON_S: f64 = 1.0;
+
+/// Tolerance of the runs by which rows and reduction of a pivot are compared: a tenth of the difference allowed.
+const TOLERANCE: f64 = 1e-13;
 
 /// How far a reduced motion may be from the full one, of the size and speed of the scene (1 in the scenes shipped).
 const REDUCTION: f64 = 1e-12;
@@ -31,8 +35,26 @@ fn compare(context: &Context, scene: &str) -> Result<Row, Box<dyn Error>> {
         let quantity = format!("{scene}: difference of planar motion from effects = all until t = {until:.3} s");
         return Ok(Row::at_most("effects", &quantity, REDUCTION, largest_difference(&planned, &all, until)));
     }
+    if let Some((reduced, rows)) = with_and_without_rows(&planned)? {
+        let until = horizon(&reduced);
+        let quantity = format!("{scene}: difference of turning alone from rows at the pivot until t = {until:.3} s");
+        return Ok(Row::at_most("effects", &quantity, REDUCTION, largest_difference(&reduced, &rows, until)));
+    }
     let quantity = format!("{scene}: first sample that differs from effects = all");
     Ok(Row::exact("effects", &quantity, "none", first_difference(&planned, &all).as_deref().unwrap_or("none")))
+}
+
+/// A scene with pivots by the reduction of the plan and by rows, both under error control far below the difference allowed;
+/// nothing when the plan reduces none.
+fn with_and_without_rows(planned: &Run) -> Result<Option<(Run, Run)>, Box<dyn Error>> {
+    let joints = planned.report.plan.effects.iter().find(|effect| effect.effect == Effect::Joints);
+    let held = joints.is_some_and(|effect| effect.decision == Decision::On);
+    if held || !planned.scene.bodies().iter().any(|body| body.pivot_point().is_some()) {
+        return Ok(None);
+    }
+    let method = Method { integrator: Some(Integrator::Dop853), tolerance: Some(TOLERANCE), ..*planned.scene.method() };
+    let scene = planned.scene.clone().with_method(method);
+    Ok(Some((Run::of(&scene, Effects::Planned)?, Run::of(&scene, Effects::All)?)))
 }
 
 fn is_planar(run: &Run) -> bool {

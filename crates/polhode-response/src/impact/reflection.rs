@@ -50,7 +50,10 @@ pub fn reflection(
         return Ok(impact.nothing());
     }
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
-    let extremes = restitution.iter().fold((1.0, 0.0), |(least, most): (f64, f64), &e| (least.min(e), most.max(e)));
+    // Joints have none, and leave with the mean of the two parts whatever the contacts have.
+    let contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
+    let extremes = contacts.fold((1.0, 0.0), |(least, most): (f64, f64), e| (least.min(e), most.max(e)));
+    let extremes = if extremes.0 > extremes.1 { (0.0, 0.0) } else { extremes };
     let inelastic = if extremes.0 < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
     let elastic = if extremes.1 > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
     let parts = (inelastic.as_ref(), elastic.as_ref());

@@ -35,9 +35,12 @@ pub fn simultaneous(
         return Ok(impact.nothing());
     }
     let mut outcome = rounds(&mut impact, restitution);
-    let differ = restitution.iter().any(|e| Some(e) != restitution.first());
+    let mut contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
+    let first = contacts.next();
+    let differ = contacts.any(|e| Some(e) != first);
     if differ && (outcome.status == ImpactStatus::NotSolved || gains_energy(u_before, &outcome)) {
-        let smallest = restitution.iter().fold(1.0, |least: f64, e| least.min(*e));
+        let contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
+        let smallest = contacts.fold(1.0, f64::min);
         outcome = rounds(&mut impact, &vec![smallest; restitution.len()]);
         if outcome.status == ImpactStatus::Separated {
             outcome.status = ImpactStatus::RestitutionLowered;

@@ -15,4 +15,5 @@ mod least_force;
 mod mass_ratios;
 mod oracle;
 mod problem;
+mod row_blocks;
 mod scenes;

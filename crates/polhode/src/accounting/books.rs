@@ -310,7 +310,12 @@ fn energy_of(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 }
 
 /// Momentum of the bodies named, the angular part about a point.
-fn momentum_of(world: &World, states: &[BodyState], bodies: impl Iterator<Item = usize>, about: DVec3) -> Momentum {
+pub(crate) fn momentum_of(
+    world: &World,
+    states: &[BodyState],
+    bodies: impl Iterator<Item = usize>,
+    about: DVec3,
+) -> Momentum {
     let mut sum = crate::MomentumSum::default();
     for body in bodies.filter(|&body| world.carries_momentum(body)) {
         if let Some(rigid) = &world.bodies[body].rigid {

@@ -145,10 +145,7 @@ impl Measures {
 
     /// What was promised and not kept.
     pub(crate) fn broken(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
-        let names = |measure: &Measure| {
-            let name = |body: usize| &world.bodies[body].name;
-            format!("{} and {}", name(measure.pair.0), name(measure.pair.1))
-        };
+        let names = |measure: &Measure| world.pair_names(measure.pair.0, measure.pair.1);
         let mut broken = Vec::new();
         if let Some(worst) = self.penetration.broken() {
             let (t, value, allowed) = (worst.t, worst.value, worst.allowed);

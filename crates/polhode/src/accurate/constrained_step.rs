@@ -1,12 +1,14 @@
-//! A step of an island whose held contacts stay: integrated once, under error control, before any event is looked for.
+//! A step of an island whose held contacts stay: integrated once, before any event is looked for.
 //!
-//! Each island takes the longest step that its own error estimate accepts. The attitude of a body that only forces through
+//! By DOP853 each island takes the longest step that its own error estimate accepts; by the classical method of order 4
+//! (`stage_method.rs`) every step is the longest allowed. The attitude of a body that only forces through
 //! its centre of mass act on is that of free rotation, unless an integrator is asked for by name. A step that an event cuts
 //! short is repeated from its start with the shorter step, not interpolated, so that states at events are as accurate as
 //! states at step ends.
 
 use super::engine::Engine;
 use super::pace::is_instant;
+use super::stage_method::{MethodStep, StageMethod};
 use super::system::{ContactSystem, received};
 use crate::SimulationError;
 use crate::accounting::books::Received;
@@ -129,8 +131,9 @@ pub(super) struct StepEndStates {
 
 /// One attempt at a step.
 struct Attempt {
-    integrator: Dop853,
-    error: f64,
+    step: MethodStep,
+    /// In units of what is allowed; none of a method that estimates none.
+    error: Option<f64>,
 }
 
 /// A step that was accepted, and what its error says of the next one.
@@ -198,17 +201,22 @@ impl Engine {
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
         let attempted = self.attempt(core, &mut system, (t, h)).and_then(|mut attempt| {
-            let dense = attempt.integrator.dense(&mut system)?;
+            let dense = attempt.step.dense(&mut system)?;
             Ok((attempt, dense))
         });
         self.restore_scratch(core, scratch, bodies);
         let (attempt, dense) = attempted.map_err(|_| FAILED_STAGE_FACTOR)?;
-        let factor = Dop853::next_step_factor(attempt.error);
-        if attempt.error > 1.0 || attempt.error.is_nan() {
+        // Without an estimate the next step is as long as it may be.
+        let factor = attempt.error.map_or(f64::INFINITY, Dop853::next_step_factor);
+        let error = attempt.error.unwrap_or(0.0);
+        if error > 1.0 || error.is_nan() {
             return Err(factor.min(REFUSED_STEP_FACTOR));
         }
+        if attempt.step.end_state().iter().any(|number| !number.is_finite()) {
+            return Err(FAILED_STAGE_FACTOR);
+        }
         let worst = &mut core.accounts.certificate.max_step_error;
-        *worst = worst.max(attempt.error);
+        *worst = worst.max(error);
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
@@ -219,7 +227,7 @@ impl Engine {
             t,
             end: end_of(core, held, t, h),
             h,
-            end_state: attempt.integrator.end_state().to_vec(),
+            end_state: attempt.step.end_state().to_vec(),
             dense,
             motions,
             spins,
@@ -254,11 +262,9 @@ impl Engine {
         system: &mut ContactSystem<'_>,
         (t, h): (f64, f64),
     ) -> Result<Attempt, ResponseError> {
-        let state = system.pack();
-        let mut integrator = Dop853::new(state.len());
-        integrator.attempt_unscaled(system, t, &state, h)?;
-        let error = self.error_of(core, &integrator, system, (t, h));
-        Ok(Attempt { integrator, error })
+        let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
+        let error = step.embedded().map(|method| self.error_of(core, method, system, (t, h)));
+        Ok(Attempt { step, error })
     }
 
     /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
@@ -305,7 +311,7 @@ impl Engine {
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
         self.restore_scratch(core, scratch, &step.bodies);
         let attempt = attempt.map_err(|source| Core::response_error(step.t, source))?;
-        Ok(step.at_end(attempt.integrator.end_state(), t_next))
+        Ok(step.at_end(attempt.step.end_state(), t_next))
     }
 }
 

@@ -18,9 +18,12 @@ use super::island::{Island, Step};
 use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::core::Core;
+use crate::pivots::with_turning_alone;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
+use crate::world::World;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
+use polhode_response::ResponseError;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
 use std::collections::BTreeSet;
 
@@ -133,6 +136,22 @@ impl Motion for Way {
     }
 }
 
+/// A time step from `t` over `h` (s) with its estimate, in frames in which turning alone is left of pivoted bodies.
+///
+/// # Errors
+/// When it is not possible.
+fn time_step(
+    world: &World,
+    stepper: &mut TimeStepper,
+    states: &mut [BodyState],
+    (bodies, pairs): (&[usize], &[(usize, usize)]),
+    (t, h): (f64, f64),
+) -> Result<(TimeStepReport, f64), ResponseError> {
+    let work =
+        |world: &World, states: &mut [BodyState]| stepper.advance_with_estimate(world, states, bodies, pairs, (t, h));
+    with_turning_alone(world, states, bodies, h, work, |(report, _)| &mut report.books)
+}
+
 impl Engine {
     /// Begins a stretch of time steps for the bodies of an instant whose events crowd.
     ///
@@ -195,7 +214,7 @@ impl Engine {
                 scratch[body] = *state;
             }
             let mut stepper = before.clone();
-            let made = stepper.advance_with_estimate(&core.world, &mut scratch, &instant.bodies, &pairs, (t, h));
+            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, h));
             let (report, error) = match made {
                 Ok(made) => made,
                 Err(source) => break Err(Core::response_error(t, source)),
@@ -254,7 +273,8 @@ impl Engine {
         let before = before.following_bounces(core.settings.crowding_tolerance);
         let mut scratch = std::mem::take(&mut self.scratch);
         let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
-        let made = before.clone().advance_with_estimate(&core.world, &mut scratch, bodies, &pairs, (t, end - t));
+        let of = (bodies, pairs.as_slice());
+        let made = time_step(&core.world, &mut before.clone(), &mut scratch, of, (t, end - t));
         let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
@@ -331,7 +351,15 @@ impl Engine {
             scratch[body] = *state;
         }
         let mut stepper = step.stepper.clone();
-        let made = stepper.advance(&core.world, &mut scratch, bodies, &step.pairs, (step.t, t - step.t));
+        let h = t - step.t;
+        let made = with_turning_alone(
+            &core.world,
+            &mut scratch,
+            bodies,
+            h,
+            |world, states| stepper.advance(world, states, bodies, &step.pairs, (step.t, h)),
+            |report| &mut report.books,
+        );
         let states = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))

@@ -12,7 +12,7 @@ use super::pace::Pace;
 use crate::accounting::Accounts;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::core::Core;
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
 use crate::interaction::assembly::free_acceleration;
 use crate::observer::Observer;
 use crate::scene::Integrator;
@@ -321,6 +321,7 @@ impl Engine {
         let world = &core.world;
         let rigid = world.bodies[body].rigid.as_ref()?;
         Some(match core.settings.integrator {
+            _ if world.is_held_by_rows(body) => Mode::Constrained,
             _ if core.settings.flies() && !world.is_loaded(body) => {
                 // In planar motion the spin is about a principal axis, to rounding that must not grow.
                 let record = if world.plane.is_some() { Flight::steady } else { Flight::new };
@@ -596,6 +597,10 @@ impl Tier for Engine {
             core.world.view_contact(states, &touch, force.unwrap_or(0.0), &mut views);
         }
         views
+    }
+
+    fn pivots(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
+        self.pivot_views(core, t, states)
     }
 
     fn motions(&self) -> Vec<MotionKind> {

@@ -25,6 +25,8 @@ const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
 pub(super) struct Forces {
     pub(super) solution: ContactSolution,
     pub(super) assembly: Assembly,
+    /// How many contacts.
+    contacts: usize,
     /// Generalised accelerations of the group's bodies.
     accelerations: Vec<f64>,
     /// When they act, s.
@@ -64,7 +66,19 @@ impl Forces {
         for (a, f) in accelerations.iter_mut().zip(&free) {
             *a += f;
         }
-        Ok(Self { solution, assembly, accelerations, t, opening, load })
+        Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load })
+    }
+
+    /// Forces of the contacts that were solved for, without those of pivots.
+    pub(super) fn of_contacts(&self) -> &[f64] {
+        self.solution.forces.get(..self.contacts).unwrap_or_default()
+    }
+
+    /// The event function by which each contact opens, m/s^2: what it may accelerate apart by before it counts as opening, less
+    /// what it does. While a force holds it it is positive; it falls as the force that would be needed to pull grows.
+    pub(super) fn holding(&self) -> impl Iterator<Item = f64> + '_ {
+        let accelerations = self.solution.residual_accelerations.iter().take(self.contacts);
+        accelerations.map(|w| self.opening - w)
     }
 
     /// Generalised accelerations: (body, linear, angular).
@@ -102,6 +116,10 @@ impl Forces {
                 force_sums[body] += force;
                 moment_sums[body] += force * arm.length();
             }
+        }
+        for (pivot, force) in self.assembly.pivot_forces(&self.solution.forces) {
+            force_sums[pivot.body] += force.length();
+            moment_sums[pivot.body] += force.length() * pivot.arm.length();
         }
         self.accelerations()
             .filter(|&(body, linear, angular)| {

@@ -267,7 +267,7 @@ impl Engine {
         }
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        let (held, how) = (&island.held, (core.settings.tolerance, &mut core.solver));
+        let (held, how) = (&island.held, (core.settings.step_error(), &mut core.solver));
         let done = projection::project(&core.world, &mut self.states, &island.bodies, (held, held), how)
             .map_err(|source| Core::response_error(t, source))?;
         let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);

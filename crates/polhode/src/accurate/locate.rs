@@ -3,7 +3,8 @@
 //! Within a step the set of held contacts is frozen. It is right as long as (a) every held contact lies on its
 //! features (margin), (b) no other contact of the bodies it holds together penetrates, and (c) forces that only push
 //! can hold it: the complementarity problem over it has `chi'' = 0` everywhere. The first instant at which one of
-//! these fails is found by bisection on the dense output of the step, to 1e-13 of the step.
+//! these fails is found by the locator of events (`crate::interaction::locator`) on the dense output of the step, to 1e-13 of
+//! the step.
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
@@ -12,12 +13,11 @@ use super::pace::Pace;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
+use crate::interaction::constraint::ContactEvent;
+use crate::interaction::locator::{Side, close_in};
 use crate::world::TOUCH_RELATIVE;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
-
-/// Bisections of a step or a part of it: 2^-44 is below 1e-13.
-pub(super) const BISECTIONS: usize = 44;
 
 /// How far after the opening of a contact its acceleration is measured again, as a fraction of the step: long enough
 /// to tell its growth from rounding, so short that the growth is linear.
@@ -135,17 +135,11 @@ impl Engine {
             };
         let mut suspect = None;
         loop {
-            for _ in 0..BISECTIONS {
-                let middle = 0.5 * (right + wrong);
-                if middle <= right || middle >= wrong {
-                    break;
-                }
-                if self.is_wrong(core, step, middle, tolerated, states, &mut suspect)? {
-                    wrong = middle;
-                } else {
-                    right = middle;
-                }
-            }
+            let bracket = close_in((right, wrong), |t| {
+                let is_wrong = self.is_wrong(core, step, t, tolerated, states, &mut suspect)?;
+                Ok::<_, SimulationError>(if is_wrong { Side::After } else { Side::Before })
+            })?;
+            wrong = bracket.after;
             // Another pair may have come to overlap before.
             step.states_at(&core.world, wrong, states);
             if !self.penetrates_unseen(core, step, states, tolerated) {
@@ -213,7 +207,9 @@ impl Engine {
         for &id in &step.held {
             let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
             match core.world.kinematics(states, id) {
-                Some(kinematics) if kinematics.geometry.margin >= -tolerance || tolerated.contains(&id) => {
+                Some(kinematics)
+                    if ContactEvent::Leaving.value(&kinematics) >= -tolerance || tolerated.contains(&id) =>
+                {
                     touches.push(Touch { id, kinematics, hold: Hold::Held, known: true });
                 }
                 _ => left.push(id),
@@ -224,8 +220,8 @@ impl Engine {
         }
         if left.is_empty() {
             let forces = forces_of(core, step, t, states, &touches)?;
-            let opens = touches.iter().zip(&forces.solution.residual_accelerations);
-            let opens = opens.filter(|&(touch, &w)| w > forces.opening && !tolerated.contains(&touch.id));
+            let opens = touches.iter().zip(forces.holding());
+            let opens = opens.filter(|&(touch, holding)| holding < 0.0 && !tolerated.contains(&touch.id));
             left.extend(opens.map(|(touch, _)| touch.id));
         }
         Ok(left)
@@ -258,21 +254,13 @@ impl Engine {
         let id = self.penetrating(core, step, states, &BTreeSet::new())?;
         let mut separation = |t: f64| {
             step.states_at(&core.world, t, states);
-            Some(core.world.kinematics(states, id)?.geometry.separation)
+            core.world.kinematics(states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
         };
-        let (mut open, mut closed) = (step.t, wrong);
-        if separation(open)? <= TOUCH_RELATIVE * core.world.pair_size(id.a, id.b) {
+        if separation(step.t)? <= TOUCH_RELATIVE * core.world.pair_size(id.a, id.b) {
             return None;
         }
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (open + closed);
-            if separation(middle)? > 0.0 {
-                open = middle;
-            } else {
-                closed = middle;
-            }
-        }
-        Some(closed)
+        let bracket = close_in((step.t, wrong), |t| separation(t).map(Side::of).ok_or(()));
+        bracket.ok().map(|bracket| bracket.after)
     }
 }
 
@@ -299,9 +287,9 @@ fn opening(
             })
             .collect();
         let forces = forces_of(core, step, t, states, &contacts)?;
-        let accelerations = forces.solution.residual_accelerations;
-        let opening = contacts.iter().zip(&accelerations).filter(|&(_, &w)| w > forces.opening);
+        let opening = contacts.iter().zip(forces.holding()).filter(|&(_, holding)| holding < 0.0);
         departing.extend(opening.map(|(contact, _)| contact.id));
+        let accelerations = forces.solution.residual_accelerations;
         openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
     }
     let (first, second) = (openings[0], openings[1]);

@@ -1,7 +1,7 @@
 //! The tier `accurate`.
 //!
 //! Bodies in flight follow their flight records in closed form. Bodies with held contacts are integrated by DOP853
-//! with the contact forces solved for at every stage, under error control. Time advances from event to event: an
+//! with the contact forces solved for at every stage, under error control, or by the classical method of order 4 at a fixed step. Time advances from event to event: an
 //! impact (a pair closes), or a change of contacts (a force reaches zero, a corner passes an edge). Each is located,
 //! and everything that happens at that instant to the bodies it concerns is resolved before they go on. Bodies that it does
 //! not concern are left alone: their steps, their contacts and the impacts found for them stay.
@@ -11,13 +11,14 @@
 //! | `engine` | the bodies, how each moves, and the loop over what is due |
 //! | `agenda` | what is due when |
 //! | `island` | bodies that move together, and their present step |
-//! | `constrained_step` | a step with held contacts, by DOP853 over `system` |
+//! | `constrained_step`, `stage_method` | a step with held contacts, by DOP853 or RK4 over `system` |
 //! | `free_stepping` | a step by the integrator that the scene asks for |
 //! | `locate`, `penetration` | when held contacts cease to be the right ones |
 //! | `near_pairs` | pairs that may meet, and their impacts |
 //! | `instant` | whom an event concerns, and how they go on |
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
+//! | `pivot_views` | what pivots bear at the present |
 //! | `pace` | whether time advances |
 //! | `crowding` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
@@ -38,10 +39,12 @@ mod locate;
 mod near_pairs;
 mod pace;
 mod penetration;
+mod pivot_views;
 mod present;
 mod program;
 mod resolve;
 mod saved;
+mod stage_method;
 mod start;
 mod system;
 

@@ -10,11 +10,12 @@
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
-use super::locate::BISECTIONS;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
+use crate::interaction::locator::{Side, close_in};
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
+use std::convert::Infallible;
 
 /// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
 /// judged by (1e-12).
@@ -190,23 +191,19 @@ impl Engine {
         &self,
         core: &Core,
         step: &ConstrainedStep,
-        (mut clear, mut overlapping): (f64, f64),
+        interval: (f64, f64),
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Option<f64> {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (clear + overlapping);
-            step.states_at(&core.world, middle, states);
+        let closed_in = close_in(interval, |t| {
+            step.states_at(&core.world, t, states);
             let penetration = self.first_penetration(core, step, states, tolerated);
-            if penetration.contact.is_some() {
-                return Some(middle);
-            }
-            if penetration.excess_depths > 1.0 {
-                overlapping = middle;
-            } else {
-                clear = middle;
-            }
-        }
-        None
+            Ok::<_, Infallible>(match penetration.contact {
+                Some(_) => Side::Here,
+                None if penetration.excess_depths > 1.0 => Side::After,
+                None => Side::Before,
+            })
+        });
+        closed_in.ok().and_then(|bracket| bracket.here)
     }
 }

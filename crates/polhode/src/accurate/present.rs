@@ -46,10 +46,18 @@ impl Engine {
             if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
         };
         let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
-        groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
-            .into_iter()
-            .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
-            .collect()
+        let mut found: Vec<(Vec<usize>, Vec<Touch>)> =
+            groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
+                .into_iter()
+                .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
+                .collect();
+        // What rows hold at a pivot and nothing touches is a group of its own.
+        for &body in &core.world.held_by_rows {
+            if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
+                found.push((vec![body], Vec::new()));
+            }
+        }
+        found
     }
 
     /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.

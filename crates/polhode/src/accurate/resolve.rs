@@ -12,7 +12,7 @@ use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{impulse_event, strike, support};
+use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
 use crate::interaction::overlap::is_excess;
 use crate::interaction::projection::{self, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -119,15 +119,21 @@ impl Engine {
         }
         let law = core.settings.impact;
         let settings = ImpactSettings::default();
-        let outcome = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
+        let struck = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
+        let outcome = struck.outcome;
         let impulses = group.contacts.iter().zip(&outcome.impulses);
         let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
-        let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
+        let about = core.accounts.books.ledger.momentum.about;
+        let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
+        let given = support(&core.world, about, impulses) + by_pivots;
         core.accounts.books.impact(outcome.energy_change, given, work);
-        for application in &outcome.applications {
-            let touch = instant.touches[group.contacts[application.row]];
+        for (application, constraint) in outcome.applications.iter().zip(&struck.whose) {
+            // The impulse of a pivot is no event of a contact: it stands in the ledger of momentum.
+            let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
+            let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
+            let touch = instant.touches[index];
             core.accounts.add_contact_event(
                 &core.world,
                 &self.states,
@@ -284,7 +290,7 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            let how = (core.settings.tolerance, &mut core.solver);
+            let how = (core.settings.step_error(), &mut core.solver);
             let done = projection::project(&core.world, &mut self.states, &component.bodies, (&touching, &ids), how)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
@@ -480,7 +486,7 @@ fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hol
     let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
     let was_open = touch.known && touch.hold == Hold::Open;
     // The force of a contact that departs has fallen to zero; one that still carries load was found by mistake.
-    let largest = forces.solution.forces.iter().fold(0.0f64, |most, &f| most.max(f));
+    let largest = forces.of_contacts().iter().fold(0.0f64, |most, &f| most.max(f));
     let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
     if instant.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
         return Hold::Open;

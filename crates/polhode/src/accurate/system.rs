@@ -1,4 +1,4 @@
-//! The equations of motion of a group of bodies whose held contacts stay.
+//! The equations of motion of a group of bodies whose held contacts and pivots stay.
 //!
 //! Within a smooth phase the set of held contacts is frozen and each keeps `chi'' = 0` (thesis 3.4). That makes the
 //! right-hand side smooth over the whole step, also past the instant at which a contact would let go, which is what
@@ -6,7 +6,8 @@
 //! pull) is checked on the result, not here.
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
-//! With force fields and pivots, g and L' are those of [`polhode_dynamics::FreeMotion`]. Twenty more numbers follow the
+//! A pivot is three more rows `a_Q = 0`, with a force at its point. With force fields, and of a body of which turning alone is
+//! left, g and L' are those of [`polhode_dynamics::FreeMotion`]. Twenty more numbers follow the
 //! bodies, for the ledgers: impulse and moment about the ledger's point of fixed bodies, of the weights and of the
 //! fields; what drag took, and the work of forces from outside and of kinematic bodies.
 
@@ -14,7 +15,8 @@ use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
-use crate::interaction::impact::support;
+use crate::interaction::impact::{pivot_support, support};
+use crate::pivots::PivotKinematics;
 use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
@@ -67,10 +69,13 @@ pub(super) struct ContactSystem<'a> {
     is_disparate: bool,
 }
 
-/// Forces of the held contacts.
+/// Forces of the held contacts and of pivots.
 #[derive(Debug, Default)]
 struct HeldForces {
+    /// Of the contacts.
     forces: Vec<f64>,
+    /// Of the pivots.
+    pivots: Vec<(PivotKinematics, DVec3)>,
     /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
     sums: Option<Vec<(usize, DVec3, DVec3)>>,
 }
@@ -115,7 +120,7 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Takes the forces of a stage into the largest sums of magnitudes.
-    fn note_magnitudes(&mut self, forces: &[f64]) {
+    fn note_magnitudes(&mut self, HeldForces { forces, pivots, .. }: &HeldForces) {
         let mut sums = vec![[0.0; 2]; self.bodies.len()];
         for ((id, k), force) in self.contacts.iter().zip(forces) {
             for body in [id.a, id.b] {
@@ -124,6 +129,12 @@ impl<'a> ContactSystem<'a> {
                     sums[index][0] += force.abs();
                     sums[index][1] += force.abs() * arm.length();
                 }
+            }
+        }
+        for (pivot, force) in pivots {
+            if let Ok(index) = self.bodies.binary_search(&pivot.body) {
+                sums[index][0] += force.length();
+                sums[index][1] += force.length() * pivot.arm.length();
             }
         }
         for (largest, sum) in self.cancelling.iter_mut().zip(sums) {
@@ -137,9 +148,9 @@ impl<'a> ContactSystem<'a> {
         bodies.chain([0.0; TAIL]).collect()
     }
 
-    /// Forces of the held contacts at the present states.
+    /// Forces of the held contacts and pivots at the present states.
     fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
-        if self.contacts.is_empty() {
+        if self.contacts.is_empty() && !self.world.has_rows() {
             return Ok(HeldForces::default());
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
@@ -148,11 +159,16 @@ impl<'a> ContactSystem<'a> {
         let contacts = self.contacts.iter().map(|(id, k)| (*id, k));
         let b = assembly.acceleration_constants(self.world, t, self.states, &free, contacts)?;
         let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
-        Ok(HeldForces { sums: loads.map(|loads| assembly.split(&loads).collect()), forces })
+        let pivots = assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect();
+        let sums = loads.map(|loads| assembly.split(&loads).collect());
+        Ok(HeldForces { forces, pivots, sums })
     }
 
-    /// Adds the contact forces to the rates one by one.
-    fn add_forces(&self, forces: &[f64], rates: &mut [f64]) {
+    /// Adds the forces to the rates one by one.
+    fn add_forces(&self, HeldForces { forces, pivots, .. }: &HeldForces, rates: &mut [f64]) {
+        for (pivot, force) in pivots {
+            self.add_load(pivot.body, *force, pivot.arm.cross(*force), rates);
+        }
         for ((id, k), &force) in self.contacts.iter().zip(forces) {
             for (body, signed) in [(id.a, force), (id.b, -force)] {
                 let vector = k.geometry.normal * signed;
@@ -179,13 +195,18 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Rates of what the outside gives.
-    fn outside_rates(&self, t: f64, forces: &[f64], rates: &mut [f64]) {
+    fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
-        let contacts = self.contacts.iter().zip(forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        let contacts = self.contacts.iter().zip(&held.forces).map(|((id, k), &force)| (*id, &k.geometry, force));
         rates[19] = self.world.prescribed_work(self.states, contacts.clone());
         let support = support(self.world, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
+        if !held.pivots.is_empty() {
+            let support = pivot_support(self.about, held.pivots.iter().map(|(pivot, force)| (pivot, *force)));
+            add(&mut rates[..], support.linear);
+            add(&mut rates[3..], support.angular);
+        }
         for &body in self.bodies {
             let gravity = gravity_at(self.world, self.states, body, self.about, 1.0);
             add(&mut rates[6..], gravity.linear);
@@ -241,14 +262,14 @@ impl System for ContactSystem<'_> {
             share_normals(self.world, &mut self.contacts);
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);
-        let HeldForces { forces, sums } = self.held_forces(t, &loads)?;
-        self.note_magnitudes(&forces);
+        let held = self.held_forces(t, &loads)?;
+        self.note_magnitudes(&held);
         self.free_rates(&loads, state, rates);
-        match sums {
-            Some(sums) => self.add_sums(&sums, rates),
-            None => self.add_forces(&forces, rates),
+        match &held.sums {
+            Some(sums) => self.add_sums(sums, rates),
+            None => self.add_forces(&held, rates),
         }
-        self.outside_rates(t, &forces, &mut rates[self.bodies.len() * WIDTH..]);
+        self.outside_rates(t, &held, &mut rates[self.bodies.len() * WIDTH..]);
         Ok(())
     }
 }

@@ -6,12 +6,17 @@
 //! coordinates instead of six, and everything else is the same.
 
 use crate::collision::contact_set::ContactId;
+use crate::interaction::constraint::ConstraintId;
+use crate::pivots::PivotKinematics;
 use crate::planar::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
+
+/// Rows of a pivot.
+const PIVOT_ROWS: usize = 3;
 
 /// Coordinates of a body's generalised velocity: six in space, three in a plane.
 #[derive(Debug, Clone, Copy)]
@@ -51,17 +56,23 @@ impl Coordinates {
     }
 }
 
-/// Contacts of a group of bodies, assembled.
+/// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each pivot, in
+/// the order of the bodies.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
+    /// Whose rows they are: contacts, then pivots.
+    constraints: Vec<ConstraintId>,
+    /// How many of them are contacts.
+    contacts: usize,
+    pivots: Vec<PivotKinematics>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
 }
 
 impl Assembly {
-    /// Rows of `contacts` over `bodies` (movable, ascending).
+    /// Rows of `contacts` and of the pivots of `bodies` (movable, ascending).
     ///
     /// # Errors
     /// When a number is not finite.
@@ -79,7 +90,9 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let (mut row_a, mut row_b) = (Vec::with_capacity(width), Vec::with_capacity(width));
+        let mut constraints = Vec::new();
         for (id, geometry) in contacts {
+            constraints.push(ConstraintId::Contact(id));
             let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
                 let index = bodies.binary_search(&body).ok()?;
                 let normal = geometry.normal * sign;
@@ -95,7 +108,38 @@ impl Assembly {
                 (None, None) => problem.push_row(&[]),
             }?;
         }
-        Ok(Self { problem, bodies: bodies.to_vec(), coordinates })
+        let contacts = problem.len();
+        let pivots: Vec<PivotKinematics> = world.pivots(states, bodies).collect();
+        for pivot in &pivots {
+            let id = pivot.id();
+            constraints.push(id);
+            let Ok(index) = bodies.binary_search(&pivot.body) else { continue };
+            let rows = DVec3::AXES.map(|axis| {
+                let mut row = Vec::with_capacity(width);
+                coordinates.push(&mut row, axis, pivot.arm.cross(axis));
+                row
+            });
+            let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
+            problem.push_block(id.block(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
+        }
+        Ok(Self { problem, constraints, contacts, pivots, bodies: bodies.to_vec(), coordinates })
+    }
+
+    /// Whose row this is.
+    pub(crate) fn constraint(&self, row: usize) -> Option<ConstraintId> {
+        let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
+        self.constraints.get(place).copied()
+    }
+
+    /// The pivots, as they stood when they were assembled.
+    pub(crate) fn pivots(&self) -> &[PivotKinematics] {
+        &self.pivots
+    }
+
+    /// The pivots with the force (N; impulse, N s) of each, from those of all rows.
+    pub(crate) fn pivot_forces(&self, forces: &[f64]) -> impl Iterator<Item = (&PivotKinematics, DVec3)> {
+        let own = forces.get(self.contacts..).unwrap_or_default();
+        self.pivots.iter().zip(own.as_chunks::<PIVOT_ROWS>().0).map(|(pivot, force)| (pivot, DVec3::from_array(*force)))
     }
 
     /// Movable bodies, in the order of the problem's blocks.
@@ -129,6 +173,10 @@ impl Assembly {
         let mut b = self.problem.row_velocities(free)?;
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
+        }
+        let biases = self.pivots.iter().flat_map(|pivot| pivot.acceleration_bias.to_array());
+        for (constant, bias) in b.iter_mut().skip(self.contacts).zip(biases) {
+            *constant += bias;
         }
         Ok(b)
     }
@@ -168,6 +216,21 @@ pub(crate) fn apply_impulses<'a>(
                 state.linear_velocity += vector * rigid.inverse_mass();
                 state.angular_momentum += (geometry.point - state.pose.translation).cross(vector);
             }
+        }
+    }
+}
+
+/// Applies impulses (N s, world) at pivots to the momenta of their bodies.
+pub(crate) fn apply_pivot_impulses<'a>(
+    world: &World,
+    states: &mut [BodyState],
+    impulses: impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
+) {
+    for (pivot, impulse) in impulses {
+        if let Some(rigid) = &world.bodies[pivot.body].rigid {
+            let state = &mut states[pivot.body];
+            state.linear_velocity += impulse * rigid.inverse_mass();
+            state.angular_momentum += pivot.arm.cross(impulse);
         }
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
-use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::constraint::ConstraintId;
 use crate::interaction::groups::Group;
+use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
@@ -33,6 +35,26 @@ pub(crate) fn support<'a>(
     sum.value()
 }
 
+/// Momentum that impulses or forces of pivots (N s, N, world) give to the bodies that they hold, angular about a point.
+pub(crate) fn pivot_support<'a>(about: DVec3, forces: impl Iterator<Item = (&'a PivotKinematics, DVec3)>) -> Momentum {
+    let mut sum = MomentumSum::default();
+    for (pivot, linear) in forces {
+        sum.add(Momentum { linear, angular: (pivot.point - about).cross(linear) });
+    }
+    sum.value()
+}
+
+/// What an impact has done.
+#[derive(Debug)]
+pub(crate) struct Struck {
+    /// By the rows of contacts, and after them those of pivots.
+    pub(crate) outcome: ImpactOutcome,
+    /// Whose impulses `outcome.applications` are.
+    pub(crate) whose: Vec<Option<ConstraintId>>,
+    /// The pivots that took part, and the impulse of each (N s, world).
+    pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
+}
+
 /// Rounding of a relative velocity as a fraction of the speeds that cancel in it: some sixteen roundings.
 const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -45,7 +67,7 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
     bodies.iter().map(speed).fold(0.0, f64::max)
 }
 
-/// Strikes the contacts of a group and updates the momenta of its bodies.
+/// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies.
 ///
 /// # Errors
 /// When the problem is not finite.
@@ -57,13 +79,16 @@ pub(crate) fn strike(
     law: ImpactLaw,
     settings: &ImpactSettings,
     solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
+) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
-    let before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    let restitution: Vec<f64> =
+    let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    let mut restitution: Vec<f64> =
         members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    // Rows of pivots have none.
+    restitution.resize(before.len(), 0.0);
     let law = match law {
         ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
         ImpactLaw::Simultaneous => impact::ImpactLaw::Simultaneous,
@@ -81,7 +106,10 @@ pub(crate) fn strike(
     let impulses =
         members.iter().zip(&geometries).zip(&outcome.impulses).map(|((touch, geometry), &p)| (touch.id, geometry, p));
     apply_impulses(world, states, impulses);
-    Ok(outcome)
+    apply_pivot_impulses(world, states, assembly.pivot_forces(&outcome.impulses));
+    let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
+    let whose = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
+    Ok(Struck { outcome, whose, pivots })
 }
 
 /// The event of one impulse at one contact point.

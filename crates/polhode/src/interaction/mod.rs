@@ -5,7 +5,9 @@
 
 pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;
+pub(crate) mod constraint;
 pub(crate) mod groups;
 pub(crate) mod impact;
+pub(crate) mod locator;
 pub(crate) mod overlap;
 pub(crate) mod projection;

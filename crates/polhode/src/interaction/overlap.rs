@@ -4,7 +4,7 @@
 //! moved until it touches, what touches is not pushed into anything else, and nothing is pulled together. Repeated with
 //! contacts found afresh, since normals turn with the bodies. A contact whose place has jumped to another part of its features,
 //! as that of a ball within a ring does, stays among the rows at its old place too, its separation carried along with the
-//! bodies: otherwise the rounds would push to and fro. Velocities stay.
+//! bodies: otherwise the rounds would push to and fro. Pivots stay in place. Velocities stay.
 
 use super::assembly::Assembly;
 use super::groups::groups;
@@ -78,8 +78,8 @@ pub(crate) struct Overlaps {
     contacts: Vec<Overlap>,
     /// The largest, m.
     pub(crate) deepest_m: f64,
-    /// The pair that overlaps most; none when none overlaps.
-    pub(crate) pair: Option<(usize, usize)>,
+    /// The contact that overlaps most; none when none overlaps.
+    pub(crate) deepest: Option<ContactId>,
     /// Whether one is more than may be left.
     pub(crate) is_excess: bool,
 }
@@ -99,7 +99,7 @@ impl Overlaps {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
                 if overlap.geometry.margin >= 0.0 {
                     if -overlap.geometry.separation > found.deepest_m {
-                        (found.deepest_m, found.pair) = (-overlap.geometry.separation, Some((a, b)));
+                        (found.deepest_m, found.deepest) = (-overlap.geometry.separation, Some(touch.id));
                     }
                 }
                 found.is_excess |= is_excess(world, states, overlap.id, &overlap.geometry);
@@ -162,7 +162,8 @@ fn move_out(
         }
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
-        let separations: Vec<f64> = members.iter().map(|row| row.geometry.separation).collect();
+        let mut separations: Vec<f64> = members.iter().map(|row| row.geometry.separation).collect();
+        separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         assembly.problem.delassus_into(delassus);
         solver.set_settings(SolverSettings::default());
         let solution = solver.solve(&assembly.problem, delassus, &separations, None)?;

@@ -1,12 +1,14 @@
-//! Projection: held contacts back onto zero separation and zero relative velocity.
+//! Projection: held contacts back onto zero separation and zero relative velocity, pivots back to their places.
 //!
 //! Positions: Newton on the separations in the metric of mass, `dq = M^-1 J^T l`, `G l = -separation`; velocities:
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that do it and neither is fed back into the motion
 //! as a force; what they change in energy is booked in the ledger.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::constraint::ConstraintId;
 use crate::interaction::overlap::Overlaps;
+use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
@@ -46,18 +48,25 @@ const SOFT_RELATIVE: f64 = 1e-11;
 pub(crate) struct Projection {
     /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all points.
     pub(crate) moved_m: f64,
-    /// The pair that was farthest from what it was put to; none when nothing was to be done.
-    pub(crate) pair: Option<(usize, usize)>,
+    /// The constraint that was farthest from what it was put to; none when nothing was to be done.
+    pub(crate) farthest: Option<ConstraintId>,
     /// Whether contacts that depend on each other nearly were put together in part.
     pub(crate) is_soft: bool,
     /// Whether contacts were put together from farther than penetration is judged by: others may overlap now.
     pub(crate) is_far: bool,
-    /// Pairs with contacts that were left alone because their place had jumped.
-    pub(crate) jumped: Vec<(usize, usize)>,
-    /// Pairs that are further apart, or deeper in each other, than rounding after the last Newton step.
-    pub(crate) unconverged: Vec<(usize, usize)>,
+    /// Contacts that were left alone because their place had jumped.
+    pub(crate) jumped: Vec<ConstraintId>,
+    /// Constraints that are farther off than rounding after the last Newton step.
+    pub(crate) unconverged: Vec<ConstraintId>,
     /// Work of prescribed motions by the impulses that removed velocities, J.
     pub(crate) work_j: f64,
+}
+
+impl Projection {
+    /// The bodies of the constraint that was farthest from what it was put to.
+    pub(crate) fn pair(&self) -> Option<(usize, usize)> {
+        self.farthest.as_ref().map(ConstraintId::bodies)
+    }
 }
 
 /// Puts the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of those that
@@ -81,10 +90,10 @@ pub(crate) fn project(
         let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(world, states, id);
         world.kinematics(states, id).is_none_or(|kinematics| kinematics.separation_rate.abs() <= limit)
     });
-    done.jumped.extend(jumped.iter().map(|id| (id.a, id.b)));
-    done.jumped.dedup();
+    done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
+    done.jumped.dedup_by_key(|contact| contact.bodies());
     let slowed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
-    done.pair = done.pair.or(slowed.fastest);
+    done.farthest = done.farthest.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
 }
@@ -104,9 +113,9 @@ pub(crate) fn part(
     pairs.sort_unstable();
     pairs.dedup();
     let overlaps = Overlaps::find(world, states, &pairs);
-    let pair = overlaps.pair;
+    let farthest = overlaps.deepest.map(ConstraintId::Contact);
     let removed = overlaps.remove(world, states, (bodies, &pairs), (solver, &mut Delassus::default()))?;
-    Ok(Projection { moved_m: removed.moved_m, pair, ..Projection::default() })
+    Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
 }
 
 /// Speeds of a contact's bodies and what gravity gives over their size, m/s.
@@ -131,18 +140,22 @@ pub(crate) fn project_positions(
 ) -> Result<Projection, ResponseError> {
     let mut done = Projection::default();
     let mut moved: BTreeMap<usize, (DVec3, DVec3)> = BTreeMap::new();
-    let distance = |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), (id.a, id.b));
+    let distance =
+        |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
     for step in 0..=MAX_NEWTON_STEPS {
         let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
             geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
         };
         let (geometries, jumped): (Vec<_>, Vec<_>) = geometries.partition(drifted);
-        done.jumped.extend(jumped.iter().map(|(id, _)| (id.a, id.b)));
+        done.jumped.extend(jumped.iter().map(|(id, _)| ConstraintId::Contact(*id)));
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
-        if at_rounding {
+        let is_in_place = |pivot: PivotKinematics| {
+            pivot.gap.length() <= ROUNDING_FRACTION * world.rounding(states, pivot.body, pivot.body)
+        };
+        if at_rounding && world.pivots(states, bodies).all(is_in_place) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
@@ -152,17 +165,20 @@ pub(crate) fn project_positions(
                 let allowed = if done.is_soft { world.touch_distance(states, a, b) } else { exact };
                 geometry.separation.abs() > allowed
             };
-            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| (id.a, id.b)));
+            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
+            done.unconverged.extend(pivots_off(world, states, bodies));
             break;
         }
-        if done.pair.is_none() {
-            done.pair = farthest(geometries.iter().map(distance));
+        if done.farthest.is_none() {
+            let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), pivot.id()));
+            done.farthest = farthest(geometries.iter().map(distance).chain(pivots));
         }
         done.is_far |= geometries
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
-        let separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
+        let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
+        separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
         let allowed = allowed_change(&separations, size);
         let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
@@ -175,8 +191,8 @@ pub(crate) fn project_positions(
             *sum = (sum.0 + linear, sum.1 + angular);
         }
     }
-    done.jumped.dedup();
-    done.unconverged.dedup();
+    done.jumped.dedup_by_key(|contact| contact.bodies());
+    done.unconverged.dedup_by_key(|constraint| constraint.bodies());
     let displacement = |(&body, (linear, angular)): (&usize, &(DVec3, DVec3))| {
         linear.length() + angular.length() * world.bodies[body].size
     };
@@ -184,16 +200,29 @@ pub(crate) fn project_positions(
     Ok(done)
 }
 
-/// The pair of the largest of some distances or speeds.
-fn farthest(distances: impl Iterator<Item = (f64, (usize, usize))>) -> Option<(usize, usize)> {
-    distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, pair)| pair)
+/// The pivots that are farther from their places than rounding after the last Newton step.
+fn pivots_off<'a>(
+    world: &'a World,
+    states: &'a [BodyState],
+    bodies: &'a [usize],
+) -> impl Iterator<Item = ConstraintId> + 'a {
+    let off = |pivot: &PivotKinematics| {
+        let size = world.bodies[pivot.body].size;
+        pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
+    };
+    world.pivots(states, bodies).filter(off).map(|pivot| pivot.id())
+}
+
+/// The constraint of the largest of some distances or speeds.
+fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<ConstraintId> {
+    distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, constraint)| constraint)
 }
 
 /// What the removal of relative velocities has done.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Slowed {
-    /// The pair that was fastest; none when none moved.
-    pub(crate) fastest: Option<(usize, usize)>,
+    /// The constraint that was fastest; none when none moved.
+    pub(crate) fastest: Option<ConstraintId>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
 }
@@ -207,7 +236,7 @@ pub(crate) enum Removal {
     OfDrift,
 }
 
-/// Removes the relative velocities of contacts.
+/// Removes the relative velocities of contacts, and those of pivots.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -219,21 +248,26 @@ pub(crate) fn project_velocities(
     removal: Removal,
 ) -> Result<Slowed, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
-    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) {
+    let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
+    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) && world.pivots(states, bodies).all(stands) {
         return Ok(Slowed::default());
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
-    let rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
+    let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
+    rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
     let allowed = match removal {
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
-    let (impulses, _) = cancel(world, &assembly, &rates, allowed)?;
-    let impulses = contacts.iter().zip(&impulses).map(|((id, k), &p)| (*id, &k.geometry, p));
+    let (multipliers, _) = cancel(world, &assembly, &rates, allowed)?;
+    let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
+    apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
     let work_j = world.prescribed_work(states, impulses);
-    Ok(Slowed { fastest: farthest(contacts.iter().map(|(id, k)| (k.separation_rate.abs(), (id.a, id.b)))), work_j })
+    let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
+    let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
+    Ok(Slowed { fastest: farthest(speeds.chain(pivots)), work_j })
 }
 
 /// Multipliers whose response cancels `values` on all rows; whether in part, because otherwise a point of a body would change by

@@ -154,7 +154,8 @@ impl ThesisEngine {
             }
             let law = core.settings.impact;
             let outcome = strike(&core.world, &mut self.states, &group, touches, law, &settings, &mut core.solver)
-                .map_err(|source| Core::response_error(core.t, source))?;
+                .map_err(|source| Core::response_error(core.t, source))?
+                .outcome;
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
             let work = core.world.prescribed_work(&self.states, impulses.clone());

@@ -83,7 +83,7 @@ impl TimeStepper {
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
-        let outcome = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?;
+        let outcome = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?.outcome;
         if outcome.status == ImpactStatus::NotSolved {
             for (&body, state) in group.bodies.iter().zip(&before) {
                 states[body] = *state;

@@ -5,6 +5,7 @@
 mod bad_numbers;
 mod broad_phases;
 mod checks;
+mod constrained_methods;
 mod dependence;
 mod diamonds;
 mod flight;
@@ -19,6 +20,7 @@ mod linked_rings;
 mod mass_ratios;
 mod momentum;
 mod outcomes;
+mod pivot_rows;
 mod pivots;
 mod planar;
 mod prescribed_motion;

@@ -26,7 +26,7 @@ fn about_y(angle: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Y * angle)
 }
 
-/// The period of a pendulum by the complete elliptic integral, up to almost upright; the velocity reported is that of the
+/// The period of a pendulum by the complete elliptic integral, up to almost upright, reduced and by rows; the velocity reported is that of the
 /// centre of mass at every sample.
 #[test]
 fn pendulum_swings_with_its_elliptic_period() {
@@ -40,22 +40,24 @@ fn pendulum_swings_with_its_elliptic_period() {
             .body(hanging(DVec3::Z * d, about_y(amplitude)))
             .build()
             .unwrap();
-        let (report, recorder) = run(&scene, Effects::Planned);
         let angles = [amplitude, 0.0, -amplitude, 0.0, amplitude];
-        // Near the top a small error grows by exp(rate T/4) each quarter.
-        let tolerance = if amplitude > 3.0 { 1e-8 } else { 1e-10 };
-        for (row, angle) in recorder.samples.iter().zip(angles) {
-            let apart = row[0].pose.rotation.angle_to(about_y(angle));
-            assert!(apart < tolerance, "{amplitude} {angle}: {apart:e}");
-            let hook = row[0].pose.transform_point(DVec3::Z * d);
-            assert!((hook - HOOK).length() < 1e-14);
-            let turning = row[0].velocity.angular.cross(row[0].pose.translation - HOOK);
-            assert!((row[0].velocity.linear - turning).length() < 1e-13 * rate);
+        for effects in [Effects::Planned, Effects::All] {
+            let (report, recorder) = run(&scene, effects);
+            // Near the top a small error grows by exp(rate T/4) each quarter.
+            let tolerance = if amplitude > 3.0 { 1e-8 } else { 1e-10 };
+            for (row, angle) in recorder.samples.iter().zip(angles) {
+                let apart = row[0].pose.rotation.angle_to(about_y(angle));
+                assert!(apart < tolerance, "{amplitude} {angle}: {apart:e}");
+                let hook = row[0].pose.transform_point(DVec3::Z * d);
+                assert!((hook - HOOK).length() < if effects == Effects::All { 1e-13 } else { 1e-14 });
+                let turning = row[0].velocity.angular.cross(row[0].pose.translation - HOOK);
+                assert!((row[0].velocity.linear - turning).length() < 1e-13 * rate);
+            }
+            let fastest = recorder.samples[1][0].velocity.angular.y;
+            assert!((fastest / (-2.0 * rate * f64::sin(0.5 * amplitude)) - 1.0).abs() < tolerance, "{fastest}");
+            assert!(numerical_relative(&report) < 1e-12, "{:e}", numerical_relative(&report));
+            assert_closes(&report);
         }
-        let fastest = recorder.samples[1][0].velocity.angular.y;
-        assert!((fastest / (-2.0 * rate * f64::sin(0.5 * amplitude)) - 1.0).abs() < tolerance, "{fastest}");
-        assert!(numerical_relative(&report) < 1e-12, "{:e}", numerical_relative(&report));
-        assert_closes(&report);
     }
 }
 
@@ -70,6 +72,14 @@ fn pendulum_accelerates_as_its_equation_says() {
     let arm = about_y(theta).rotate(DVec3::NEG_Z * d);
     assert!((found.angular - alpha).length() < 1e-13, "{found:?} {alpha}");
     assert!((found.linear - (alpha.cross(arm) - arm * (w * w))).length() < 1e-13, "{found:?}");
+    // The pivot bears what the weight does not explain, by rows and without.
+    let borne = (found.linear + DVec3::Z * G) * BRICK_MASS;
+    for effects in [Effects::Planned, Effects::All] {
+        let pivots = Simulation::new(&scene, effects).unwrap().pivots();
+        assert_eq!(pivots.len(), 1);
+        assert!((pivots[0].force_n - borne).length() < 1e-12, "{pivots:?} {borne}");
+        assert!((pivots[0].point_m - HOOK).length() < 1e-15);
+    }
 }
 
 /// Steady precession of a heavy symmetric top: `(I3 - I1) cos(theta) W^2 + I3 s W - m g l = 0` for the own spin s, with

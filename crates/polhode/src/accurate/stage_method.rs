@@ -1,0 +1,103 @@
+//! The Runge-Kutta methods that move an island, with the forces of its constraints at every stage.
+//!
+//! | method | order | error | within a step |
+//! |---|---|---|---|
+//! | DOP853 | 8 | estimated, held below the tolerance by the choice of the step | its own dense output |
+//! | classical (`integrator = "rk4"`) | 4 | not estimated: known by the step, which is fixed | polynomials through shorter steps from the same start |
+//!
+//! The classical method is the thesis's own (3.3, "Simulating Motion when in Free Fall", with the forces of 3.4 at each of
+//! the four stages; the tier `thesis` keeps them over a step instead). Its states within a step are those of steps of the
+//! classical method that end there, as events repeat them, interpolated at eight times: what an event is located on is what
+//! happens there. Source of the methods: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.1 and II.5.
+
+use super::system::ContactSystem;
+use crate::settings::Settings;
+use polhode_dynamics::{DenseStep, Dop853, Rk4};
+use polhode_response::ResponseError;
+
+/// A method that integrates constrained motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum StageMethod {
+    Dop853,
+    Classical,
+}
+
+impl StageMethod {
+    /// The scene's: DOP853, unless it asks for the classical method.
+    pub(super) fn of(settings: &Settings) -> Self {
+        if settings.constrains_by_rk4() { Self::Classical } else { Self::Dop853 }
+    }
+
+    /// A step from (`t`, `state`) over `h` (s).
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub(super) fn attempt(
+        self,
+        system: &mut ContactSystem<'_>,
+        (t, h): (f64, f64),
+        state: Vec<f64>,
+    ) -> Result<MethodStep, ResponseError> {
+        match self {
+            Self::Dop853 => {
+                let mut method = Dop853::new(state.len());
+                method.attempt_unscaled(system, t, &state, h)?;
+                Ok(MethodStep::Dop853(Box::new(method)))
+            }
+            Self::Classical => {
+                let mut end = state.clone();
+                Rk4::new(state.len()).step(system, t, h, &mut end)?;
+                Ok(MethodStep::Classical { t, h, start: state, end })
+            }
+        }
+    }
+}
+
+/// A step of a method.
+#[derive(Debug)]
+pub(super) enum MethodStep {
+    Dop853(Box<Dop853>),
+    Classical { t: f64, h: f64, start: Vec<f64>, end: Vec<f64> },
+}
+
+impl MethodStep {
+    /// Flat state at its end.
+    pub(super) fn end_state(&self) -> &[f64] {
+        match self {
+            Self::Dop853(method) => method.end_state(),
+            Self::Classical { end, .. } => end,
+        }
+    }
+
+    /// The method with an error estimate, if it has one.
+    pub(super) fn embedded(&self) -> Option<&Dop853> {
+        match self {
+            Self::Dop853(method) => Some(method),
+            Self::Classical { .. } => None,
+        }
+    }
+
+    /// The state at any time within the step.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub(super) fn dense(&mut self, system: &mut ContactSystem<'_>) -> Result<DenseStep, ResponseError> {
+        match self {
+            Self::Dop853(method) => method.dense(system),
+            Self::Classical { t, h, start, end } => {
+                let mut method = Rk4::new(start.len());
+                DenseStep::through_values(*t, *h, |x| {
+                    if x <= 0.0 {
+                        return Ok(start.clone());
+                    }
+                    if x >= 1.0 {
+                        return Ok(end.clone());
+                    }
+                    let mut state = start.clone();
+                    method.step(system, *t, x * *h, &mut state)?;
+                    Ok(state)
+                })
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The locator of events: where what constraints tell of themselves changes within a step.
+//!
+//! Every event is a change of side: before it all is as it was, after it something is not. What tells the sides apart is a
+//! signed event function of a constraint ([`super::constraint`]: positive before, not positive after) or a judgement over many
+//! of them. The bracket of both sides is halved on the states within the step, as interpolated, until it is 2^-44 (some 5e-14)
+//! of what it was, or its ends are neighbours.
+//!
+//! Assumption: one change of side in the bracket; of several, one is found. Halving asks for no smoothness: forces of
+//! complementarity have corners where they open, and a judgement has no value to interpolate. Fails with the question's own
+//! error. Impacts of bodies apart are found by bounds that overlook none (`polhode-contact`), events of free motion that a user
+//! of `polhode-dynamics` asks for by its own secants (Oliveira and Takahashi 2021).
+
+/// Halvings of a bracket: 2^-44 is below 1e-13.
+const HALVINGS: usize = 44;
+
+/// On which side of an event a time lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Before,
+    After,
+    /// Near enough: no more need be asked.
+    Here,
+}
+
+impl Side {
+    /// By a signed event function.
+    pub(crate) fn of(value: f64) -> Self {
+        if value > 0.0 { Self::Before } else { Self::After }
+    }
+}
+
+/// What is left of a bracket, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bracket {
+    /// The last time known to be before the event.
+    pub(crate) before: f64,
+    /// The first time known to be after it.
+    pub(crate) after: f64,
+    /// A time that was found near enough.
+    pub(crate) here: Option<f64>,
+}
+
+/// Closes in on the event between two times, at which the sides are known.
+///
+/// # Errors
+/// Those of `side`.
+pub(crate) fn close_in<E>(
+    (before, after): (f64, f64),
+    mut side: impl FnMut(f64) -> Result<Side, E>,
+) -> Result<Bracket, E> {
+    let mut bracket = Bracket { before, after, here: None };
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (bracket.before + bracket.after);
+        if middle <= bracket.before || middle >= bracket.after {
+            break;
+        }
+        match side(middle)? {
+            Side::Before => bracket.before = middle,
+            Side::After => bracket.after = middle,
+            Side::Here => return Ok(Bracket { here: Some(middle), ..bracket }),
+        }
+    }
+    Ok(bracket)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Side, close_in};
+    use std::convert::Infallible;
+
+    #[test]
+    fn a_signed_function_is_closed_in_to_the_resolution() {
+        let found = close_in((0.0, 2.0), |t| Ok::<_, Infallible>(Side::of(2.0 - t * t)));
+        assert!(found.is_ok_and(|found| {
+            let (before, after) = (found.before * found.before, found.after * found.after);
+            before < 2.0 && after >= 2.0 && found.after - found.before < 2.0 * 1e-13 && found.here.is_none()
+        }));
+    }
+
+    #[test]
+    fn neighbours_end_the_search_and_so_does_what_is_near_enough() {
+        let next = f64::from_bits(1.0_f64.to_bits() + 1);
+        let found = close_in((1.0, next), |_| -> Result<Side, &str> { Err("asked") });
+        assert!(found.is_ok_and(|found| (found.before, found.after) == (1.0, next)));
+        let found = close_in((0.0, 1.0), |t| Ok::<_, Infallible>(if t < 0.6 { Side::Here } else { Side::After }));
+        assert!(found.is_ok_and(|found| found.here == Some(0.5)));
+        assert_eq!(close_in((0.0, 1.0), |_| -> Result<Side, &str> { Err("asked") }), Err("asked"));
+    }
+}
