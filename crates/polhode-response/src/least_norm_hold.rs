@@ -40,7 +40,7 @@ use crate::problem::ContactProblem;
 const REGULARIZATION: f64 = 1e-10;
 
 /// The same where small values are cancelled softly ([`LeastNormHold::factor_softly`]).
-const SOFT_REGULARIZATION: f64 = 1e-4;
+const SOFT_REGULARIZATION: f64 = 1e-2;
 
 /// Rounds of the iteration: a direction with eigenvalue 1e-6 of the largest has converged to rounding after four.
 const ROUNDS: usize = 4;
@@ -81,7 +81,7 @@ impl LeastNormHold {
     }
 
     /// As [`factor`](Self::factor), for small values that need not be cancelled at any price: what only forces above some
-    /// hundred times `b` would cancel stays. These are the directions with eigenvalues below 1e-4 of the unit diagonal.
+    /// ten times `b` would cancel stays. These are the directions with eigenvalues below 1e-2 of the unit diagonal.
     ///
     /// # Errors
     /// When the matrix is not finite.

@@ -240,6 +240,9 @@ const MEASURABLE: f64 = 4.0;
 /// contact drifts, less than what counts as penetration.
 const NOTICED: f64 = 1.0 / 16.0;
 
+/// At the end of an interval the pair has closed by this part of the touch tolerance: a quarter of what is noticed within.
+const CLOSED: f64 = 1.0 / 64.0;
+
 /// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
 const HALF: f64 = 0.5;
 
@@ -585,13 +588,13 @@ impl Search<'_> {
                 return self.locate_closing(open, below.unwrap_or(last), level, rounding);
             }
         }
-        // Closed at the end, by less than a touch: nobody looks at these bodies again before the end of the interval.
-        match below {
-            Some(below) if last.separation < start.separation.min(0.0) - noticed => {
-                self.locate_closing(open, below, level, rounding)
-            }
-            _ => Ok((None, last.separation)),
+        // Closed at the end, by less than a touch: a search from there takes this overlap for its start.
+        let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
+        if last.separation < closed {
+            let open = if open.separation >= closed { open } else { start };
+            return self.locate_closing(open, last, closed, rounding);
         }
+        Ok((None, last.separation))
     }
 
     /// Whether by the `j`-th departure time a point can have moved by half the touch tolerance.

@@ -1,7 +1,7 @@
 //! When the held contacts of an island cease to be the right ones.
 //!
 //! Within a step the set of held contacts is frozen. It is right as long as (a) every held contact lies on its
-//! features (margin), (b) no other contact of the bodies it holds together penetrates, and (c) forces that only push
+//! features (margin) and its place does not jump to where the bodies approach or part, (b) no other contact of the bodies it holds together penetrates, and (c) forces that only push
 //! can hold it: the complementarity problem over it has `chi'' = 0` everywhere. The first instant at which one of
 //! these fails is found by the locator of events (`crate::interaction::locator`) on the dense output of the step, to 1e-13 of
 //! the step.
@@ -15,7 +15,9 @@ use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
+use crate::interaction::projection::moves_apart;
 use crate::world::TOUCH_RELATIVE;
+use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -206,10 +208,12 @@ impl Engine {
         let mut left = Vec::new();
         for &id in &step.held {
             let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
+            let stays = |kinematics: &ContactKinematics| {
+                ContactEvent::Leaving.value(kinematics) >= -tolerance
+                    && !moves_apart(&core.world, states, id, kinematics, core.settings.tolerance)
+            };
             match core.world.kinematics(states, id) {
-                Some(kinematics)
-                    if ContactEvent::Leaving.value(&kinematics) >= -tolerance || tolerated.contains(&id) =>
-                {
+                Some(kinematics) if tolerated.contains(&id) || stays(&kinematics) => {
                     touches.push(Touch { id, kinematics, hold: Hold::Held, known: true });
                 }
                 _ => left.push(id),

@@ -10,7 +10,7 @@ use crate::interaction::constraint::ConstraintId;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::PivotKinematics;
 use crate::world::World;
-use polhode_contact::ContactGeometry;
+use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
@@ -37,11 +37,12 @@ const UNCONVERGED_RELATIVE: f64 = 1e-12;
 const ROUNDING_FRACTION: f64 = 0.25;
 
 /// Contacts of a pile may depend on each other so nearly that putting them exactly together moves bodies by thousands of times
-/// the distances. Beyond this many times the largest (dimensionless, 10 to 1000) they are put together in part.
-const SOFT_AMPLIFICATION: f64 = 64.0;
+/// the distances. Beyond this many times the largest (dimensionless, 2 to 100) they are put together in part.
+const SOFT_AMPLIFICATION: f64 = 5.0;
 
-/// The same as a fraction of the smallest size, or of the smallest speed of a pair: less is of the order of touch and drift.
-const SOFT_RELATIVE: f64 = 1e-11;
+/// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of what projections may move a body
+/// by at the default tolerance.
+const SOFT_RELATIVE: f64 = 5e-11;
 
 /// What a projection has done.
 #[derive(Debug, Clone, Default)]
@@ -86,9 +87,9 @@ pub(crate) fn project(
     if done.is_far || done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
     }
-    let (drifting, jumped): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
-        let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(world, states, id);
-        world.kinematics(states, id).is_none_or(|kinematics| kinematics.separation_rate.abs() <= limit)
+    let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
+        let kinematics = world.kinematics(states, id);
+        kinematics.is_some_and(|kinematics| moves_apart(world, states, id, &kinematics, tolerance))
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
     done.jumped.dedup_by_key(|contact| contact.bodies());
@@ -96,6 +97,18 @@ pub(crate) fn project(
     done.farthest = done.farthest.or(slowed.fastest);
     done.work_j = slowed.work_j;
     Ok(done)
+}
+
+/// Whether a contact that is held approaches or parts faster than a step within `tolerance` drifts: its place has jumped.
+pub(crate) fn moves_apart(
+    world: &World,
+    states: &[BodyState],
+    id: ContactId,
+    kinematics: &ContactKinematics,
+    tolerance: f64,
+) -> bool {
+    let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(world, states, id);
+    kinematics.separation_rate.abs() > limit
 }
 
 /// Moves bodies out of each other where the pairs of some contacts overlap, which are not put together.
@@ -155,15 +168,14 @@ pub(crate) fn project_positions(
         let is_in_place = |pivot: PivotKinematics| {
             pivot.gap.length() <= ROUNDING_FRACTION * world.rounding(states, pivot.body, pivot.body)
         };
-        if at_rounding && world.pivots(states, bodies).all(is_in_place) {
+        // What was put together in part stays apart by what touch allows, whatever is repeated.
+        if done.is_soft || (at_rounding && world.pivots(states, bodies).all(is_in_place)) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
             let apart = |(id, geometry): &&(ContactId, ContactGeometry)| {
-                let (a, b) = (id.a, id.b);
-                let exact = UNCONVERGED_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b);
-                let allowed = if done.is_soft { world.touch_distance(states, a, b) } else { exact };
-                geometry.separation.abs() > allowed
+                geometry.separation.abs()
+                    > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
             };
             done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
             done.unconverged.extend(pivots_off(world, states, bodies));
