@@ -562,7 +562,14 @@ impl Search<'_> {
         let rounding = self.resolution(&start);
         // Below this the pair is measurably closer than it was: touching at rest it stays above.
         let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
-        let level = if start.separation > rounding { 0.0 } else { start.separation - noticed };
+        let level = if start.separation > rounding {
+            0.0
+        } else if start.separation >= -CLOSED * self.touch(&start) {
+            start.separation - noticed
+        } else {
+            // What overlaps visibly must not come to overlap by all that in addition.
+            (start.separation - MEASURABLE * rounding).min(-noticed)
+        };
         let (mut open, mut below, mut last) = (start, None, start);
         let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
         while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {

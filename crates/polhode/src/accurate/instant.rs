@@ -442,7 +442,11 @@ impl Engine {
         core.world.prescribe(t, &mut self.states);
         let step = self.end_step(core, island, t)?;
         let mut pace = self.pace_of(core, &bodies);
-        let advance = pace.note_end(t, StepEnd::AsPlanned, core.settings.step_s);
+        let longest = core.settings.step_s;
+        let mut advance = pace.note_end(t, StepEnd::AsPlanned, longest);
+        if !held.is_empty() {
+            advance = advance.and(pace.note_mean_step(t, longest));
+        }
         for &body in &bodies {
             self.tracks[body].pace = pace;
             self.scratch[body] = self.states[body];

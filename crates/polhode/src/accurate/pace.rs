@@ -35,7 +35,7 @@ const MEAN_OF_STEPS_AGAIN: u64 = 256;
 
 /// Mean length of these steps below which they crowd, as a fraction of the longest step: a turn of a contact's place takes
 /// some ten of them.
-const MEAN_RELATIVE: f64 = 3e-5;
+const MEAN_RELATIVE: f64 = 1e-4;
 
 /// Whether a time is too short to be a step, s.
 pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
@@ -208,7 +208,6 @@ impl Pace {
         if self.window_events > most {
             return Err(NoAdvance { steps: self.window_events, advanced_s: t - self.window_start });
         }
-        self.note_mean_step(t, longest_step_s)?;
         let advanced_s = t - self.advanced_at;
         if advanced_s >= ADVANCE_RELATIVE * longest_step_s {
             (self.advanced_at, self.steps, self.backoffs) = (t, 0, 0);
@@ -219,8 +218,11 @@ impl Pace {
         if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
     }
 
-    /// Takes a step that ends at `t` into the mean of their lengths.
-    fn note_mean_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
+    /// Takes a step with held contacts that ends at `t` into the mean of their lengths.
+    ///
+    /// # Errors
+    /// When they are too short on the mean.
+    pub(super) fn note_mean_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
         self.mean_steps += 1;
         let (steps, advanced_s) = (self.mean_steps, t - self.mean_start);
         if steps < if self.has_crowded { MEAN_OF_STEPS_AGAIN } else { MEAN_OF_STEPS } {
