@@ -109,6 +109,21 @@ pub enum SimulationError {
         /// How large it has become, N.
         force_n: f64,
     },
+    /// Bodies overlap where nothing can move them apart: a prescribed motion leaves one no way out.
+    #[error(
+        "{body_a} and {body_b} overlap by {overlap_m:e} m at t = {t} s, and nothing moves them apart: leave the body a way \
+         out, or end the prescribed motion before"
+    )]
+    NoWayOut {
+        /// When, s.
+        t: f64,
+        /// A body of the pair that overlaps most.
+        body_a: String,
+        /// The other one.
+        body_b: String,
+        /// How far they overlap, m.
+        overlap_m: f64,
+    },
     /// Many steps have not advanced time.
     #[error(
         "no progress at t = {t} s: {steps} steps have advanced by {advanced_s:e} s while {body_a} touches {body_b} at {point} m: \

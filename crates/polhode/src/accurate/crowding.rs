@@ -39,6 +39,10 @@ const LONGEST_STRETCH: f64 = 16.0;
 /// Impacts that a time step is split at, at the most.
 const MOST_SPLITS: u32 = 4;
 
+/// Overlap that a time step cannot remove, relative to the smallest body: beyond it there is no way out, as for a ball that a
+/// press comes down on, and the run ends.
+const NO_WAY_OUT: f64 = 1e-3;
+
 /// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
 const SWEEP_FACTOR: f64 = 2.0;
 
@@ -228,7 +232,11 @@ impl Engine {
             h = (h * ratio.clamp(STEP_CHANGE.0, SAFETY)).max(shortest);
         };
         let states: Vec<BodyState> = instant.bodies.iter().map(|&body| scratch[body]).collect();
+        let stuck = made.as_ref().ok().and_then(|(report, ..)| no_way_out(core, report, &scratch, &pairs, t + h));
         self.restore_scratch(core, scratch, &instant.bodies);
+        if let Some(stuck) = stuck {
+            return Err(stuck);
+        }
         let (report, error, next) = made?;
         let end = if h >= limit - t { limit } else { t + h };
         core.accounts.note_crowding(end, report.steps, error);
@@ -394,4 +402,26 @@ impl Engine {
             Err(error) => self.stretch_instead(core, instant, error),
         }
     }
+}
+
+/// The error of a time step that ends at `t` (s) and leaves bodies of `pairs` overlapping visibly.
+fn no_way_out(
+    core: &Core,
+    report: &TimeStepReport,
+    states: &[BodyState],
+    pairs: &[(usize, usize)],
+    t: f64,
+) -> Option<SimulationError> {
+    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_afresh(states, a, b)?, (a, b)));
+    let visible = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
+    // The overlap that is left bounds that of all pairs, and none is the rule.
+    let smallest = pairs.iter().map(|&(a, b)| core.world.pair_size(a, b)).fold(f64::INFINITY, f64::min);
+    if report.left_penetration_m <= NO_WAY_OUT * smallest {
+        return None;
+    }
+    let deepest = pairs.iter().filter_map(overlap).filter(visible).max_by(|x, y| x.0.total_cmp(&y.0));
+    deepest.map(|(overlap_m, (a, b))| {
+        let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
+        SimulationError::NoWayOut { t, body_a, body_b, overlap_m }
+    })
 }

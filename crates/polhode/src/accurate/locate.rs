@@ -210,7 +210,7 @@ impl Engine {
             let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
             let stays = |kinematics: &ContactKinematics| {
                 ContactEvent::Leaving.value(kinematics) >= -tolerance
-                    && !moves_apart(&core.world, states, id, kinematics, core.settings.tolerance)
+                    && !moves_apart(&core.world, states, id, kinematics, core.settings.step_error())
             };
             match core.world.kinematics(states, id) {
                 Some(kinematics) if tolerated.contains(&id) || stays(&kinematics) => {
