@@ -23,12 +23,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
                  the figure is beyond what f64 velocities of the bodies can hold",
     },
     KnownFailure {
-        case: "IM-05",
-        quantity: "e=0.5: apex after 10th impact",
-        reason: "1.1e-11 against 1e-11 (6.9e-12 before searches for impacts began on a grid of time): each impact is found to \
-                 the rounding of the separation, 1e-15 m, which at the 4e-3 m/s that are left is 1e-13 s",
-    },
-    KnownFailure {
         case: "effects",
         quantity: "diamond-5: difference of planar motion",
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \

@@ -7,7 +7,7 @@
 
 use crate::{BodyState, FreeRotation, RigidBody};
 use glam::{DQuat, DVec3};
-use polhode_spatial::{Motion, MotionBounds, Pose, Rotation, Velocity};
+use polhode_spatial::{CompensatedSum, Motion, MotionBounds, Pose, Rotation, Velocity};
 
 /// Factor that covers the rounding of a bound's own evaluation, so that it is never too small: a few dozen
 /// operations, each good to 1.1e-16 relative.
@@ -72,6 +72,12 @@ impl Flight {
         }
     }
 
+    /// The way of the centre of mass since the time of the record, m.
+    fn path(&self, t: f64) -> DVec3 {
+        let s = t - self.t0;
+        (self.start.linear_velocity + self.gravity * (0.5 * s)) * s
+    }
+
     fn linear_velocity(&self, t: f64) -> DVec3 {
         self.start.linear_velocity + self.gravity * (t - self.t0)
     }
@@ -81,7 +87,7 @@ impl Motion for Flight {
     fn pose(&self, t: f64) -> Pose {
         let s = t - self.t0;
         let start = &self.start.pose;
-        let translation = start.translation + (self.start.linear_velocity + self.gravity * (0.5 * s)) * s;
+        let translation = start.translation + self.path(t);
         Pose::new(start.rotation * in_body_axes(self.body.axes(), self.rotation.relative(s)), translation)
     }
 
@@ -98,6 +104,16 @@ impl Motion for Flight {
             angular_speed: self.rotation.angular_speed_bound(),
             angular_acceleration: self.rotation.angular_acceleration_bound(),
         }
+    }
+
+    fn residue(&self, t: f64) -> Option<DVec3> {
+        let (start, path) = (self.start.pose.translation, self.path(t));
+        let lost = |start: f64, path: f64| {
+            let mut sum = CompensatedSum::new(start);
+            sum.add(path);
+            sum.parts()[1]
+        };
+        Some(DVec3::new(lost(start.x, path.x), lost(start.y, path.y), lost(start.z, path.z)))
     }
 }
 

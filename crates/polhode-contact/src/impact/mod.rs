@@ -2,6 +2,7 @@
 
 mod arc_cuts;
 mod composite_impact;
+mod fine_time;
 mod impact_bounds;
 pub(crate) mod quadratic_bound;
 mod ring_arcs;

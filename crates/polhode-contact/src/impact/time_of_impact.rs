@@ -4,7 +4,7 @@
 //! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes say for how long it certainly stays
 //! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
 //! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
-//! The time found is never late but for the rounding of the poses, and no touch is missed, however fast the bodies spin.
+//! The time found, of motions in closed form finer than poses are rounded (`fine_time.rs`), is never late but for the rounding, and no touch is missed, however fast the bodies spin.
 //! Of a torus the distance is as `round/ring.rs` finds it.
 //! Compounds and meshes go part by part (`composite_impact.rs`).
 //!
@@ -17,6 +17,7 @@
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::arc_cuts::Cuts;
 use crate::impact::composite_impact::{Parts, find_composite};
+use crate::impact::fine_time::refined;
 use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
@@ -328,7 +329,7 @@ impl Search<'_> {
                 return Ok((None, now.separation));
             }
             if now.separation <= self.resolution(&now) {
-                return Ok((Some(now.t), now.separation));
+                return self.refine(now, (start.t, t1)).map(|moment| (Some(moment.t), moment.separation));
             }
             if now.t >= t1 {
                 return Ok((None, now.separation));
@@ -340,6 +341,12 @@ impl Search<'_> {
             }
             now = self.look(next)?;
         }
+    }
+
+    /// The impact found at `now`, finer than poses are rounded where the motions allow it (`fine_time.rs`).
+    fn refine(&mut self, now: Moment, (t0, t1): (f64, f64)) -> Result<Moment, ImpactError> {
+        let t = refined(self.shapes, self.motions, (t0, now.t, t1), self.touch(&now));
+        if t == now.t { Ok(now) } else { self.look(t) }
     }
 
     /// For how long the pair certainly stays clear, at most `remaining` (s).

@@ -26,6 +26,7 @@ pub use error::MotionError;
 pub use steady_flight::SteadyFlight;
 
 use crate::{Pose, Velocity};
+use glam::DVec3;
 
 /// Upper bounds that hold at every time of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -50,6 +51,12 @@ pub trait Motion {
 
     /// Bounds that hold for every time in `[t0, t1]`. They may be generous, never too small.
     fn bounds(&self, t0: f64, t1: f64) -> MotionBounds;
+
+    /// What rounding takes from the position of [`Motion::pose`] at time `t` (s), m, world: the centre of mass is at the sum of
+    /// both. Nothing where it is not known, as of motions that are interpolated.
+    fn residue(&self, _t: f64) -> Option<DVec3> {
+        None
+    }
 }
 
 /// The motion of a body that does not move.
@@ -67,5 +74,9 @@ impl Motion for Still {
 
     fn bounds(&self, _t0: f64, _t1: f64) -> MotionBounds {
         MotionBounds::default()
+    }
+
+    fn residue(&self, _t: f64) -> Option<DVec3> {
+        Some(DVec3::ZERO)
     }
 }

@@ -1,0 +1,68 @@
+//! Times of impact finer than the rounding of the poses.
+//!
+//! A separation is computed of poses whose positions are rounded: at 0.5 m from the origin to 5.5e-17 m. A body that
+//! bounces 4 um high gains or loses 1.5e-11 of its height by so little, at every bounce. A motion in closed form knows what
+//! the rounding takes ([`Motion::residue`]), and with it the gap along a contact's normal is `separation + n . (residue of A -
+//! residue of B)`, whose root Newton's method finds. What remains is the rounding of the separation's own arithmetic, which
+//! is none for a ball on a floor through the origin, and that of the time.
+
+use crate::Shape;
+use crate::narrow_phase::evaluate::kinematics;
+use crate::narrow_phase::manifold::manifold;
+use polhode_spatial::Motion;
+
+/// Newton steps at most: each squares the relative error of a time that is right to some 1e-13 of itself already.
+const MOST_STEPS: usize = 4;
+
+/// The contact that closes first.
+struct Closing {
+    /// s.
+    t: f64,
+    /// m.
+    gap: f64,
+    /// m/s, negative.
+    rate: f64,
+}
+
+impl Closing {
+    /// When it closes at this rate, s.
+    fn time(&self) -> f64 {
+        self.t - self.gap / self.rate
+    }
+}
+
+/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where motions
+/// do not know their residues, nothing approaches, or no time near it is better.
+pub(crate) fn refined(
+    shapes: [&Shape; 2],
+    motions: [&dyn Motion; 2],
+    (start, t, end): (f64, f64, f64),
+    reach: f64,
+) -> f64 {
+    let Some(mut best) = first_closing(shapes, motions, t, reach) else { return t };
+    for _ in 0..MOST_STEPS {
+        let next = best.time();
+        if !(next > start && next <= end) || next == best.t {
+            break;
+        }
+        match first_closing(shapes, motions, next, reach) {
+            Some(closing) if closing.gap.abs() < best.gap.abs() => best = closing,
+            _ => break,
+        }
+    }
+    best.t
+}
+
+fn first_closing(shapes: [&Shape; 2], motions: [&dyn Motion; 2], t: f64, reach: f64) -> Option<Closing> {
+    let residue = motions[0].residue(t)? - motions[1].residue(t)?;
+    let (poses, velocities) = (motions.map(|motion| motion.pose(t)), motions.map(|motion| motion.velocity(t)));
+    let [a, b] = shapes;
+    let closing = |contact: &crate::Contact| {
+        let measured = kinematics(contact.feature, a, &poses[0], &velocities[0], b, &poses[1], &velocities[1])?;
+        let gap = measured.geometry.separation + measured.geometry.normal.dot(residue);
+        let rate = measured.separation_rate;
+        (rate < 0.0).then_some(Closing { t, gap, rate })
+    };
+    let found = manifold(a, &poses[0], b, &poses[1], reach);
+    found.contacts.iter().filter_map(closing).min_by(|x, y| x.time().total_cmp(&y.time()))
+}
