@@ -15,12 +15,14 @@ const ROUNDING: f64 = 1.0 + 64.0 * f64::EPSILON;
 
 /// A body in free flight since `t0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what an evaluation reads stands together.
+#[repr(C)]
 pub struct Flight {
     t0: f64,
-    start: BodyState,
     gravity: DVec3,
-    body: RigidBody,
+    start: BodyState,
     rotation: FreeRotation,
+    body: RigidBody,
 }
 
 impl Flight {
@@ -28,14 +30,14 @@ impl Flight {
     pub fn new(body: &RigidBody, t0: f64, state: &BodyState, gravity: DVec3) -> Self {
         let axes = state.pose.rotation * body.axes();
         let rotation = FreeRotation::new(body.moments(), axes, state.angular_momentum);
-        Self { t0, start: *state, gravity, body: *body, rotation }
+        Self { t0, gravity, start: *state, rotation, body: *body }
     }
 
     /// As [`Flight::new`], of a body that turns steadily about a principal axis ([`FreeRotation::steady`]).
     pub fn steady(body: &RigidBody, t0: f64, state: &BodyState, gravity: DVec3) -> Self {
         let axes = state.pose.rotation * body.axes();
         let rotation = FreeRotation::steady(body.moments(), axes, state.angular_momentum);
-        Self { t0, start: *state, gravity, body: *body, rotation }
+        Self { t0, gravity, start: *state, rotation, body: *body }
     }
 
     /// Time of the record, s.
@@ -79,10 +81,13 @@ impl Flight {
 
 impl Motion for Flight {
     fn pose(&self, t: f64) -> Pose {
+        let turned = in_body_axes(self.body.axes(), self.rotation.relative(t - self.t0));
+        Pose::new(self.start.pose.rotation * turned, self.position(t))
+    }
+
+    fn position(&self, t: f64) -> DVec3 {
         let s = t - self.t0;
-        let start = &self.start.pose;
-        let translation = start.translation + (self.start.linear_velocity + self.gravity * (0.5 * s)) * s;
-        Pose::new(start.rotation * in_body_axes(self.body.axes(), self.rotation.relative(s)), translation)
+        self.start.pose.translation + (self.start.linear_velocity + self.gravity * (0.5 * s)) * s
     }
 
     fn velocity(&self, t: f64) -> Velocity {

@@ -12,6 +12,10 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Levels after which the means agree for every double in (0, 1], the least subnormal included (it takes 13).
 const LEVELS: usize = 16;
+/// Levels that are kept: enough for a complement of 1e-4 and more. Nearer to the separatrix, where motions seldom are, the
+/// ladder is made anew at each evaluation, to the same bits: kept in a record for each of many bodies, its room would
+/// drive the rest of them out of the caches.
+const KEPT: usize = 6;
 /// Agreement of the means at which their difference, which is squared at each level, is below round-off.
 const AGREEMENT: f64 = 1e-8;
 /// Below this argument (dimensionless) two terms of the power series are exact to 1e-20, and the ladder would divide by
@@ -31,31 +35,21 @@ pub struct JacobiValues {
 
 /// The functions of one parameter, with their ladder of means.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
 pub struct JacobiFunctions {
     complement: f64,
-    means: [(f64, f64); LEVELS],
-    used: usize,
     mean: f64,
+    used: usize,
+    means: [(f64, f64); KEPT],
 }
 
 impl JacobiFunctions {
     /// Of the complementary parameter `m1 = 1 - m`, in [0, 1].
     pub fn new(complement: f64) -> Self {
-        let mut means = [(0.0, 0.0); LEVELS];
-        let mut used = 0;
-        let (mut a, mut product, mut mean) = (1.0f64, complement, 0.0);
-        for level in &mut means {
-            let b = product.sqrt();
-            *level = (a, b);
-            used += 1;
-            mean = 0.5 * (a + b);
-            if (a - b).abs() <= AGREEMENT * a {
-                break;
-            }
-            product = a * b;
-            a = mean;
-        }
-        Self { complement, means, used, mean }
+        let (ladder, used, mean) = ladder(complement);
+        let mut means = [(0.0, 0.0); KEPT];
+        means.copy_from_slice(&ladder[..KEPT]);
+        Self { complement, mean, used, means }
     }
 
     /// The complementary parameter `m1`.
@@ -82,13 +76,38 @@ impl JacobiFunctions {
         let mut a = cosine / sine;
         let mut cotangent = self.mean * a;
         let mut dn = 1.0;
-        for &(first, second) in self.means[..self.used].iter().rev() {
-            a *= cotangent;
-            cotangent *= dn;
-            dn = (second + a) / (first + a);
-            a = cotangent / first;
+        let mut descend = |levels: &[(f64, f64)]| {
+            for &(first, second) in levels.iter().rev() {
+                a *= cotangent;
+                cotangent *= dn;
+                dn = (second + a) / (first + a);
+                a = cotangent / first;
+            }
+        };
+        match self.means.get(..self.used) {
+            Some(levels) => descend(levels),
+            None => descend(&ladder(self.complement).0[..self.used]),
         }
         let sn = (1.0 / (cotangent * cotangent + 1.0).sqrt()).copysign(sine);
         JacobiValues { sn, cn: cotangent * sn, dn }
     }
+}
+
+/// The ladder of means, of which so many levels are used, and the mean that they run to.
+fn ladder(complement: f64) -> ([(f64, f64); LEVELS], usize, f64) {
+    let mut means = [(0.0, 0.0); LEVELS];
+    let mut used = 0;
+    let (mut a, mut product, mut mean) = (1.0f64, complement, 0.0);
+    for level in &mut means {
+        let b = product.sqrt();
+        *level = (a, b);
+        used += 1;
+        mean = 0.5 * (a + b);
+        if (a - b).abs() <= AGREEMENT * a {
+            break;
+        }
+        product = a * b;
+        a = mean;
+    }
+    (means, used, mean)
 }

@@ -47,31 +47,33 @@ const MIDDLE: usize = 1;
 
 /// What is constant during a rotation that is not steady, in canonical units.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what an evaluation reads follows its use, and the complete integral, which few evaluations need, comes last.
+#[repr(C)]
 pub(super) struct Elliptic {
     /// Axis whose momentum follows dn: the one that the momentum circles.
-    dn_axis: usize,
+    dn_axis: u8,
     /// Axis whose momentum follows cn.
-    cn_axis: usize,
+    cn_axis: u8,
     /// Body axis that the attitude's frame is built on.
-    frame_axis: usize,
-    /// Amplitudes of the momentum along the three axes, those of dn and sn with the sign of the momentum along dn's.
-    amplitudes: [f64; 3],
+    frame_axis: u8,
     /// lambda: phase per canonical time.
     rate: f64,
+    quarter_period: f64,
     parameter: f64,
     functions: JacobiFunctions,
-    quarter_period: f64,
     start: JacobiValues,
+    /// Amplitudes of the momentum along the three axes, those of dn and sn with the sign of the momentum along dn's.
+    amplitudes: [f64; 3],
     /// `|L|/Ib`.
     spin: f64,
     /// g: +1, 0 or -1.
     winding: f64,
     characteristic: f64,
     root_delta: f64,
-    /// J(K).
-    complete_integral: f64,
     /// B(0).
     start_frame: DQuat,
+    /// J(K).
+    complete_integral: f64,
 }
 
 impl Elliptic {
@@ -81,7 +83,7 @@ impl Elliptic {
         let separatrix = separatrix_distance(i, p);
         // On the separatrix itself either axis serves, unless the body is symmetric about it.
         let circles_third = if separatrix == 0.0 { i[2] - i[1] > i[1] - i[0] } else { separatrix > 0.0 };
-        let (c, a) = if circles_third { (2, 0) } else { (0, 2) };
+        let (c, a): (usize, usize) = if circles_third { (2, 0) } else { (0, 2) };
         let span = i[2] - i[0];
         let (to_c, to_a) = ((i[1] - i[c]).abs(), (i[1] - i[a]).abs());
         let dn_squared = p[c] * p[c] + p[1] * p[1] * (i[c] / i[1]) * (to_a / span);
@@ -102,9 +104,9 @@ impl Elliptic {
         amplitudes[MIDDLE] = sign * sn_amplitude;
         let momentum = DVec3::from_array(p);
         Self {
-            dn_axis: c,
-            cn_axis: a,
-            frame_axis,
+            dn_axis: c as u8,
+            cn_axis: a as u8,
+            frame_axis: frame_axis as u8,
             amplitudes,
             rate: dn_amplitude / i[c] * (to_c * span / (i[a] * i[1])).sqrt(),
             parameter,
@@ -132,10 +134,10 @@ impl Elliptic {
         // An odd number of half periods turns sn and cn round.
         let flip = if libm::fabs(half_periods) % 2.0 == 1.0 { -1.0 } else { 1.0 };
         let mut momentum = self.amplitudes;
-        momentum[self.dn_axis] *= end.dn;
-        momentum[self.cn_axis] *= flip * end.cn;
+        momentum[usize::from(self.dn_axis)] *= end.dn;
+        momentum[usize::from(self.cn_axis)] *= flip * end.cn;
         momentum[MIDDLE] *= flip * end.sn;
-        let end_frame = frame(DVec3::from_array(momentum), self.frame_axis);
+        let end_frame = frame(DVec3::from_array(momentum), usize::from(self.frame_axis));
         let (sine, cosine) = libm::sincos(0.5 * psi);
         self.start_frame * DQuat::from_xyzw(0.0, 0.0, sine, cosine) * end_frame.conjugate()
     }
