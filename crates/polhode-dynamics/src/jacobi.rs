@@ -8,6 +8,7 @@
 //! `|u| <= K`, where cn and dn keep their relative accuracy. Outside `0 <= m1 <= 1` the results mean nothing; NaN gives
 //! NaN; the means end after a fixed number of levels.
 
+use crate::lanes::Lanes;
 use std::f64::consts::FRAC_PI_2;
 
 /// Levels after which the means agree for every double in (0, 1], the least subnormal included (it takes 13).
@@ -64,32 +65,82 @@ impl JacobiFunctions {
 
     /// The functions at `u`, `|u| <= K`.
     pub fn at(&self, u: f64) -> JacobiValues {
+        JacobiLanes::at([self], Lanes([u])).lane(0)
+    }
+
+    /// Where the ladder does not serve: at small arguments, and on the separatrix.
+    fn at_special(&self, u: f64) -> Option<JacobiValues> {
         if u.abs() < SMALL_ARGUMENT {
             let (u2, m) = (u * u, 1.0 - self.complement);
-            return JacobiValues { sn: u * (1.0 - (1.0 + m) * u2 / 6.0), cn: 1.0 - 0.5 * u2, dn: 1.0 - 0.5 * m * u2 };
+            let (cn, dn) = (1.0 - 0.5 * u2, 1.0 - 0.5 * m * u2);
+            return Some(JacobiValues { sn: u * (1.0 - (1.0 + m) * u2 / 6.0), cn, dn });
         }
         if self.complement == 0.0 {
             let sech = 1.0 / libm::cosh(u);
-            return JacobiValues { sn: libm::tanh(u), cn: sech, dn: sech };
+            return Some(JacobiValues { sn: libm::tanh(u), cn: sech, dn: sech });
         }
-        let (sine, cosine) = libm::sincos(self.mean * u);
-        let mut a = cosine / sine;
-        let mut cotangent = self.mean * a;
-        let mut dn = 1.0;
-        let mut descend = |levels: &[(f64, f64)]| {
-            for &(first, second) in levels.iter().rev() {
-                a *= cotangent;
-                cotangent *= dn;
-                dn = (second + a) / (first + a);
-                a = cotangent / first;
-            }
+        None
+    }
+}
+
+/// Values of the three functions, one argument and parameter in each lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct JacobiLanes<const N: usize> {
+    pub(crate) sn: Lanes<N>,
+    pub(crate) cn: Lanes<N>,
+    pub(crate) dn: Lanes<N>,
+}
+
+impl<const N: usize> JacobiLanes<N> {
+    /// From the values of each lane.
+    #[inline(always)]
+    pub(crate) fn of(lane: impl Fn(usize) -> JacobiValues) -> Self {
+        Self { sn: Lanes::of(|i| lane(i).sn), cn: Lanes::of(|i| lane(i).cn), dn: Lanes::of(|i| lane(i).dn) }
+    }
+
+    /// The values of one lane.
+    #[inline(always)]
+    pub(crate) fn lane(&self, i: usize) -> JacobiValues {
+        JacobiValues { sn: self.sn.0[i], cn: self.cn.0[i], dn: self.dn.0[i] }
+    }
+
+    /// [`JacobiFunctions::at`] in each lane.
+    #[inline(never)]
+    pub(crate) fn at(functions: [&JacobiFunctions; N], u: Lanes<N>) -> Self {
+        let angles: [(f64, f64); N] = std::array::from_fn(|i| libm::sincos(functions[i].mean * u.0[i]));
+        let sine = Lanes::of(|i| angles[i].0);
+        let mut a = Lanes::of(|i| angles[i].1) / sine;
+        let mut cotangent = Lanes::of(|i| functions[i].mean) * a;
+        let mut dn = Lanes::splat(1.0);
+        let most = functions.iter().map(|own| own.used).max().unwrap_or(0);
+        // Few lanes need the levels that are not kept; where one does, all are made.
+        let made: [Option<[(f64, f64); LEVELS]>; N] = if most > KEPT {
+            std::array::from_fn(|i| (functions[i].used > KEPT).then(|| ladder(functions[i].complement).0))
+        } else {
+            [None; N]
         };
-        match self.means.get(..self.used) {
-            Some(levels) => descend(levels),
-            None => descend(&ladder(self.complement).0[..self.used]),
+        for level in (0..most).rev() {
+            let used: [bool; N] = std::array::from_fn(|i| level < functions[i].used);
+            let means: [(f64, f64); N] = std::array::from_fn(|i| match &made[i] {
+                Some(made) => made[level],
+                None => functions[i].means.get(level).copied().unwrap_or_default(),
+            });
+            let (first, second) = (Lanes::of(|i| means[i].0), Lanes::of(|i| means[i].1));
+            let product = a * cotangent;
+            let next = cotangent * dn;
+            dn = ((second + product) / (first + product)).where_or(used, dn);
+            a = (next / first).where_or(used, a);
+            cotangent = next.where_or(used, cotangent);
         }
-        let sn = (1.0 / (cotangent * cotangent + 1.0).sqrt()).copysign(sine);
-        JacobiValues { sn, cn: cotangent * sn, dn }
+        let sn = 1.0 / (cotangent * cotangent + 1.0).sqrt();
+        let sn = Lanes::of(|i| sn.0[i].copysign(sine.0[i]));
+        let mut values = Self { sn, cn: cotangent * sn, dn };
+        for i in 0..N {
+            if let Some(special) = functions[i].at_special(u.0[i]) {
+                (values.sn.0[i], values.cn.0[i], values.dn.0[i]) = (special.sn, special.cn, special.dn);
+            }
+        }
+        values
     }
 }
 

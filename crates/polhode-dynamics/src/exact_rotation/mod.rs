@@ -139,6 +139,27 @@ impl FreeRotation {
         restored(&self.canonical, relative)
     }
 
+    /// How the rotation after `h` seconds is evaluated.
+    pub(crate) fn path(&self, h: f64) -> Path {
+        match &self.elliptic {
+            None => Path::Steady,
+            Some(_) if self.taylor.reaches(h * self.canonical.time_scale) => Path::Series,
+            Some(_) => Path::Elliptic,
+        }
+    }
+
+    /// [`FreeRotation::relative`] of several rotations, with the same bits: together where all go the path given.
+    pub(crate) fn relative_of<const N: usize>(rotations: [&Self; N], h: [f64; N], path: Path) -> [Rotation; N] {
+        let times = std::array::from_fn(|i| h[i] * rotations[i].canonical.time_scale);
+        let elliptic = rotations.each_ref().map(|rotation| rotation.elliptic.as_ref());
+        let relative = match (path, all(elliptic)) {
+            (Path::Series, Some(_)) => Taylor::relative_lanes(rotations.map(|rotation| &rotation.taylor), times),
+            (Path::Elliptic, Some(elliptic)) => Elliptic::relative_lanes(elliptic, times),
+            _ => return std::array::from_fn(|i| rotations[i].relative(h[i])),
+        };
+        std::array::from_fn(|i| restored(&rotations[i].canonical, relative[i]))
+    }
+
     /// As [`FreeRotation::at`], by the Taylor series alone: nothing when the rotation is steady or the series does not
     /// reach that far. For comparing the two.
     pub fn at_by_taylor(&self, h: f64) -> Option<Rotation> {
@@ -186,6 +207,27 @@ impl FreeRotation {
     pub const fn angular_acceleration_bound(&self) -> f64 {
         self.angular_acceleration_bound
     }
+}
+
+/// How a rotation is evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Path {
+    /// About a fixed axis.
+    Steady,
+    /// By the power series.
+    Series,
+    /// By elliptic functions.
+    Elliptic,
+}
+
+/// All of them, if there are all.
+fn all<T: Copy, const N: usize>(values: [Option<T>; N]) -> Option<[T; N]> {
+    let first = values.first().copied().flatten()?;
+    let mut out = [first; N];
+    for (out, value) in out.iter_mut().zip(values) {
+        *out = value?;
+    }
+    Some(out)
 }
 
 /// The turn about a fixed axis, canonical.

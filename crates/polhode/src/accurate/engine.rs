@@ -312,12 +312,12 @@ impl Engine {
 
     /// States of all bodies, those in flight and kinematic ones at `t`, the others at the start of their steps.
     fn write_flying_states(&self, core: &Core, t: f64, states: &mut Vec<BodyState>) {
-        let state = |(track, state): (&Track, &BodyState)| match &track.mode {
-            Mode::Flight(flight) => flight.state(t),
-            _ => *state,
-        };
-        states.clear();
-        states.extend(self.tracks.iter().zip(&self.states).map(state));
+        states.clone_from(&self.states);
+        let flights = self.tracks.iter().enumerate().filter_map(|(body, track)| match &track.mode {
+            Mode::Flight(flight) => Some((body, &**flight)),
+            _ => None,
+        });
+        Flight::write_states(flights, t, states);
         core.world.prescribe(t, states);
     }
 
@@ -520,11 +520,11 @@ impl Tier for Engine {
     }
 
     fn samples(&self, core: &Core) -> Vec<BodySample> {
-        // Without islands each body is evaluated by itself.
-        if self.islands.is_empty() {
-            return (0..self.states.len()).map(|body| self.present_sample(core, body)).collect();
+        let sample = |(body, state): (usize, &BodyState)| self.sample_in(core, body, state);
+        match self.looked.at(core.t) {
+            Some(states) => states.iter().enumerate().map(sample).collect(),
+            None => self.states(core).iter().enumerate().map(sample).collect(),
         }
-        self.states(core).iter().enumerate().map(|(body, state)| core.world.sample(body, state)).collect()
     }
 
     fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {

@@ -38,10 +38,14 @@ impl Engine {
     /// A body at the present as it is reported. The record of a flight holds the body's mass properties, near what has just
     /// been read.
     pub(super) fn present_sample(&self, core: &Core, body: usize) -> BodySample {
-        let state = self.present_state(core, body);
+        self.sample_in(core, body, &self.present_state(core, body))
+    }
+
+    /// A body in this state as it is reported.
+    pub(super) fn sample_in(&self, core: &Core, body: usize, state: &BodyState) -> BodySample {
         match &self.tracks[body].mode {
-            Mode::Flight(flight) => core.world.sample_of(body, flight.body(), &state),
-            _ => core.world.sample(body, &state),
+            Mode::Flight(flight) => core.world.sample_of(body, flight.body(), state),
+            _ => core.world.sample(body, state),
         }
     }
 
