@@ -6,6 +6,8 @@
 //! docs/REFERENCES.md, Carlson 1995; DLMF 19.36(i). Arguments: x, y, z not negative and at most one of them zero,
 //! p positive; anything else gives NaN or infinity. The rounds are bounded.
 
+use crate::lanes::Lanes;
+
 /// `(r/4)^(-1/8)` with r = 2^-56: how many times closer than their spread the arguments must be to their mean for the
 /// polynomial's remainder to be below r.
 const CLOSENESS: f64 = 153.0;
@@ -15,49 +17,67 @@ const MAX_ROUNDS: usize = 600;
 
 /// `RJ(x, y, z, p)`.
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
-    let mean_of = |x: f64, y: f64, z: f64, p: f64| 0.2 * (x + y + z + p + p);
-    let mean0 = mean_of(x, y, z, p);
-    let spread = [x, y, z, p].iter().fold(0.0f64, |s, a| s.max((mean0 - a).abs()));
+    let [value] = rj_lanes(Lanes([x]), Lanes([y]), Lanes([z]), Lanes([p])).0;
+    value
+}
+
+/// [`rj`] in each lane.
+#[inline(never)]
+pub(crate) fn rj_lanes<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>, p: Lanes<N>) -> Lanes<N> {
+    let mean0 = 0.2 * (x + y + z + p + p);
+    let spread = [x, y, z, p].into_iter().fold(Lanes::splat(0.0), |s, a| s.max((mean0 - a).abs()));
     let delta = (p - x) * (p - y) * (p - z);
     let (mut xn, mut yn, mut zn, mut pn, mut mean) = (x, y, z, p, mean0);
-    let (mut quarter, mut sum) = (1.0, 0.0);
+    let (mut quarter, mut sum) = (Lanes::splat(1.0), Lanes::splat(0.0));
     let mut rounds = 0;
-    while CLOSENESS * quarter * spread >= mean {
+    loop {
+        let reach = CLOSENESS * quarter * spread;
+        let goes_on: [bool; N] = std::array::from_fn(|i| reach.0[i] >= mean.0[i]);
+        if goes_on == [false; N] {
+            break;
+        }
         let (rx, ry, rz, rp) = (xn.sqrt(), yn.sqrt(), zn.sqrt(), pn.sqrt());
         let d = (rp + rx) * (rp + ry) * (rp + rz);
         let e = quarter * quarter * quarter * delta / (d * d);
-        sum += quarter / d * rc_one(e);
+        sum = (sum + quarter / d * rc_one(e, goes_on)).where_or(goes_on, sum);
         let lambda = rx * ry + rz * (rx + ry);
-        (xn, yn, zn, pn) = (0.25 * (xn + lambda), 0.25 * (yn + lambda), 0.25 * (zn + lambda), 0.25 * (pn + lambda));
-        mean = 0.25 * (mean + lambda);
-        quarter *= 0.25;
+        let closer = |a: Lanes<N>| (0.25 * (a + lambda)).where_or(goes_on, a);
+        (xn, yn, zn, pn, mean) = (closer(xn), closer(yn), closer(zn), closer(pn), closer(mean));
+        quarter = (quarter * 0.25).where_or(goes_on, quarter);
         rounds += 1;
         if rounds == MAX_ROUNDS {
-            return f64::NAN;
+            mean = Lanes::splat(f64::NAN).where_or(goes_on, mean);
+            break;
         }
     }
-    let relative = |a: f64| quarter * (mean0 - a) / mean;
+    let relative = |a: Lanes<N>| quarter * (mean0 - a) / mean;
     quarter * about_the_mean(relative(x), relative(y), relative(z)) / (mean * mean.sqrt()) + 6.0 * sum
 }
 
-/// `RC(1, 1 + e) = int_0^inf dt / (2 (t + 1 + e) sqrt(t + 1))`: an arc tangent, for e > -1.
-fn rc_one(e: f64) -> f64 {
+/// `RC(1, 1 + e) = int_0^inf dt / (2 (t + 1 + e) sqrt(t + 1))`: an arc tangent, for e > -1; in the lanes asked for.
+#[inline(always)]
+fn rc_one<const N: usize>(e: Lanes<N>, asked: [bool; N]) -> Lanes<N> {
     /// Below this |e| six terms of the series are exact to 1e-18.
     const SMALL: f64 = 1e-3;
-    if e.abs() < SMALL {
-        1.0 - e * (1.0 / 3.0 - e * (0.2 - e * (1.0 / 7.0 - e * (1.0 / 9.0 - e * (1.0 / 11.0)))))
-    } else if e > 0.0 {
-        let root = e.sqrt();
-        libm::atan(root) / root
-    } else {
-        let root = (-e).sqrt();
-        libm::atanh(root) / root
+    let mut values = 1.0 - e * (1.0 / 3.0 - e * (0.2 - e * (1.0 / 7.0 - e * (1.0 / 9.0 - e * (1.0 / 11.0)))));
+    for ((value, e), asked) in values.0.iter_mut().zip(e.0).zip(asked) {
+        if asked && !(e.abs() < SMALL) {
+            *value = if e > 0.0 {
+                let root = e.sqrt();
+                libm::atan(root) / root
+            } else {
+                let root = (-e).sqrt();
+                libm::atanh(root) / root
+            };
+        }
     }
+    values
 }
 
 /// DLMF 19.36.2, to degree seven: the integrand about the mean of the arguments, whose relative distances from it are
 /// x, y, z and, twice, p.
-fn about_the_mean(x: f64, y: f64, z: f64) -> f64 {
+#[inline(always)]
+fn about_the_mean<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>) -> Lanes<N> {
     let p = -0.5 * (x + y + z);
     let e2 = x * y + x * z + y * z - 3.0 * p * p;
     let e3 = x * y * z + 2.0 * e2 * p + 4.0 * p * p * p;

@@ -54,6 +54,7 @@ pub mod free_motion;
 pub mod integrated_motion;
 pub mod integrator;
 pub mod jacobi;
+mod lanes;
 pub mod momentum;
 pub mod rigid_body;
 pub mod rk4;

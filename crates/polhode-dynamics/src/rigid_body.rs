@@ -17,18 +17,20 @@ use polhode_spatial::{Inertia, MassProperties, Pose, PrincipalAxes, Rotation, Ve
 /// Mass and inertia of a body, with their inverses. The frame C has the axes of the body and its origin at the centre of
 /// mass, or at the pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what velocities and energies are made from stands together, at the front.
+#[repr(C)]
 pub struct RigidBody {
-    mass: f64,
-    inverse_mass: f64,
+    /// `R_BP` that belongs to `moments`; exactly the identity when the inertia is diagonal in body axes.
+    axes: Rotation,
+    /// Principal moments in the order of `axes`, kg m^2.
+    moments: DVec3,
     /// `p_CBcm`, m, in body axes.
     arm: DVec3,
+    mass: f64,
+    inverse_mass: f64,
     inertia: DMat3,
     inverse_inertia: DMat3,
     principal: PrincipalAxes,
-    /// Principal moments in the order of `axes`, kg m^2.
-    moments: DVec3,
-    /// `R_BP` that belongs to `moments`; exactly the identity when the inertia is diagonal in body axes.
-    axes: Rotation,
 }
 
 impl RigidBody {

@@ -24,6 +24,7 @@ use polhode_contact::QueryError;
 use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
+use std::sync::Arc;
 
 /// What is left of the run after a step is added to it, if it is less than this fraction of the step: a sum of equal
 /// steps may leave over what is no step.
@@ -228,14 +229,13 @@ impl Simulation {
     /// Never for a handle of this simulation; for one of another simulation with more bodies the last body is given.
     pub fn body(&self, body: BodyId) -> BodySample {
         let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
-        self.core.world.sample(index, &self.tier.state(&self.core, index))
+        self.tier.sample(&self.core, index)
     }
 
     /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives for each,
     /// evaluated at once.
     pub fn bodies(&self) -> Vec<BodySample> {
-        let states = self.tier.states(&self.core);
-        states.iter().enumerate().map(|(body, state)| self.core.world.sample(body, state)).collect()
+        self.tier.samples(&self.core)
     }
 
     /// Contacts that touch at the present. Only sums of forces and the motion are unique.
@@ -413,7 +413,7 @@ pub(crate) fn emit_samples_before<T: Tier>(
     tier: &mut T,
     core: &mut Core,
     observer: &mut dyn Observer,
-    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Vec<BodyState>>, SimulationError>,
+    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError>,
 ) -> Result<(), SimulationError> {
     loop {
         let t = core.accounts.next_sample_s(&core.world);

@@ -6,7 +6,7 @@
 use crate::accounting::Accounts;
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
-use crate::observer::Observer;
+use crate::observer::{BodySample, Observer};
 use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
@@ -48,6 +48,16 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// State of one body at the present: the same bits as in [`Tier::states`], at a cost that does not grow with the number
     /// of bodies that do not move with it.
     fn state(&self, core: &Core, body: usize) -> BodyState;
+
+    /// One body at the present, as it is reported.
+    fn sample(&self, core: &Core, body: usize) -> BodySample {
+        core.world.sample(body, &self.state(core, body))
+    }
+
+    /// All bodies at the present, as they are reported.
+    fn samples(&self, core: &Core) -> Vec<BodySample> {
+        self.states(core).iter().enumerate().map(|(body, state)| core.world.sample(body, state)).collect()
+    }
 
     /// Books into `accounts`, which are a copy, what has been going on since it was last booked, up to the present.
     ///

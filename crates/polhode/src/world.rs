@@ -37,24 +37,26 @@ const JUDGED_ULPS: f64 = 4.0;
 
 /// A body of the engine.
 #[derive(Debug, Clone)]
+// In this order: what samples and ledgers read of every body stands together, at the front.
+#[repr(C)]
 pub(crate) struct WorldBody {
-    pub(crate) name: String,
-    /// Mass properties; none for a body that no force moves.
-    pub(crate) rigid: Option<RigidBody>,
-    /// Motion of the moving frame of a kinematic body.
-    pub(crate) trajectory: Option<Trajectory>,
-    /// Shape in the moving frame.
-    pub(crate) shape: Option<Shape>,
+    /// Whether a program has removed the body: its number stays, and nothing else of it.
+    pub(crate) removed: bool,
+    /// Largest extent of the body, m; zero for a half-space.
+    pub(crate) size: f64,
     /// `p_BC`: origin of the moving frame in the body's own, m.
     pub(crate) origin: DVec3,
     /// Its point that rows hold, if any.
     pub(crate) held: Option<HeldPoint>,
     /// Centre of mass at the start, world, m.
     start: DVec3,
-    /// Largest extent of the body, m; zero for a half-space.
-    pub(crate) size: f64,
-    /// Whether a program has removed the body: its number stays, and nothing else of it.
-    pub(crate) removed: bool,
+    /// Mass properties; none for a body that no force moves.
+    pub(crate) rigid: Option<RigidBody>,
+    /// Shape in the moving frame.
+    pub(crate) shape: Option<Shape>,
+    /// Motion of the moving frame of a kinematic body.
+    pub(crate) trajectory: Option<Trajectory>,
+    pub(crate) name: String,
 }
 
 /// All bodies, and the scene they came from.
@@ -515,6 +517,12 @@ impl World {
             (None, None) => Velocity::ZERO,
         };
         BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
+    }
+
+    /// The same of a body with these mass properties, which are its own.
+    pub(crate) fn sample_of(&self, index: usize, rigid: &RigidBody, state: &BodyState) -> BodySample {
+        let pose = state.pose * Pose::from_translation(-self.bodies[index].origin);
+        BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
     }
 
     /// A body's acceleration as it is reported: of the centre of mass, from that of the origin of its moving frame.

@@ -5,6 +5,7 @@ use crate::Shape;
 use crate::shape::extent::turned;
 use glam::{DMat3, DVec3};
 use polhode_spatial::{Motion, Pose, Rotation};
+use std::cell::OnceCell;
 use thiserror::Error;
 
 /// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
@@ -125,34 +126,43 @@ pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Resul
 }
 
 /// A motion over an interval as boxes need it: the same for all parts of a body.
-pub(crate) struct Sweep {
+pub(crate) struct Sweep<'a> {
+    motion: &'a dyn Motion,
     /// Where the centre of mass may be.
     low: DVec3,
     high: DVec3,
     /// Half of the angle that the body may turn by, at most so much that any point may be anywhere (rad).
     turn: f64,
-    /// At the middle of the interval.
-    rotation: Rotation,
-    axes: DMat3,
+    /// Middle of the interval, s.
+    middle: f64,
+    /// Rotation there, once a part has asked for it: the box of a ball does not.
+    rotation: OnceCell<(Rotation, DMat3)>,
 }
 
-impl Sweep {
+impl<'a> Sweep<'a> {
     /// # Errors
     /// When the interval is not finite or reversed.
-    pub(crate) fn new(motion: &dyn Motion, t0: f64, t1: f64) -> Result<Self, AabbError> {
+    pub(crate) fn new(motion: &'a dyn Motion, t0: f64, t1: f64) -> Result<Self, AabbError> {
         if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
             return Err(AabbError::Interval { t0, t1 });
         }
         let duration = t1 - t0;
         let bounds = motion.bounds(t0, t1);
-        let (start, end) = (motion.pose(t0).translation, motion.pose(t1).translation);
+        let (start, end) = (motion.position(t0), motion.position(t1));
         let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
         let reach = DVec3::splat(bounds.speed * duration);
         let (low, high) = (start.min(end) - sag, start.max(end) + sag);
         let (low, high) = (low.max(start - reach), high.min(start + reach));
         let turn = (0.5 * bounds.angular_speed * duration).min(2.0);
-        let rotation = motion.pose(t0 + 0.5 * duration).rotation;
-        Ok(Self { low, high, turn, rotation, axes: axes_seen(rotation) })
+        Ok(Self { motion, low, high, turn, middle: t0 + 0.5 * duration, rotation: OnceCell::new() })
+    }
+
+    /// The rotation at the middle of the interval, and the world's axes seen from there.
+    fn rotation(&self) -> &(Rotation, DMat3) {
+        self.rotation.get_or_init(|| {
+            let rotation = self.motion.pose(self.middle).rotation;
+            (rotation, axes_seen(rotation))
+        })
     }
 
     /// A box that contains a shape throughout.
@@ -178,14 +188,21 @@ impl Sweep {
     /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
     fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
         let radius = shape.radius();
+        let ball = DVec3::splat(radius);
+        // A ball about the centre of mass is the same however it turns.
+        if let Shape::Sphere(sphere) = shape
+            && sphere.center == DVec3::ZERO
+        {
+            return (-ball, ball);
+        }
         let stray = DVec3::splat(radius * self.turn);
+        let (rotation, axes) = self.rotation();
         if let Shape::TriangleMesh(mesh) = shape {
             // The corners of the box around it stand in for many vertices.
-            let around = turned(mesh.bounds(), &Pose { rotation: self.rotation, translation: DVec3::ZERO });
+            let around = turned(mesh.bounds(), &Pose { rotation: *rotation, translation: DVec3::ZERO });
             return (around.min - stray, around.max + stray);
         }
-        let (low, high) = extents(shape, &self.axes);
-        let ball = DVec3::splat(radius);
+        let (low, high) = extents(shape, axes);
         ((low - stray).max(-ball), (high + stray).min(ball))
     }
 }

@@ -12,17 +12,20 @@ const NEGLIGIBLE: f64 = 1e-150;
 
 /// Moments and momentum in principal axes at one time, in canonical form.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what an evaluation reads stands together, at the front.
+#[repr(C)]
 pub(super) struct Canonical {
-    /// Principal moments, ascending, the largest in [1, 2) but at the very ends of the range of doubles.
-    pub(super) moments: [f64; 3],
-    /// Angular momentum along those axes, its largest component likewise or all zero.
-    pub(super) momentum: [f64; 3],
     /// Canonical time per second.
     pub(super) time_scale: f64,
-    /// Which of the given axes each canonical axis is.
-    order: [usize; 3],
     /// Sign of the third axis: -1 for an odd permutation.
     third: f64,
+    /// Which of the given axes each canonical axis is.
+    order: [u8; 3],
+    /// Angular momentum along the canonical axes, its largest component in [1, 2) but at the very ends of the range of
+    /// doubles, or all zero.
+    pub(super) momentum: [f64; 3],
+    /// Principal moments, ascending, the largest likewise.
+    pub(super) moments: [f64; 3],
 }
 
 impl Canonical {
@@ -75,7 +78,7 @@ impl Canonical {
         let v = [q.x, q.y, q.z * self.third];
         let mut restored = [0.0; 3];
         for (k, component) in self.order.into_iter().zip(v) {
-            restored[k] = component;
+            restored[usize::from(k)] = component;
         }
         DQuat::from_xyzw(restored[0], restored[1], restored[2], q.w)
     }

@@ -37,9 +37,10 @@
 
 use super::canonical::Canonical;
 use super::complete_integral::complete_integral;
-use crate::carlson::rj;
+use crate::carlson::rj_lanes;
 use crate::double_double::DoubleDouble;
-use crate::jacobi::{JacobiFunctions, JacobiValues};
+use crate::jacobi::{JacobiFunctions, JacobiLanes, JacobiValues};
+use crate::lanes::Lanes;
 use glam::{DMat3, DQuat, DVec3};
 
 /// The middle axis, along which the momentum follows sn.
@@ -47,31 +48,33 @@ const MIDDLE: usize = 1;
 
 /// What is constant during a rotation that is not steady, in canonical units.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what an evaluation reads follows its use, and the complete integral, which few evaluations need, comes last.
+#[repr(C)]
 pub(super) struct Elliptic {
     /// Axis whose momentum follows dn: the one that the momentum circles.
-    dn_axis: usize,
+    dn_axis: u8,
     /// Axis whose momentum follows cn.
-    cn_axis: usize,
+    cn_axis: u8,
     /// Body axis that the attitude's frame is built on.
-    frame_axis: usize,
-    /// Amplitudes of the momentum along the three axes, those of dn and sn with the sign of the momentum along dn's.
-    amplitudes: [f64; 3],
+    frame_axis: u8,
     /// lambda: phase per canonical time.
     rate: f64,
+    quarter_period: f64,
     parameter: f64,
     functions: JacobiFunctions,
-    quarter_period: f64,
     start: JacobiValues,
+    /// Amplitudes of the momentum along the three axes, those of dn and sn with the sign of the momentum along dn's.
+    amplitudes: [f64; 3],
     /// `|L|/Ib`.
     spin: f64,
     /// g: +1, 0 or -1.
     winding: f64,
     characteristic: f64,
     root_delta: f64,
-    /// J(K).
-    complete_integral: f64,
     /// B(0).
     start_frame: DQuat,
+    /// J(K).
+    complete_integral: f64,
 }
 
 impl Elliptic {
@@ -81,7 +84,7 @@ impl Elliptic {
         let separatrix = separatrix_distance(i, p);
         // On the separatrix itself either axis serves, unless the body is symmetric about it.
         let circles_third = if separatrix == 0.0 { i[2] - i[1] > i[1] - i[0] } else { separatrix > 0.0 };
-        let (c, a) = if circles_third { (2, 0) } else { (0, 2) };
+        let (c, a): (usize, usize) = if circles_third { (2, 0) } else { (0, 2) };
         let span = i[2] - i[0];
         let (to_c, to_a) = ((i[1] - i[c]).abs(), (i[1] - i[a]).abs());
         let dn_squared = p[c] * p[c] + p[1] * p[1] * (i[c] / i[1]) * (to_a / span);
@@ -102,9 +105,9 @@ impl Elliptic {
         amplitudes[MIDDLE] = sign * sn_amplitude;
         let momentum = DVec3::from_array(p);
         Self {
-            dn_axis: c,
-            cn_axis: a,
-            frame_axis,
+            dn_axis: c as u8,
+            cn_axis: a as u8,
+            frame_axis: frame_axis as u8,
             amplitudes,
             rate: dn_amplitude / i[c] * (to_c * span / (i[a] * i[1])).sqrt(),
             parameter,
@@ -122,37 +125,43 @@ impl Elliptic {
 
     /// Rotation from the axes after the canonical time `h` to those at the start.
     pub(super) fn relative(&self, h: f64) -> DQuat {
-        let phase = self.rate * h;
-        let half_periods =
-            if self.quarter_period.is_finite() { libm::rint(phase / (2.0 * self.quarter_period)) } else { 0.0 };
-        let reduced = if half_periods == 0.0 { phase } else { phase - half_periods * (2.0 * self.quarter_period) };
-        let turned = self.functions.at(reduced);
-        let end = add(self.start, turned, self.parameter);
-        let psi = self.spin * h + self.winding * self.winding_angle(turned, end, half_periods);
+        let [relative] = Self::relative_lanes([self], [h]);
+        relative
+    }
+
+    /// [`Elliptic::relative`] in each lane.
+    #[inline]
+    pub(super) fn relative_lanes<const N: usize>(own: [&Self; N], h: [f64; N]) -> [DQuat; N] {
+        let phase = Lanes::of(|i| own[i].rate) * Lanes(h);
+        let half_periods = Lanes::of(|i| own[i].half_periods(phase.0[i]));
+        let reduced = Lanes::of(|i| match half_periods.0[i] {
+            0.0 => phase.0[i],
+            count => phase.0[i] - count * (2.0 * own[i].quarter_period),
+        });
+        let turned = JacobiLanes::at(own.map(|own| &own.functions), reduced);
+        let start = JacobiLanes::of(|i| own[i].start);
+        let end = add(start, turned, Lanes::of(|i| own[i].parameter));
+        let psi = Lanes::of(|i| own[i].spin) * Lanes(h)
+            + Lanes::of(|i| own[i].winding) * winding_angle(own, start.sn, turned, end, half_periods);
+        std::array::from_fn(|i| own[i].attitude(end.lane(i), half_periods.0[i], psi.0[i]))
+    }
+
+    /// Half periods of Jacobi's functions nearest to a phase.
+    fn half_periods(&self, phase: f64) -> f64 {
+        if self.quarter_period.is_finite() { libm::rint(phase / (2.0 * self.quarter_period)) } else { 0.0 }
+    }
+
+    /// The rotation when the momentum's functions have these values and the frame has turned by psi.
+    fn attitude(&self, end: JacobiValues, half_periods: f64, psi: f64) -> DQuat {
         // An odd number of half periods turns sn and cn round.
         let flip = if libm::fabs(half_periods) % 2.0 == 1.0 { -1.0 } else { 1.0 };
         let mut momentum = self.amplitudes;
-        momentum[self.dn_axis] *= end.dn;
-        momentum[self.cn_axis] *= flip * end.cn;
+        momentum[usize::from(self.dn_axis)] *= end.dn;
+        momentum[usize::from(self.cn_axis)] *= flip * end.cn;
         momentum[MIDDLE] *= flip * end.sn;
-        let end_frame = frame(DVec3::from_array(momentum), self.frame_axis);
+        let end_frame = frame(DVec3::from_array(momentum), usize::from(self.frame_axis));
         let (sine, cosine) = libm::sincos(0.5 * psi);
         self.start_frame * DQuat::from_xyzw(0.0, 0.0, sine, cosine) * end_frame.conjugate()
-    }
-
-    /// The bracket in the formula of psi. Signs of sn, sn1, cn1 before the turning round by half periods: they enter
-    /// in pairs.
-    fn winding_angle(&self, turned: JacobiValues, end: JacobiValues, half_periods: f64) -> f64 {
-        let n = self.characteristic;
-        let JacobiValues { sn, cn, dn } = turned;
-        let s2 = sn * sn;
-        let incomplete = sn * s2 / 3.0 * rj(cn * cn, dn * dn, 1.0, 1.0 + n * s2);
-        let integral =
-            if half_periods == 0.0 { incomplete } else { incomplete + 2.0 * half_periods * self.complete_integral };
-        let sn0 = self.start.sn;
-        let opposite = self.root_delta * sn0 * sn * end.sn;
-        let adjacent = 1.0 + n * (end.sn * end.sn - sn0 * sn * end.cn * end.dn);
-        self.root_delta * integral + libm::atan2(opposite, adjacent)
     }
 
     /// lambda, canonical.
@@ -206,10 +215,34 @@ fn normalized(sn: f64, cn: f64, dn: f64) -> JacobiValues {
     JacobiValues { sn: sn / length, cn: cn / length, dn }
 }
 
+/// The bracket in the formula of psi. Signs of sn, sn1, cn1 before the turning round by half periods: they enter in pairs.
+#[inline(always)]
+fn winding_angle<const N: usize>(
+    own: [&Elliptic; N],
+    sn0: Lanes<N>,
+    turned: JacobiLanes<N>,
+    end: JacobiLanes<N>,
+    half_periods: Lanes<N>,
+) -> Lanes<N> {
+    let n = Lanes::of(|i| own[i].characteristic);
+    let root_delta = Lanes::of(|i| own[i].root_delta);
+    let JacobiLanes { sn, cn, dn } = turned;
+    let s2 = sn * sn;
+    let incomplete = sn * s2 / 3.0 * rj_lanes(cn * cn, dn * dn, Lanes::splat(1.0), 1.0 + n * s2);
+    let integral = Lanes::of(|i| match half_periods.0[i] {
+        0.0 => incomplete.0[i],
+        count => incomplete.0[i] + 2.0 * count * own[i].complete_integral,
+    });
+    let opposite = root_delta * sn0 * sn * end.sn;
+    let adjacent = 1.0 + n * (end.sn * end.sn - sn0 * sn * end.cn * end.dn);
+    root_delta * integral + Lanes::of(|i| libm::atan2(opposite.0[i], adjacent.0[i]))
+}
+
 /// The addition theorems of sn, cn, dn (A&S 16.17).
-fn add(u: JacobiValues, v: JacobiValues, parameter: f64) -> JacobiValues {
+#[inline(never)]
+fn add<const N: usize>(u: JacobiLanes<N>, v: JacobiLanes<N>, parameter: Lanes<N>) -> JacobiLanes<N> {
     let denominator = u.cn * u.cn + u.sn * u.sn * v.dn * v.dn;
-    JacobiValues {
+    JacobiLanes {
         sn: (u.sn * v.cn * v.dn + v.sn * u.cn * u.dn) / denominator,
         cn: (u.cn * v.cn - u.sn * u.dn * v.sn * v.dn) / denominator,
         dn: (u.dn * v.dn - parameter * u.sn * u.cn * v.sn * v.cn) / denominator,

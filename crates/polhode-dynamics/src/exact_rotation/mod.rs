@@ -67,12 +67,17 @@ pub fn drift(moments: DVec3, rotation: Rotation, angular_momentum: DVec3, h: f64
 /// One free rotation with everything about it that is constant: to be built once per flight and asked at many times.
 /// The answer depends on the time alone, not on what was asked before.
 #[derive(Debug, Clone, Copy, PartialEq)]
+// In this order: what an evaluation reads first stands at the front.
+#[repr(C)]
 pub struct FreeRotation {
-    start: Rotation,
     canonical: Canonical,
     taylor: Taylor,
     /// Nothing when the rotation is steady.
     elliptic: Option<Elliptic>,
+    start: Rotation,
+    /// Upper bounds of the angular speed, rad/s, and of the angular acceleration, rad/s^2.
+    angular_speed_bound: f64,
+    angular_acceleration_bound: f64,
 }
 
 impl FreeRotation {
@@ -80,7 +85,7 @@ impl FreeRotation {
     pub fn new(moments: DVec3, rotation: Rotation, angular_momentum: DVec3) -> Self {
         let canonical = Canonical::new(moments, rotation.inverse_rotate(angular_momentum));
         let elliptic = if canonical.is_steady() { None } else { Some(Elliptic::new(&canonical)) };
-        Self { start: rotation, canonical, taylor: Taylor::new(&canonical), elliptic }
+        Self::of(rotation, canonical, elliptic)
     }
 
     /// The steady rotation about the principal axis nearest the angular momentum, which is along it but for rounding: for
@@ -96,7 +101,25 @@ impl FreeRotation {
             DVec3::Z
         };
         let canonical = Canonical::new(moments, axis * axis.dot(in_body));
-        Self { start: rotation, canonical, taylor: Taylor::new(&canonical), elliptic: None }
+        Self::of(rotation, canonical, None)
+    }
+
+    fn of(start: Rotation, canonical: Canonical, elliptic: Option<Elliptic>) -> Self {
+        let fastest = match &elliptic {
+            None => canonical.angular_velocity().length(),
+            Some(elliptic) => elliptic.fastest(&canonical),
+        };
+        let acceleration = elliptic.map_or(0.0, |elliptic| elliptic.acceleration_bound(&canonical));
+        Self {
+            canonical,
+            taylor: Taylor::new(&canonical),
+            elliptic,
+            start,
+            // An angular velocity is computed from a momentum that is rounded relative to its whole length, which the
+            // smallest moment magnifies: a needle's by its ratio of moments.
+            angular_speed_bound: (fastest + ROUNDING * canonical.largest_rate()) * canonical.time_scale,
+            angular_acceleration_bound: acceleration * canonical.time_scale * canonical.time_scale * (1.0 + ROUNDING),
+        }
     }
 
     /// Attitude `R_WP` after `h` seconds.
@@ -116,17 +139,38 @@ impl FreeRotation {
         restored(&self.canonical, relative)
     }
 
+    /// How the rotation after `h` seconds is evaluated.
+    pub(crate) fn path(&self, h: f64) -> Path {
+        match &self.elliptic {
+            None => Path::Steady,
+            Some(_) if self.taylor.reaches(h * self.canonical.time_scale) => Path::Series,
+            Some(_) => Path::Elliptic,
+        }
+    }
+
+    /// [`FreeRotation::relative`] of several rotations, with the same bits: together where all go the path given.
+    pub(crate) fn relative_of<const N: usize>(rotations: [&Self; N], h: [f64; N], path: Path) -> [Rotation; N] {
+        let times = std::array::from_fn(|i| h[i] * rotations[i].canonical.time_scale);
+        let elliptic = rotations.each_ref().map(|rotation| rotation.elliptic.as_ref());
+        let relative = match (path, all(elliptic)) {
+            (Path::Series, Some(_)) => Taylor::relative_lanes(rotations.map(|rotation| &rotation.taylor), times),
+            (Path::Elliptic, Some(elliptic)) => Elliptic::relative_lanes(elliptic, times),
+            _ => return std::array::from_fn(|i| rotations[i].relative(h[i])),
+        };
+        std::array::from_fn(|i| restored(&rotations[i].canonical, relative[i]))
+    }
+
     /// As [`FreeRotation::at`], by the Taylor series alone: nothing when the rotation is steady or the series does not
     /// reach that far. For comparing the two.
     pub fn at_by_taylor(&self, h: f64) -> Option<Rotation> {
-        self.elliptic?;
+        self.elliptic.as_ref()?;
         let time = h * self.canonical.time_scale;
         self.taylor.reaches(time).then(|| self.start * restored(&self.canonical, self.taylor.relative(time)))
     }
 
     /// As [`FreeRotation::at`], by elliptic functions alone: nothing when the rotation is steady. For comparing the two.
     pub fn at_by_elliptic_functions(&self, h: f64) -> Option<Rotation> {
-        let relative = self.elliptic?.relative(h * self.canonical.time_scale);
+        let relative = self.elliptic.as_ref()?.relative(h * self.canonical.time_scale);
         Some(self.start * restored(&self.canonical, relative))
     }
 
@@ -138,38 +182,52 @@ impl FreeRotation {
     /// Period of the angular momentum as seen from the body (once round the polhode), s: nothing when the rotation is
     /// steady, infinite on the separatrix.
     pub fn period(&self) -> Option<f64> {
-        self.elliptic.map(|elliptic| elliptic.period() / self.canonical.time_scale)
+        self.elliptic.as_ref().map(|elliptic| elliptic.period() / self.canonical.time_scale)
     }
 
     /// Rate lambda of the phase of Jacobi's functions that the momentum follows in body axes, rad/s: near the middle axis
     /// the rate at which a deviation grows. Nothing when the rotation is steady.
     pub fn phase_rate(&self) -> Option<f64> {
-        self.elliptic.map(|elliptic| elliptic.rate() * self.canonical.time_scale)
+        self.elliptic.as_ref().map(|elliptic| elliptic.rate() * self.canonical.time_scale)
     }
 
     /// Parameter m of those functions, in [0, 1]; one on the separatrix. Nothing when the rotation is steady.
     pub fn parameter(&self) -> Option<f64> {
-        self.elliptic.map(|elliptic| elliptic.parameter())
+        self.elliptic.as_ref().map(|elliptic| elliptic.parameter())
     }
 
     /// Upper bound of the angular speed at any time, rad/s: exceeded by nothing, reached once per half period up to
     /// rounding.
-    pub fn angular_speed_bound(&self) -> f64 {
-        let canonical = match &self.elliptic {
-            None => self.canonical.angular_velocity().length(),
-            Some(elliptic) => elliptic.fastest(&self.canonical),
-        };
-        // An angular velocity is computed from a momentum that is rounded relative to its whole length, which the
-        // smallest moment magnifies: a needle's by its ratio of moments.
-        (canonical + ROUNDING * self.canonical.largest_rate()) * self.canonical.time_scale
+    pub const fn angular_speed_bound(&self) -> f64 {
+        self.angular_speed_bound
     }
 
     /// Upper bound of the angular acceleration at any time, rad/s^2: zero for a steady rotation, else at most twice what
     /// is reached.
-    pub fn angular_acceleration_bound(&self) -> f64 {
-        let bound = self.elliptic.map_or(0.0, |elliptic| elliptic.acceleration_bound(&self.canonical));
-        bound * self.canonical.time_scale * self.canonical.time_scale * (1.0 + ROUNDING)
+    pub const fn angular_acceleration_bound(&self) -> f64 {
+        self.angular_acceleration_bound
     }
+}
+
+/// How a rotation is evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Path {
+    /// About a fixed axis.
+    Steady,
+    /// By the power series.
+    Series,
+    /// By elliptic functions.
+    Elliptic,
+}
+
+/// All of them, if there are all.
+fn all<T: Copy, const N: usize>(values: [Option<T>; N]) -> Option<[T; N]> {
+    let first = values.first().copied().flatten()?;
+    let mut out = [first; N];
+    for (out, value) in out.iter_mut().zip(values) {
+        *out = value?;
+    }
+    Some(out)
 }
 
 /// The turn about a fixed axis, canonical.

@@ -29,6 +29,7 @@
 
 use super::TAYLOR_REACH;
 use super::canonical::Canonical;
+use crate::lanes::Lanes;
 use glam::DQuat;
 
 /// Room for the terms; within the reach 14 are the most that are used.
@@ -91,62 +92,86 @@ impl Taylor {
 
     /// Rotation from the axes after the canonical time `h`, within the reach, to those at the start; of any length.
     pub(super) fn relative(&self, h: f64) -> DQuat {
-        let time = 0.5 * h;
-        let (square, integral) = self.series(time * time);
-        let [a, b] = self.squared_rates;
+        let [relative] = Self::relative_lanes([self], [h]);
+        relative
+    }
+
+    /// [`Taylor::relative`] in each lane.
+    #[inline]
+    pub(super) fn relative_lanes<const N: usize>(own: [&Self; N], h: [f64; N]) -> [DQuat; N] {
+        let time = 0.5 * Lanes(h);
+        let [a, b] = [0, 1].map(|k| Lanes::of(|i| own[i].squared_rates[k]));
+        let pole = Lanes::of(|i| own[i].pole);
+        let (square, integral) = series([a, b], pole, time * time);
         let s = time * square.sqrt();
         let s2 = s * s;
         let (c, d) = ((1.0 - a * s2).sqrt(), (1.0 - b * s2).sqrt());
-        let half_turn = self.spin * time + self.twist * (time * time * time) * integral;
-        let (sine, cosine) = libm::sincos(half_turn);
-        let ([p1, p2, p3], [r1, r2, r3], [g1, g3]) = (self.momentum, self.rates, self.invariants);
+        let half_turn =
+            Lanes::of(|i| own[i].spin) * time + Lanes::of(|i| own[i].twist) * (time * time * time) * integral;
+        let turns: [(f64, f64); N] = std::array::from_fn(|i| libm::sincos(half_turn.0[i]));
+        let (sine, cosine) = (Lanes::of(|i| turns[i].0), Lanes::of(|i| turns[i].1));
+        let [p1, p2, p3] = [0, 1, 2].map(|k| Lanes::of(|i| own[i].momentum[k]));
+        let [r1, r2, r3] = [0, 1, 2].map(|k| Lanes::of(|i| own[i].rates[k]));
+        let [g1, g3] = [0, 1].map(|k| Lanes::of(|i| own[i].invariants[k]));
         // The momentum in the middle, times its denominator.
         let m1 = p1 * c + r1 * p2 * p3 * (s * d);
         let m2 = p2 * (c * d) + r2 * p3 * p1 * s;
         let m3 = p3 * d + r3 * p1 * p2 * (s * c);
         let denominator = 1.0 - r1 * r3 * (p2 * p2) * s2;
-        let q = self.length_squared * (1.0 - self.pole * s2) * cosine;
-        let l = self.length * sine;
+        let q = Lanes::of(|i| own[i].length_squared) * (1.0 - pole * s2) * cosine;
+        let l = Lanes::of(|i| own[i].length) * sine;
         let tilt = l * d - g1 * (s * c) * cosine;
         let x = m1 * (l * c + g3 * (s * d) * cosine);
         let y = m2 * (c * tilt - r1 * s * q);
-        DQuat::from_xyzw(x, y, m3 * tilt, q * denominator)
-    }
-
-    /// `S^2/s^2` and `J/s^3` at the time whose square is given.
-    fn series(&self, time_squared: f64) -> (f64, f64) {
-        let [a, b] = self.squared_rates.map(|rate| rate * time_squared);
-        let (linear, quadratic, pole) = (-4.0 * (a + b), 6.0 * a * b, self.pole * time_squared);
-        let ratio = CONVERGENCE * a.max(b);
-        // Coefficients of S^2 and of the integrand.
-        let mut terms = [[0.0; 2]; MAX_TERMS];
-        terms[0] = [1.0, 1.0];
-        let (mut square, mut integral, mut squares) = (0.0, 0.0, 0.0);
-        // The n-th term is at most n times this power: the double pole at the radius of convergence.
-        let mut power = ratio;
-        for n in 1..MAX_TERMS {
-            if power * (n + 1) as f64 <= NEGLIGIBLE {
-                break;
-            }
-            let y = (linear * terms[n - 1][0] + quadratic * squares) * STEP[n];
-            let product;
-            [squares, product] = convolutions(&terms[..n]);
-            let z = y + pole * product;
-            terms[n] = [y, z];
-            square += y;
-            integral += z * ODD[n];
-            power *= ratio;
-        }
-        (1.0 + square, ODD[0] + integral)
+        let (z, w) = (m3 * tilt, q * denominator);
+        std::array::from_fn(|i| DQuat::from_xyzw(x.0[i], y.0[i], z.0[i], w.0[i]))
     }
 }
 
+/// `S^2/s^2` and `J/s^3` at the time whose square is given, from A and B and `k/L^2`.
+#[inline(never)]
+fn series<const N: usize>(
+    squared_rates: [Lanes<N>; 2],
+    pole: Lanes<N>,
+    time_squared: Lanes<N>,
+) -> (Lanes<N>, Lanes<N>) {
+    let [a, b] = squared_rates.map(|rate| rate * time_squared);
+    let (linear, quadratic, pole) = (-4.0 * (a + b), 6.0 * a * b, pole * time_squared);
+    let ratio = CONVERGENCE * a.max(b);
+    // Coefficients of S^2 and of the integrand.
+    let zero = Lanes::splat(0.0);
+    let mut terms = [[zero; 2]; MAX_TERMS];
+    terms[0] = [Lanes::splat(1.0); 2];
+    let (mut square, mut integral, mut squares) = (zero, zero, zero);
+    // The n-th term is at most n times this power: the double pole at the radius of convergence.
+    let mut power = ratio;
+    let mut counts = [true; N];
+    for n in 1..MAX_TERMS {
+        for (counts, power) in counts.iter_mut().zip(power.0) {
+            *counts &= !(power * (n + 1) as f64 <= NEGLIGIBLE);
+        }
+        if counts == [false; N] {
+            break;
+        }
+        let y = (linear * terms[n - 1][0] + quadratic * squares) * STEP[n];
+        let product;
+        [squares, product] = convolutions(&terms[..n]);
+        let z = y + pole * product;
+        terms[n] = [y, z];
+        square = (square + y).where_or(counts, square);
+        integral = (integral + z * ODD[n]).where_or(counts, integral);
+        power = power * ratio;
+    }
+    (1.0 + square, ODD[0] + integral)
+}
+
 /// `sum_j y[j] y[n-1-j]` and `sum_j y[j] z[n-1-j]`.
-fn convolutions(terms: &[[f64; 2]]) -> [f64; 2] {
-    let mut sums = [0.0; 2];
+#[inline(always)]
+fn convolutions<const N: usize>(terms: &[[Lanes<N>; 2]]) -> [Lanes<N>; 2] {
+    let mut sums = [Lanes::splat(0.0); 2];
     for (a, b) in terms.iter().zip(terms.iter().rev()) {
-        sums[0] += a[0] * b[0];
-        sums[1] += a[0] * b[1];
+        sums[0] = sums[0] + a[0] * b[0];
+        sums[1] = sums[1] + a[0] * b[1];
     }
     sums
 }

@@ -46,6 +46,12 @@ pub trait Motion {
     /// `X_WC` at time `t` (s).
     fn pose(&self, t: f64) -> Pose;
 
+    /// `p_WCo` at time `t` (s), m: the translation of [`Motion::pose`], to the same bits. A motion whose rotation is dear to
+    /// evaluate says it without.
+    fn position(&self, t: f64) -> DVec3 {
+        self.pose(t).translation
+    }
+
     /// Velocity of the centre of mass and angular velocity at time `t` (s).
     fn velocity(&self, t: f64) -> Velocity;
 

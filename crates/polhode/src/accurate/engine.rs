@@ -7,6 +7,7 @@ use super::free_stepping::FreeStep;
 use super::hold::Forces;
 use super::instant::{Instant, free_end};
 use super::island::{Island, Step};
+use super::looked::Looked;
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
 use crate::accounting::Accounts;
@@ -14,7 +15,7 @@ use crate::accounting::books::{Books, Received, gravity_at};
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
 use crate::interaction::assembly::free_acceleration;
-use crate::observer::Observer;
+use crate::observer::{BodySample, Observer};
 use crate::scene::Integrator;
 use crate::simulation::emit_samples_before;
 use crate::snapshot::content;
@@ -110,6 +111,7 @@ pub(crate) struct Engine {
     pub(super) goes_on: bool,
     /// When energies and momenta were last taken note of, s.
     pub(super) observed_s: f64,
+    pub(super) looked: Looked,
 }
 
 impl Engine {
@@ -132,6 +134,7 @@ impl Engine {
             interrupted: None,
             goes_on: false,
             observed_s: core.t,
+            looked: Looked::default(),
         };
         engine.find_initial_contacts(core)?;
         engine.scratch.clone_from(&engine.states);
@@ -146,6 +149,9 @@ impl Engine {
 
     /// Does what is due at `t`.
     fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
+        if due != Due::FlightBoxes {
+            self.looked.forget();
+        }
         match due {
             Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
             Due::Corner(body) => self.pass_corner(core, body, t),
@@ -198,9 +204,7 @@ impl Engine {
     /// Takes note of energies and momenta at the present, if a longest step has passed since it was done last.
     fn observe(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         if core.t - self.observed_s >= core.settings.step_s {
-            let states = self.states_at(core, core.t)?;
-            core.accounts.observe(&core.world, &states, core.t)?;
-            self.observed_s = core.t;
+            self.look(core, core.t)?;
         }
         Ok(())
     }
@@ -218,10 +222,7 @@ impl Engine {
             if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNSEEN_SAMPLES) {
                 return Ok(None);
             }
-            let states = engine.states_at(core, t)?;
-            core.accounts.observe(&core.world, &states, t)?;
-            engine.observed_s = t;
-            Ok(Some(states))
+            engine.look(core, t).map(Some)
         })
     }
 
@@ -292,28 +293,32 @@ impl Engine {
         written.map(|()| state)
     }
 
-    /// States of all bodies at a time within all present steps.
+    /// Writes the states of all bodies at a time within all present steps.
     ///
     /// # Errors
     /// When an integrator cannot evaluate them.
-    fn states_at(&mut self, core: &Core, t: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let mut states = self.flying_states(core, t);
+    pub(super) fn write_states_at(
+        &mut self,
+        core: &Core,
+        t: f64,
+        states: &mut Vec<BodyState>,
+    ) -> Result<(), SimulationError> {
+        self.write_flying_states(core, t, states);
         for island in self.islands.values_mut().filter(|island| island.t != t) {
-            write_states(core, island, t, &mut states)?;
+            write_states(core, island, t, states)?;
         }
-        Ok(states)
+        Ok(())
     }
 
     /// States of all bodies, those in flight and kinematic ones at `t`, the others at the start of their steps.
-    fn flying_states(&self, core: &Core, t: f64) -> Vec<BodyState> {
-        let mut states = self.states.clone();
-        core.world.prescribe(t, &mut states);
-        for (state, track) in states.iter_mut().zip(&self.tracks) {
-            if let Mode::Flight(flight) = &track.mode {
-                *state = flight.state(t);
-            }
-        }
-        states
+    fn write_flying_states(&self, core: &Core, t: f64, states: &mut Vec<BodyState>) {
+        states.clone_from(&self.states);
+        let flights = self.tracks.iter().enumerate().filter_map(|(body, track)| match &track.mode {
+            Mode::Flight(flight) => Some((body, &**flight)),
+            _ => None,
+        });
+        Flight::write_states(flights, t, states);
+        core.world.prescribe(t, states);
     }
 
     /// Mode of a body that no contact holds.
@@ -433,6 +438,7 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
+            self.looked.forget();
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
@@ -482,7 +488,11 @@ impl Tier for Engine {
     }
 
     fn states(&self, core: &Core) -> Vec<BodyState> {
-        let mut states = self.flying_states(core, core.t);
+        if let Some(states) = self.looked.at(core.t) {
+            return states.to_vec();
+        }
+        let mut states = Vec::with_capacity(self.states.len());
+        self.write_flying_states(core, core.t, &mut states);
         for island in self.islands.values().filter(|island| island.t != core.t) {
             match &island.step {
                 Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
@@ -504,6 +514,18 @@ impl Tier for Engine {
 
     fn state(&self, core: &Core, body: usize) -> BodyState {
         self.present_state(core, body)
+    }
+
+    fn sample(&self, core: &Core, body: usize) -> BodySample {
+        self.present_sample(core, body)
+    }
+
+    fn samples(&self, core: &Core) -> Vec<BodySample> {
+        let sample = |(body, state): (usize, &BodyState)| self.sample_in(core, body, state);
+        match self.looked.at(core.t) {
+            Some(states) => states.iter().enumerate().map(sample).collect(),
+            None => self.states(core).iter().enumerate().map(sample).collect(),
+        }
     }
 
     fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
@@ -619,22 +641,27 @@ impl Tier for Engine {
     }
 
     fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
+        self.looked.forget();
         self.interrupt_bodies(core, bodies)
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
+        self.looked.forget();
         &mut self.states
     }
 
     fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
+        self.looked.forget();
         self.resume_bodies(core, moved)
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.looked.forget();
         self.make_room(core, state);
     }
 
     fn remove_body(&mut self, body: usize) {
+        self.looked.forget();
         self.forget_body(body);
     }
 

@@ -14,6 +14,7 @@
 //! | `constrained_step`, `stage_method` | a step with held contacts, by DOP853 or RK4 over `system` |
 //! | `free_stepping` | a step by the integrator that the scene asks for |
 //! | `locate`, `penetration` | when held contacts cease to be the right ones |
+//! | `looked` | the states of all bodies when they were last looked at |
 //! | `near_pairs` | pairs that may meet, and their impacts |
 //! | `instant` | whom an event concerns, and how they go on |
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
@@ -36,6 +37,7 @@ mod hold;
 mod instant;
 mod island;
 mod locate;
+mod looked;
 mod near_pairs;
 mod pace;
 mod penetration;

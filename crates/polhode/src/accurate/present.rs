@@ -6,6 +6,7 @@ use super::island::Step;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::interaction::groups::groups;
+use crate::observer::BodySample;
 use crate::{Effects, SimulationError};
 use polhode_dynamics::BodyState;
 
@@ -13,6 +14,9 @@ impl Engine {
     /// State of a body at the present; the states of others are not looked at.
     pub(super) fn present_state(&self, core: &Core, body: usize) -> BodyState {
         let t = core.t;
+        if let Some(state) = self.looked.at(t).and_then(|states| states.get(body)) {
+            return *state;
+        }
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return flight.state(t);
         }
@@ -29,6 +33,20 @@ impl Engine {
             Step::Waiting(_) => None,
         };
         present.unwrap_or(start)
+    }
+
+    /// A body at the present as it is reported. The record of a flight holds the body's mass properties, near what has just
+    /// been read.
+    pub(super) fn present_sample(&self, core: &Core, body: usize) -> BodySample {
+        self.sample_in(core, body, &self.present_state(core, body))
+    }
+
+    /// A body in this state as it is reported.
+    pub(super) fn sample_in(&self, core: &Core, body: usize, state: &BodyState) -> BodySample {
+        match &self.tracks[body].mode {
+            Mode::Flight(flight) => core.world.sample_of(body, flight.body(), state),
+            _ => core.world.sample(body, state),
+        }
     }
 
     /// Contacts that touched when their bodies were last looked at, as they stand in these states.

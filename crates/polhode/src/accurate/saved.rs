@@ -10,6 +10,7 @@ use super::crowding::Crowd;
 use super::engine::{Engine, Mode, Track};
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};
+use super::looked::Looked;
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
 use crate::SimulationError;
@@ -63,6 +64,7 @@ impl Engine {
             begun: saved.begun,
             goes_on: saved.goes_on,
             observed_s: saved.observed_s,
+            looked: Looked::default(),
             interrupted: None,
         };
         for island in &saved.islands {

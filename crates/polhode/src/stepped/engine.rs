@@ -21,6 +21,7 @@ use polhode_dynamics::{BodyState, Flight};
 use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen, further
 /// ones of a crowd where the last part begins.
@@ -215,7 +216,7 @@ impl SteppedEngine {
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| {
-            engine.states_within(core, islands, t).map(Some)
+            engine.states_within(core, islands, t).map(|states| Some(Arc::new(states)))
         })
     }
 

@@ -27,6 +27,7 @@ use polhode_response::impact::ImpactSettings;
 use polhode_response::least_force::{LeastForceStage, least_force};
 use polhode_response::{Delassus, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Still};
+use std::sync::Arc;
 
 /// A contact that parts more slowly than gravity makes bodies approach within this many steps is at rest (thesis
 /// 3.5: "a speed of separation that is sufficiently small").
@@ -252,7 +253,7 @@ impl ThesisEngine {
                 .integrator
                 .states_within(&motion, within, &mut movable)
                 .map_err(|source| SimulationError::Integration { t: core.t, source })?;
-            Ok(Some(all_states(core, &engine.states, &movable, t)))
+            Ok(Some(Arc::new(all_states(core, &engine.states, &movable, t))))
         })
     }
 }
