@@ -106,7 +106,8 @@ impl Taylor {
         let s = time * square.sqrt();
         let s2 = s * s;
         let (c, d) = ((1.0 - a * s2).sqrt(), (1.0 - b * s2).sqrt());
-        let half_turn = Lanes::of(|i| own[i].spin) * time + Lanes::of(|i| own[i].twist) * (time * time * time) * integral;
+        let half_turn =
+            Lanes::of(|i| own[i].spin) * time + Lanes::of(|i| own[i].twist) * (time * time * time) * integral;
         let turns: [(f64, f64); N] = std::array::from_fn(|i| libm::sincos(half_turn.0[i]));
         let (sine, cosine) = (Lanes::of(|i| turns[i].0), Lanes::of(|i| turns[i].1));
         let [p1, p2, p3] = [0, 1, 2].map(|k| Lanes::of(|i| own[i].momentum[k]));
@@ -147,7 +148,8 @@ fn series<const N: usize>(
     let mut counts = [true; N];
     for n in 1..MAX_TERMS {
         for (counts, power) in counts.iter_mut().zip(power.0) {
-            *counts &= !(power * (n + 1) as f64 <= NEGLIGIBLE);
+            let is_negligible = power * (n + 1) as f64 <= NEGLIGIBLE;
+            *counts &= !is_negligible;
         }
         if counts == [false; N] {
             break;
@@ -165,7 +167,7 @@ fn series<const N: usize>(
 }
 
 /// `sum_j y[j] y[n-1-j]` and `sum_j y[j] z[n-1-j]`.
-#[inline(always)]
+#[inline]
 fn convolutions<const N: usize>(terms: &[[Lanes<N>; 2]]) -> [Lanes<N>; 2] {
     let mut sums = [Lanes::splat(0.0); 2];
     for (a, b) in terms.iter().zip(terms.iter().rev()) {
