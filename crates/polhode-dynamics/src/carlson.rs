@@ -55,28 +55,29 @@ pub(crate) fn rj_lanes<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>, p:
 }
 
 /// `RC(1, 1 + e) = int_0^inf dt / (2 (t + 1 + e) sqrt(t + 1))`: an arc tangent, for e > -1; in the lanes asked for.
-#[inline(always)]
+#[inline]
 fn rc_one<const N: usize>(e: Lanes<N>, asked: [bool; N]) -> Lanes<N> {
     /// Below this |e| six terms of the series are exact to 1e-18.
     const SMALL: f64 = 1e-3;
     let mut values = 1.0 - e * (1.0 / 3.0 - e * (0.2 - e * (1.0 / 7.0 - e * (1.0 / 9.0 - e * (1.0 / 11.0)))));
     for ((value, e), asked) in values.0.iter_mut().zip(e.0).zip(asked) {
-        if asked && !(e.abs() < SMALL) {
-            *value = if e > 0.0 {
-                let root = e.sqrt();
-                libm::atan(root) / root
-            } else {
-                let root = (-e).sqrt();
-                libm::atanh(root) / root
-            };
+        if !asked || e.abs() < SMALL {
+            continue;
         }
+        *value = if e > 0.0 {
+            let root = e.sqrt();
+            libm::atan(root) / root
+        } else {
+            let root = (-e).sqrt();
+            libm::atanh(root) / root
+        };
     }
     values
 }
 
 /// DLMF 19.36.2, to degree seven: the integrand about the mean of the arguments, whose relative distances from it are
 /// x, y, z and, twice, p.
-#[inline(always)]
+#[inline]
 fn about_the_mean<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>) -> Lanes<N> {
     let p = -0.5 * (x + y + z);
     let e2 = x * y + x * z + y * z - 3.0 * p * p;

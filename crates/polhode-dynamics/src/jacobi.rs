@@ -93,13 +93,13 @@ pub(crate) struct JacobiLanes<const N: usize> {
 
 impl<const N: usize> JacobiLanes<N> {
     /// From the values of each lane.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn of(lane: impl Fn(usize) -> JacobiValues) -> Self {
         Self { sn: Lanes::of(|i| lane(i).sn), cn: Lanes::of(|i| lane(i).cn), dn: Lanes::of(|i| lane(i).dn) }
     }
 
     /// The values of one lane.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn lane(&self, i: usize) -> JacobiValues {
         JacobiValues { sn: self.sn.0[i], cn: self.cn.0[i], dn: self.dn.0[i] }
     }

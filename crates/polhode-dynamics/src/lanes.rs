@@ -12,18 +12,18 @@ pub(crate) struct Lanes<const N: usize>(pub(crate) [f64; N]);
 
 impl<const N: usize> Lanes<N> {
     /// The same number in all lanes.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn splat(x: f64) -> Self {
         Self([x; N])
     }
 
     /// From the number of each lane.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn of(lane: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(lane))
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
         for x in &mut self.0 {
             *x = f(*x);
@@ -31,7 +31,7 @@ impl<const N: usize> Lanes<N> {
         self
     }
 
-    #[inline(always)]
+    #[inline]
     fn with(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         for (x, y) in self.0.iter_mut().zip(other.0) {
             *x = f(*x, y);
@@ -39,23 +39,23 @@ impl<const N: usize> Lanes<N> {
         self
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn abs(self) -> Self {
         self.map(f64::abs)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn max(self, other: Self) -> Self {
         self.with(other, f64::max)
     }
 
     /// These lanes where `chosen`, those of `other` elsewhere.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn where_or(mut self, chosen: [bool; N], other: Self) -> Self {
         for ((x, y), chosen) in self.0.iter_mut().zip(other.0).zip(chosen) {
             *x = if chosen { *x } else { y };
@@ -68,7 +68,7 @@ macro_rules! lanewise {
     ($($operator:ident $method:ident),*) => {$(
         impl<const N: usize> $operator for Lanes<N> {
             type Output = Self;
-            #[inline(always)]
+            #[inline]
             fn $method(self, other: Self) -> Self {
                 self.with(other, $operator::$method)
             }
@@ -76,7 +76,7 @@ macro_rules! lanewise {
 
         impl<const N: usize> $operator<f64> for Lanes<N> {
             type Output = Self;
-            #[inline(always)]
+            #[inline]
             fn $method(self, other: f64) -> Self {
                 self.map(|x| $operator::$method(x, other))
             }
@@ -84,7 +84,7 @@ macro_rules! lanewise {
 
         impl<const N: usize> $operator<Lanes<N>> for f64 {
             type Output = Lanes<N>;
-            #[inline(always)]
+            #[inline]
             fn $method(self, other: Lanes<N>) -> Lanes<N> {
                 other.map(|x| $operator::$method(self, x))
             }

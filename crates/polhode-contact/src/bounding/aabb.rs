@@ -187,14 +187,14 @@ impl<'a> Sweep<'a> {
 
     /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
     fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
-        let radius = shape.radius();
-        let ball = DVec3::splat(radius);
         // A ball about the centre of mass is the same however it turns.
         if let Shape::Sphere(sphere) = shape
             && sphere.center == DVec3::ZERO
         {
-            return (-ball, ball);
+            return (DVec3::splat(-sphere.radius), DVec3::splat(sphere.radius));
         }
+        let radius = shape.radius();
+        let ball = DVec3::splat(radius);
         let stray = DVec3::splat(radius * self.turn);
         let (rotation, axes) = self.rotation();
         if let Shape::TriangleMesh(mesh) = shape {

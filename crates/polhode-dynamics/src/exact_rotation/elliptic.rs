@@ -216,7 +216,7 @@ fn normalized(sn: f64, cn: f64, dn: f64) -> JacobiValues {
 }
 
 /// The bracket in the formula of psi. Signs of sn, sn1, cn1 before the turning round by half periods: they enter in pairs.
-#[inline(always)]
+#[inline]
 fn winding_angle<const N: usize>(
     own: [&Elliptic; N],
     sn0: Lanes<N>,

@@ -85,7 +85,7 @@ impl FreeRotation {
     pub fn new(moments: DVec3, rotation: Rotation, angular_momentum: DVec3) -> Self {
         let canonical = Canonical::new(moments, rotation.inverse_rotate(angular_momentum));
         let elliptic = if canonical.is_steady() { None } else { Some(Elliptic::new(&canonical)) };
-        Self::of(rotation, canonical, elliptic)
+        Self::of(rotation, canonical, elliptic.as_ref())
     }
 
     /// The steady rotation about the principal axis nearest the angular momentum, which is along it but for rounding: for
@@ -104,8 +104,8 @@ impl FreeRotation {
         Self::of(rotation, canonical, None)
     }
 
-    fn of(start: Rotation, canonical: Canonical, elliptic: Option<Elliptic>) -> Self {
-        let fastest = match &elliptic {
+    fn of(start: Rotation, canonical: Canonical, elliptic: Option<&Elliptic>) -> Self {
+        let fastest = match elliptic {
             None => canonical.angular_velocity().length(),
             Some(elliptic) => elliptic.fastest(&canonical),
         };
@@ -113,7 +113,7 @@ impl FreeRotation {
         Self {
             canonical,
             taylor: Taylor::new(&canonical),
-            elliptic,
+            elliptic: elliptic.copied(),
             start,
             // An angular velocity is computed from a momentum that is rounded relative to its whole length, which the
             // smallest moment magnifies: a needle's by its ratio of moments.
@@ -193,7 +193,7 @@ impl FreeRotation {
 
     /// Parameter m of those functions, in [0, 1]; one on the separatrix. Nothing when the rotation is steady.
     pub fn parameter(&self) -> Option<f64> {
-        self.elliptic.as_ref().map(|elliptic| elliptic.parameter())
+        self.elliptic.as_ref().map(Elliptic::parameter)
     }
 
     /// Upper bound of the angular speed at any time, rad/s: exceeded by nothing, reached once per half period up to

@@ -148,7 +148,8 @@ fn series<const N: usize>(
     let mut counts = [true; N];
     for n in 1..MAX_TERMS {
         for (counts, power) in counts.iter_mut().zip(power.0) {
-            *counts &= !(power * (n + 1) as f64 <= NEGLIGIBLE);
+            let is_negligible = power * (n + 1) as f64 <= NEGLIGIBLE;
+            *counts &= !is_negligible;
         }
         if counts == [false; N] {
             break;
@@ -166,7 +167,7 @@ fn series<const N: usize>(
 }
 
 /// `sum_j y[j] y[n-1-j]` and `sum_j y[j] z[n-1-j]`.
-#[inline(always)]
+#[inline]
 fn convolutions<const N: usize>(terms: &[[Lanes<N>; 2]]) -> [Lanes<N>; 2] {
     let mut sums = [Lanes::splat(0.0); 2];
     for (a, b) in terms.iter().zip(terms.iter().rev()) {

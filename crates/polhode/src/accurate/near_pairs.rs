@@ -231,35 +231,36 @@ impl Engine {
             let margin = core.world.touch_distance(&self.states, body, body);
             near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
         }
-        let mut found: Vec<(usize, Vec<usize>)> = bodies.iter().map(|&body| (body, Vec::new())).collect();
+        // Each with its partner; those of one body ascending.
+        let mut found: Vec<(usize, usize)> = Vec::new();
         let moves = |body: usize| !matches!(self.tracks[body].mode, Mode::Fixed | Mode::Rest);
         if bodies.len() < MANY_NEW_BOXES {
-            for (body, partners) in &mut found {
-                let own = moves(*body);
-                near.near(&core.world, *body, |other| {
+            for &body in bodies {
+                let own = moves(body);
+                near.near(&core.world, body, |other| {
                     if own || moves(other) {
-                        partners.push(other);
+                        found.push((body, other));
                     }
                 });
             }
         } else {
             near.all_pairs(&core.world, |a, b| {
-                if !(moves(a) || moves(b)) {
-                    return;
-                }
-                for (body, other) in [(a, b), (b, a)] {
-                    if let Ok(place) = bodies.binary_search(&body) {
-                        found[place].1.push(other);
-                    }
+                if moves(a) || moves(b) {
+                    let both = [(a, b), (b, a)].into_iter();
+                    found.extend(both.filter(|(body, _)| bodies.binary_search(body).is_ok()));
                 }
             })?;
-            for (_, partners) in &mut found {
-                partners.sort_unstable();
-            }
         }
+        found.sort_unstable();
         self.near.boxes = near;
-        for (body, partners) in found {
-            self.replace_partners(body, partners);
+        for &body in bodies {
+            let start = found.partition_point(|&(first, _)| first < body);
+            let end = found.partition_point(|&(first, _)| first <= body);
+            let own = &found[start..end];
+            // Most of many bodies in flight have no partner, and had none.
+            if !(own.is_empty() && self.near.partners[body].is_empty()) {
+                self.replace_partners(body, own.iter().map(|&(_, other)| other).collect());
+            }
         }
         Ok(())
     }
