@@ -3,7 +3,7 @@
 //! Events crowd when steps no longer advance time (`pace.rs`): bounces that accumulate at several contacts at once, contacts
 //! whose place jumps, piles that settle. The bodies concerned then go on by the time steps of `crate::time_stepping`, all
 //! their touching and nearly touching contacts together, for a stretch of one longest step; after it the events of the tier
-//! are located again. Where they crowd again at once, the next stretch lasts twice as long.
+//! are located again. Every further stretch of a body lasts twice as long as its last one, up to [`LONGEST_STRETCH`].
 //!
 //! A stretch keeps its own promise: each time step is compared with two of half its length, and is as short as the tolerance
 //! of crowding asks; the estimates are summed and reported with the stretch. A body of another island whose box meets the
@@ -55,6 +55,8 @@ pub(super) struct Crowd {
     pub(super) until: f64,
     /// Length of the next time step, s.
     pub(super) step_s: f64,
+    /// Number of the stretch in the accounts.
+    pub(super) number: usize,
 }
 
 /// One time step of a crowd.
@@ -172,8 +174,8 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].last_stretch_s = span;
         }
-        core.accounts.begin_crowding(instant.t, instant.bodies.len());
-        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest };
+        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
+        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number };
         self.crowd_step(core, instant, crowd)
     }
 
@@ -202,6 +204,7 @@ impl Engine {
         }
         limit = limit.min(self.end_of_kinematic_boxes(core, t));
         let mut h = crowd.step_s.min(limit - t);
+        let mut end;
         let pairs = self.gather(core, &mut instant, h)?;
         let about = core.accounts.books.ledger.momentum.about;
         let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
@@ -214,7 +217,9 @@ impl Engine {
                 scratch[body] = *state;
             }
             let mut stepper = before.clone();
-            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, h));
+            // The length is that between the ends, rounded as they are, so that the step can be made again from them.
+            end = if h >= limit - t { limit } else { t + h };
+            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, end - t));
             let (report, error) = match made {
                 Ok(made) => made,
                 Err(source) => break Err(Core::response_error(t, source)),
@@ -230,8 +235,7 @@ impl Engine {
         let states: Vec<BodyState> = instant.bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, &instant.bodies);
         let (report, error, next) = made?;
-        let end = if h >= limit - t { limit } else { t + h };
-        core.accounts.note_crowding(end, report.steps, error);
+        core.accounts.crowded.step(crowd.number, end, report.steps, error);
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
             self.tracks[body].pace = Pace::after_stretch(t);
@@ -379,7 +383,6 @@ impl Engine {
         if t < crowd.until && !core.is_end_of_run(t) {
             return self.crowd_step(core, instant, crowd);
         }
-        core.accounts.end_crowding(t);
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Constrained;
         }
