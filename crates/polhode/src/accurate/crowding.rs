@@ -138,6 +138,18 @@ impl Motion for Way {
     }
 }
 
+/// How bodies go from their states at one time (s) to those at another.
+fn ways((t, start): (f64, &[BodyState]), (end_t, end): (f64, &[BodyState])) -> Vec<Way> {
+    start.iter().zip(end).map(|(start, end)| Way::between((t, &start.pose), (end_t, &end.pose))).collect()
+}
+
+/// What makes the time steps of a crowd.
+fn stepper(core: &Core) -> TimeStepper {
+    let about = core.accounts.books.ledger.momentum.about;
+    let stepper = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
+    stepper.following_bounces(core.settings.crowding_tolerance)
+}
+
 /// A time step from `t` over `h` (s) with its estimate, in frames in which turning alone is left of pivoted bodies.
 ///
 /// # Errors
@@ -206,9 +218,7 @@ impl Engine {
         let mut h = crowd.step_s.min(limit - t);
         let mut end;
         let pairs = self.gather(core, &mut instant, h)?;
-        let about = core.accounts.books.ledger.momentum.about;
-        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let before = stepper(core);
         let start: Vec<BodyState> = instant.bodies.iter().map(|&body| self.states[body]).collect();
         let shortest = SHORTEST_STEP * longest;
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -240,8 +250,7 @@ impl Engine {
             self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
             self.tracks[body].pace = Pace::after_stretch(t);
         }
-        let way = |(start, end_state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &end_state.pose));
-        let ways = start.iter().zip(&states).map(way).collect();
+        let ways = ways((t, &start), (end, &states));
         let step = Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, ways });
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
@@ -272,9 +281,7 @@ impl Engine {
         pairs: Vec<(usize, usize)>,
         (t, end): (f64, f64),
     ) -> Result<CrowdStep, SimulationError> {
-        let about = core.accounts.books.ledger.momentum.about;
-        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let before = stepper(core);
         let mut scratch = std::mem::take(&mut self.scratch);
         let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         let of = (bodies, pairs.as_slice());
@@ -282,8 +289,7 @@ impl Engine {
         let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
-        let way = |(start, state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &state.pose));
-        let ways = start.iter().zip(&states).map(way).collect();
+        let ways = ways((t, &start), (end, &states));
         Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, ways })
     }
 
