@@ -214,7 +214,7 @@ impl Simulation {
     }
 
     /// Derives the plan again after an action.
-    pub(crate) fn derive_plan_again(&mut self, what: &'static str) {
+    fn derive_plan_again(&mut self, what: &'static str) {
         let states = self.tier.states(&self.core);
         let core = &mut self.core;
         let choice = free_method::choose(&core.world, &states, &core.settings.as_resolved());
@@ -227,8 +227,8 @@ impl Simulation {
             _ => PlanarFinding::off("not looked for again after an action of the program"),
         };
         core.world.plane = planar.plane;
-        let findings = Findings { choice, planar };
-        let plan = Plan::derive(&core.world, &core.settings, core.effects, self.tier.touching_pairs(), &findings);
+        let findings = Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), choice, planar };
+        let plan = Plan::derive(&core.world, &core.settings, core.effects, &findings);
         let changes = plan.changes_from(&self.plan);
         if !changes.is_empty() {
             self.plan_changes.push(PlanChange { t_s: core.t, action: what.to_owned(), changes });

@@ -39,7 +39,8 @@ pub struct ContactView {
     pub normal: DVec3,
     /// Signed distance along the normal, m; negative when the bodies overlap.
     pub separation_m: f64,
-    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found.
+    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found. In the tiers of fixed
+    /// steps it is that of the last step; in `thesis` zero before the first one.
     pub normal_force_n: f64,
 }
 
@@ -54,8 +55,8 @@ pub struct PivotView {
     pub force_n: DVec3,
 }
 
-/// Bodies that move together: connected by contacts that hold, or by forces that couple them. Bodies in flight, at rest or
-/// immovable are in none.
+/// Bodies that move together or rest together: connected by contacts that hold, or by forces that couple them; in the tier
+/// `stepped` by what they may meet within a step, in `thesis` all. Bodies in free flight and immovable ones are in none.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IslandView {
     /// The bodies, ascending.

@@ -7,8 +7,9 @@
 
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
-use crate::scene::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Scene, Tier};
+use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Scene, Tier};
 use crate::settings::Settings;
+use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use polhode_spatial::DVec3;
 
@@ -119,13 +120,7 @@ pub struct Plan {
 
 impl Plan {
     /// The plan for a scene: what it calls for, and why.
-    pub(crate) fn derive(
-        world: &World,
-        settings: &Settings,
-        effects: Effects,
-        touching_pairs: usize,
-        findings: &Findings,
-    ) -> Self {
+    pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
         let scene = &world.scene;
         let tier_reason = match (scene.method().tier, settings.tier) {
             (Some(_), _) => "asked for".to_owned(),
@@ -142,7 +137,7 @@ impl Plan {
             step_s: settings.step_s,
             tolerance: settings.tolerance,
             max_events_per_step: settings.max_events_per_step,
-            effects: decisions(world, settings, effects, touching_pairs, findings),
+            effects: decisions(world, settings, effects, findings),
         }
     }
 }
@@ -163,30 +158,58 @@ impl Plan {
         }
         changes
     }
+
+    /// What a snapshot keeps of the plan: nothing where it is the one of the start.
+    pub(crate) fn save(&self, at_start: &Self) -> Option<content::Plan> {
+        let effect = |effect: &EffectDecision| content::EffectDecision {
+            is_on: effect.decision == Decision::On,
+            fact: effect.fact.clone(),
+            saves: effect.saves.clone(),
+        };
+        (self != at_start).then(|| content::Plan {
+            integrator_reason: self.integrator_reason.clone(),
+            effects: self.effects.iter().map(effect).collect(),
+        })
+    }
+
+    /// The plan of a snapshot with this integrator; `self` is that of the start.
+    ///
+    /// # Errors
+    /// When it does not decide about the same effects.
+    pub(crate) fn restored(
+        &self,
+        saved: Option<&content::Plan>,
+        integrator: Integrator,
+    ) -> Result<Self, SnapshotError> {
+        let Some(saved) = saved else { return Ok(self.clone()) };
+        if saved.effects.len() != self.effects.len() {
+            return Err(SnapshotError::Invalid("its plan does not decide about the effects that there are"));
+        }
+        let both = self.effects.iter().zip(&saved.effects);
+        let effects = both.map(|(own, saved)| decision(own.effect, saved.is_on, saved.fact.clone(), &saved.saves));
+        let integrator_reason = saved.integrator_reason.clone();
+        Ok(Self { integrator, integrator_reason, effects: effects.collect(), ..self.clone() })
+    }
 }
 
 /// What was found out about a scene before its plan.
 #[derive(Debug, Clone)]
 pub(crate) struct Findings {
+    /// When, s.
+    pub(crate) t_s: f64,
+    pub(crate) touching_pairs: usize,
     pub(crate) choice: Choice,
     pub(crate) planar: PlanarFinding,
 }
 
 /// One decision per effect.
-fn decisions(
-    world: &World,
-    settings: &Settings,
-    effects: Effects,
-    touching_pairs: usize,
-    findings: &Findings,
-) -> Vec<EffectDecision> {
-    let scene = &world.scene;
+fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let mut list = motion_decisions(world, settings, findings);
-    list.extend(contact_decisions(scene, effects, touching_pairs));
+    list.extend(contact_decisions(&world.scene, effects, findings));
     list.push(decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "everything about it"));
     list.push(joint_decision(world));
     let loaded = world.loaded_count();
-    let pivots = scene.bodies().iter().filter(|body| body.pivot_point().is_some()).count();
+    let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
     list.push(decision(
         Effect::ForceFields,
         loaded > 0,
@@ -196,9 +219,14 @@ fn decisions(
     list
 }
 
+/// The bodies of the scene that have not been removed, with their numbers.
+fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
+    world.scene.bodies().iter().enumerate().filter(|&(body, _)| !world.bodies[body].removed)
+}
+
 /// Pivots are the joints that there are: held by rows, or solved once and for all.
 fn joint_decision(world: &World) -> EffectDecision {
-    let pivots = world.scene.bodies().iter().filter(|body| body.pivot_point().is_some()).count();
+    let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
     let rows = world.held_by_rows.len();
     let (fact, saves) = match (pivots, rows) {
         (0, _) => ("the scene has none".to_owned(), "everything about it"),
@@ -221,7 +249,7 @@ fn joint_decision(world: &World) -> EffectDecision {
 /// Effects of motion between contacts.
 fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> Vec<EffectDecision> {
     let (gravity, planar) = (world.gravity(), &findings.planar);
-    let movable = world.movable.len();
+    let movable = world.bodies.iter().filter(|body| body.moves()).count();
     let flying = if settings.flies() { movable - world.loaded_count() } else { 0 };
     vec![
         decision(
@@ -230,7 +258,7 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
             format!("g = ({}, {}, {}) m/s^2", gravity.x, gravity.y, gravity.z),
             "nothing: it is part of the closed form of flight",
         ),
-        rotation_decision(&world.scene),
+        rotation_decision(world),
         steady_decision(world),
         decision(
             Effect::PlanarMotion,
@@ -252,7 +280,7 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
 }
 
 /// Effects of contact.
-fn contact_decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> Vec<EffectDecision> {
+fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let pairs = scene.colliding();
     let rest = match effects {
         Effects::Planned => decision(
@@ -272,7 +300,7 @@ fn contact_decisions(scene: &Scene, effects: Effects, touching_pairs: usize) -> 
         decision(
             Effect::Contact,
             pairs.count > 0,
-            format!("{} pairs may collide, {touching_pairs} touch at t = 0", pairs.count),
+            format!("{} pairs may collide, {} touch at t = {}", pairs.count, findings.touching_pairs, findings.t_s),
             if pairs.count > 0 { "nothing: searched for at every step" } else { "all collision detection" },
         ),
         decision(
@@ -291,10 +319,10 @@ fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecisi
 }
 
 /// Rotation needs the general solution unless every body's inertia is spherical or none turns.
-fn rotation_decision(scene: &Scene) -> EffectDecision {
+fn rotation_decision(world: &World) -> EffectDecision {
     let mut general = 0;
     let mut spherical = 0;
-    for properties in scene.bodies().iter().filter_map(|body| body.mass_properties()) {
+    for properties in present(world).filter_map(|(_, body)| body.mass_properties()) {
         let moments = properties.principal_axes().moments();
         if moments.x == moments.z { spherical += 1 } else { general += 1 }
     }
@@ -314,11 +342,11 @@ fn rotation_decision(scene: &Scene) -> EffectDecision {
 fn steady_decision(world: &World) -> EffectDecision {
     let (mut steady, mut turning) = (0, 0);
     let mut off_axis = 0.0f64;
-    for (body, entry) in world.movable.iter().zip(world.scene.bodies().iter().filter(|body| !body.is_fixed())) {
-        let Some(rigid) = &world.bodies[*body].rigid else { continue };
+    for (body, entry) in present(world) {
+        let Some(rigid) = &world.bodies[body].rigid else { continue };
         let pose = entry.initial_pose();
         let w = entry.initial_velocity().angular;
-        if w == DVec3::ZERO || world.is_loaded(*body) {
+        if w == DVec3::ZERO || world.is_loaded(body) {
             continue;
         }
         turning += 1;

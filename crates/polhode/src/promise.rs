@@ -4,11 +4,12 @@
 //! |---|---|---|---|
 //! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
 //! | `accurate` by `rk4` | as above | no promise: known by the step | no promise |
+//! | `stepped` | no promise: known by the step | no promise | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
-//! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet, what
-//! they approach each other by within four ulp of the time; tolerance: that of the
-//! method; drift: the tolerance, at least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by their size, J.
+//! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet,
+//! what they approach each other by within four ulp of the time; tolerance: that of the method; drift: the tolerance, at
+//! least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by their size, J.
 //! A run beyond any of these is [`Outcome::Degraded`](crate::Outcome::Degraded), whatever its tier one with a problem that
 //! was not solved as asked.
 

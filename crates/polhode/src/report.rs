@@ -139,7 +139,7 @@ pub struct RunReport {
     pub duration_s: f64,
     /// Time simulated, s.
     pub simulated_s: f64,
-    /// Steps taken.
+    /// Steps taken. While all bodies fly or rest they are those of the caller, so that they depend on how a run is cut.
     pub steps: u64,
     /// Events, of every kind.
     pub events: u64,

@@ -121,10 +121,11 @@ impl Simulation {
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
         let tier: Box<dyn Tier> = match settings.tier {
             TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
-            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)),
+            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
-        let plan = Plan::derive(&core.world, &settings, effects, tier.touching_pairs(), &Findings { choice, planar });
+        let findings = Findings { t_s: 0.0, touching_pairs: tier.touching_pairs(), choice, planar };
+        let plan = Plan::derive(&core.world, &settings, effects, &findings);
         Ok(Self {
             scene: scene.clone(),
             plan_at_start: plan.clone(),
@@ -162,7 +163,8 @@ impl Simulation {
         self.advance(limit, observer)
     }
 
-    /// Goes on to a time (s), exactly. The motion is the same however a run is cut, in flight and at rest too.
+    /// Goes on to a time (s), exactly, in flight and at rest too. In the tier `accurate` the motion is the same, bit for bit,
+    /// however a run is cut; the tiers of fixed steps cut a step short, and their motion is the same to the error of a step.
     ///
     /// # Errors
     /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
@@ -260,9 +262,9 @@ impl Simulation {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// Bodies that move together at the present.
+    /// Bodies that move together or rest together at the present.
     pub fn islands(&self) -> Vec<IslandView> {
-        self.tier.islands()
+        self.tier.islands(&self.core)
     }
 
     /// Everything that a viewer draws of the present.
@@ -317,6 +319,7 @@ impl Simulation {
             applied: self.core.world.applied(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
+            plan: self.plan.save(&self.plan_at_start),
             plan_changes: self.plan_changes.iter().map(change).collect(),
             accounts: self.core.accounts.save(),
             tier: self.tier.save(),
@@ -336,22 +339,19 @@ impl Simulation {
         let mut settings = self.core.settings;
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("its integrator is none that there is"))?;
+        let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
         let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
         let solver = ComplementaritySolver::default();
         let mut core = Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver };
         let tier = restored_tier(&mut core, &content.tier)?;
         (self.core, self.tier, self.ended) = (core, tier, content.ended);
-        self.plan_changes.clear();
-        self.plan = self.plan_at_start.clone();
-        if !content.plan_changes.is_empty() {
-            self.derive_plan_again("restore");
-            let change = |change: &content::PlanChange| PlanChange {
-                t_s: change.t_s,
-                action: change.action.clone(),
-                changes: change.changes.clone(),
-            };
-            self.plan_changes = content.plan_changes.iter().map(change).collect();
-        }
+        self.plan = plan;
+        let change = |change: &content::PlanChange| PlanChange {
+            t_s: change.t_s,
+            action: change.action.clone(),
+            changes: change.changes.clone(),
+        };
+        self.plan_changes = content.plan_changes.iter().map(change).collect();
         Ok(())
     }
 
@@ -388,9 +388,9 @@ fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
     Frame {
         t_s: t,
         bodies: states.iter().enumerate().map(sample).collect(),
-        motions: tier.motions(),
+        motions: tier.motions(core),
         contacts: tier.contacts(core, t, states),
-        islands: tier.islands(),
+        islands: tier.islands(core),
         energy: core.accounts.books.clone().observe(&core.world, states),
     }
 }

@@ -83,10 +83,10 @@ pub(crate) trait Tier: std::fmt::Debug {
     }
 
     /// How each body moves.
-    fn motions(&self) -> Vec<MotionKind>;
+    fn motions(&self, core: &Core) -> Vec<MotionKind>;
 
     /// Bodies that move together, and those that rest together.
-    fn islands(&self) -> Vec<IslandView>;
+    fn islands(&self, core: &Core) -> Vec<IslandView>;
 
     /// Brings some bodies, and all that their motion concerns, to the present, so that a program may change them.
     ///

@@ -7,6 +7,7 @@ pub(crate) mod books;
 pub(crate) mod measures;
 mod occurrences;
 mod saved;
+mod stretches;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
@@ -14,13 +15,14 @@ use crate::observer::Observer;
 use crate::scene::ImpactLaw;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, CrowdedStretch, Energy, Event, Outcome, RunReport, SimulationError};
+use crate::{Certificate, Energy, Event, Outcome, RunReport, SimulationError};
 use books::Books;
 use measures::{Limits, Measures};
 use occurrences::Occurrences;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactOutcome, ImpactStatus};
 use polhode_response::{SolverReport, SolverStatus};
+use stretches::Stretches;
 
 /// The accounts of a run in progress.
 #[derive(Debug, Clone)]
@@ -40,7 +42,7 @@ pub(crate) struct Accounts {
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
     /// Stretches of crowded events.
-    crowded: Vec<CrowdedStretch>,
+    pub(crate) crowded: Stretches,
 }
 
 impl Accounts {
@@ -57,7 +59,7 @@ impl Accounts {
             steps: 0,
             next_sample: 0,
             last_sample_s: None,
-            crowded: Vec::new(),
+            crowded: Stretches::default(),
         }
     }
 
@@ -132,30 +134,10 @@ impl Accounts {
         }
     }
 
-    /// A stretch of crowded events of this many bodies begins at `t` (s).
-    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) {
+    /// A stretch of crowded events of this many bodies begins at `t` (s); its number.
+    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) -> usize {
         self.warn(t, "events crowd: the bodies concerned go on by time steps for a while");
-        match self.crowded.last_mut() {
-            // It goes on where the last one ended.
-            Some(last) if last.to_s == t => last.bodies = last.bodies.max(bodies),
-            _ => self.crowded.push(CrowdedStretch { from_s: t, to_s: t, bodies, steps: 0, error: 0.0 }),
-        }
-    }
-
-    /// A time step of a stretch has been made, which ends at `t` (s), with this estimated error.
-    pub(crate) fn note_crowding(&mut self, t: f64, steps: u64, error: f64) {
-        if let Some(last) = self.crowded.last_mut() {
-            last.steps += steps;
-            last.error += error;
-            last.to_s = last.to_s.max(t);
-        }
-    }
-
-    /// A stretch ends at `t` (s).
-    pub(crate) fn end_crowding(&mut self, t: f64) {
-        if let Some(last) = self.crowded.last_mut() {
-            last.to_s = last.to_s.max(t);
-        }
+        self.crowded.begin(t, bodies)
     }
 
     /// Takes the outcome of an impact of some bodies by a law into the certificate.
@@ -286,7 +268,7 @@ impl Accounts {
         report.warnings.extend(self.warnings.texts());
         report.steps = self.steps;
         report.events = self.event_count;
-        report.crowded.clone_from(&self.crowded);
+        report.crowded.clone_from(&self.crowded.0);
         report.bodies = world.named_samples(states);
     }
 }

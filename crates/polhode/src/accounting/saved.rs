@@ -4,6 +4,7 @@ use super::Accounts;
 use super::books::Books;
 use super::measures::Measures;
 use super::occurrences::Occurrences;
+use super::stretches::Stretches;
 use crate::snapshot::numbers::{read_momentum, write_momentum};
 use crate::snapshot::{SnapshotError, content};
 use crate::{Certificate, CrowdedStretch, Event, EventKind, Ledger, MomentumLedger, MomentumSum};
@@ -18,7 +19,7 @@ impl Accounts {
             warnings: self.warnings.save(),
             tolerated: self.tolerated.save(),
             measures: self.measures.save(),
-            crowded: self.crowded.iter().map(save_stretch).collect(),
+            crowded: self.crowded.0.iter().map(save_stretch).collect(),
             events: self.events.iter().map(save_event).collect(),
             event_count: self.event_count,
             steps: self.steps,
@@ -38,7 +39,7 @@ impl Accounts {
             warnings: Occurrences::restored(&saved.warnings),
             tolerated: Occurrences::restored(&saved.tolerated),
             measures: Measures::restored(&saved.measures, bodies)?,
-            crowded: saved.crowded.iter().map(restored_stretch).collect(),
+            crowded: Stretches(saved.crowded.iter().map(restored_stretch).collect()),
             events: saved.events.iter().map(|event| restored_event(event, bodies)).collect::<Result<_, _>>()?,
             event_count: saved.event_count,
             steps: saved.steps,

@@ -3,7 +3,7 @@
 //! Events crowd when steps no longer advance time (`pace.rs`): bounces that accumulate at several contacts at once, contacts
 //! whose place jumps, piles that settle. The bodies concerned then go on by the time steps of `crate::time_stepping`, all
 //! their touching and nearly touching contacts together, for a stretch of one longest step; after it the events of the tier
-//! are located again. Where they crowd again at once, the next stretch lasts twice as long.
+//! are located again. Every further stretch of a body lasts twice as long as its last one, up to [`LONGEST_STRETCH`].
 //!
 //! A stretch keeps its own promise: each time step is compared with two of half its length, and is as short as the tolerance
 //! of crowding asks; the estimates are summed and reported with the stretch. A body of another island whose box meets the
@@ -59,6 +59,8 @@ pub(super) struct Crowd {
     pub(super) until: f64,
     /// Length of the next time step, s.
     pub(super) step_s: f64,
+    /// Number of the stretch in the accounts.
+    pub(super) number: usize,
 }
 
 /// One time step of a crowd.
@@ -140,6 +142,18 @@ impl Motion for Way {
     }
 }
 
+/// How bodies go from their states at one time (s) to those at another.
+fn ways((t, start): (f64, &[BodyState]), (end_t, end): (f64, &[BodyState])) -> Vec<Way> {
+    start.iter().zip(end).map(|(start, end)| Way::between((t, &start.pose), (end_t, &end.pose))).collect()
+}
+
+/// What makes the time steps of a crowd.
+fn stepper(core: &Core) -> TimeStepper {
+    let about = core.accounts.books.ledger.momentum.about;
+    let stepper = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
+    stepper.following_bounces(core.settings.crowding_tolerance)
+}
+
 /// A time step from `t` over `h` (s) with its estimate, in frames in which turning alone is left of pivoted bodies.
 ///
 /// # Errors
@@ -176,8 +190,8 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].last_stretch_s = span;
         }
-        core.accounts.begin_crowding(instant.t, instant.bodies.len());
-        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest };
+        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
+        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number };
         self.crowd_step(core, instant, crowd)
     }
 
@@ -206,10 +220,9 @@ impl Engine {
         }
         limit = limit.min(self.end_of_kinematic_boxes(core, t));
         let mut h = crowd.step_s.min(limit - t);
+        let mut end;
         let pairs = self.gather(core, &mut instant, h)?;
-        let about = core.accounts.books.ledger.momentum.about;
-        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let before = stepper(core);
         let start: Vec<BodyState> = instant.bodies.iter().map(|&body| self.states[body]).collect();
         let shortest = SHORTEST_STEP * longest;
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -218,7 +231,9 @@ impl Engine {
                 scratch[body] = *state;
             }
             let mut stepper = before.clone();
-            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, h));
+            // The length is that between the ends, rounded as they are, so that the step can be made again from them.
+            end = if h >= limit - t { limit } else { t + h };
+            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, end - t));
             let (report, error) = match made {
                 Ok(made) => made,
                 Err(source) => break Err(Core::response_error(t, source)),
@@ -238,14 +253,12 @@ impl Engine {
             return Err(stuck);
         }
         let (report, error, next) = made?;
-        let end = if h >= limit - t { limit } else { t + h };
-        core.accounts.note_crowding(end, report.steps, error);
+        core.accounts.crowded.step(crowd.number, end, report.steps, error);
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
             self.tracks[body].pace = Pace::after_stretch(t);
         }
-        let way = |(start, end_state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &end_state.pose));
-        let ways = start.iter().zip(&states).map(way).collect();
+        let ways = ways((t, &start), (end, &states));
         let step = Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, ways });
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
@@ -276,9 +289,7 @@ impl Engine {
         pairs: Vec<(usize, usize)>,
         (t, end): (f64, f64),
     ) -> Result<CrowdStep, SimulationError> {
-        let about = core.accounts.books.ledger.momentum.about;
-        let before = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-        let before = before.following_bounces(core.settings.crowding_tolerance);
+        let before = stepper(core);
         let mut scratch = std::mem::take(&mut self.scratch);
         let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         let of = (bodies, pairs.as_slice());
@@ -286,8 +297,7 @@ impl Engine {
         let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
-        let way = |(start, state): (&BodyState, &BodyState)| Way::between((t, &start.pose), (end, &state.pose));
-        let ways = start.iter().zip(&states).map(way).collect();
+        let ways = ways((t, &start), (end, &states));
         Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, ways })
     }
 
@@ -387,7 +397,6 @@ impl Engine {
         if t < crowd.until && !core.is_end_of_run(t) {
             return self.crowd_step(core, instant, crowd);
         }
-        core.accounts.end_crowding(t);
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Constrained;
         }

@@ -625,19 +625,13 @@ impl Tier for Engine {
         self.pivot_views(core, t, states)
     }
 
-    fn motions(&self) -> Vec<MotionKind> {
-        let kind = |track: &Track| match track.mode {
-            Mode::Fixed | Mode::Prescribed => MotionKind::Given,
-            Mode::Flight(_) => MotionKind::Flight,
-            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
-            Mode::Rest => MotionKind::Rest,
-        };
-        self.tracks.iter().map(kind).collect()
+    fn motions(&self, core: &Core) -> Vec<MotionKind> {
+        self.present_motions(core)
     }
 
-    fn islands(&self) -> Vec<IslandView> {
-        let ids = |bodies: &[usize]| bodies.iter().map(|&body| BodyId::new(body)).collect();
-        self.islands.values().map(|island| IslandView { bodies: ids(&island.bodies) }).collect()
+    fn islands(&self, core: &Core) -> Vec<IslandView> {
+        let ids = |bodies: Vec<usize>| bodies.into_iter().map(BodyId::new).collect();
+        self.present_islands(core).into_iter().map(|bodies| IslandView { bodies: ids(bodies) }).collect()
     }
 
     fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {

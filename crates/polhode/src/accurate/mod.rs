@@ -1,10 +1,11 @@
 //! The tier `accurate`.
 //!
 //! Bodies in flight follow their flight records in closed form. Bodies with held contacts are integrated by DOP853
-//! with the contact forces solved for at every stage, under error control, or by the classical method of order 4 at a fixed step. Time advances from event to event: an
-//! impact (a pair closes), or a change of contacts (a force reaches zero, a corner passes an edge). Each is located,
-//! and everything that happens at that instant to the bodies it concerns is resolved before they go on. Bodies that it does
-//! not concern are left alone: their steps, their contacts and the impacts found for them stay.
+//! with the contact forces solved for at every stage, under error control, or by the classical method of order 4 at a
+//! fixed step. Time advances from event to event: an impact (a pair closes), or a change of contacts (a force reaches
+//! zero, a corner passes an edge). Each is located, and everything that happens at that instant to the bodies it concerns
+//! is resolved before they go on. Bodies that it does not concern are left alone: their steps, their contacts and the
+//! impacts found for them stay.
 //!
 //! | module | holds |
 //! |---|---|

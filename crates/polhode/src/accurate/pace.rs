@@ -6,7 +6,8 @@
 //! (an event at which forces jump is approached by some sixty steps, each a part of the one before), but never thousands
 //! of them in a row: where a contact cannot be followed, because its place jumps or because bodies touch where no contact is
 //! found, a run would go on for ever. And where bounces accumulate at many contacts of a pile, time does advance, but ever
-//! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so that one island's trouble is not another's.
+//! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so
+//! that one island's trouble is not another's.
 
 use crate::snapshot::content;
 

@@ -1,11 +1,12 @@
 //! What the engine says of the present: the state of a body, the contacts that touch, the bodies that they join.
 
-use super::engine::{Engine, Mode};
+use super::engine::{Engine, Mode, Track};
 use super::hold::Forces;
 use super::island::Step;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
-use crate::interaction::groups::groups;
+use crate::frame::MotionKind;
+use crate::interaction::groups::{coupled_groups, groups};
 use crate::observer::BodySample;
 use crate::{Effects, SimulationError};
 use polhode_dynamics::BodyState;
@@ -76,6 +77,50 @@ impl Engine {
             }
         }
         found
+    }
+
+    /// Bodies that move together, and those that rest together: each ascending, in the order of their first bodies.
+    pub(super) fn present_islands(&self, core: &Core) -> Vec<Vec<usize>> {
+        let world = &core.world;
+        let joins = |contacts: &[&Touch], bodies: &[usize]| {
+            let contacts = contacts.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
+            coupled_groups(world, contacts, bodies).into_iter().map(|group| group.bodies).collect::<Vec<_>>()
+        };
+        if !self.begun {
+            let held: Vec<Touch> =
+                self.present_groups(core, &self.states).into_iter().flat_map(|(_, held)| held).collect();
+            let loaded =
+                world.movable.iter().copied().filter(|&body| world.bodies[body].moves() && world.is_loaded(body));
+            return joins(&held.iter().collect::<Vec<_>>(), &loaded.collect::<Vec<_>>());
+        }
+        let rests = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
+        let connects = |touch: &&Touch| touch.hold == Hold::Held && rests(touch.id.a) && rests(touch.id.b);
+        let connecting: Vec<&Touch> = self.contacts.all().filter(connects).collect();
+        let resting: Vec<usize> = world.movable.iter().copied().filter(|&body| rests(body)).collect();
+        let mut found = joins(&connecting, &resting);
+        found.extend(self.islands.values().map(|island| island.bodies.clone()));
+        found.sort_unstable();
+        found
+    }
+
+    /// How each body moves; before the first instant, as far as its contacts and forces say.
+    pub(super) fn present_motions(&self, core: &Core) -> Vec<MotionKind> {
+        let kind = |track: &Track| match track.mode {
+            Mode::Fixed | Mode::Prescribed => MotionKind::Given,
+            Mode::Flight(_) => MotionKind::Flight,
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
+            Mode::Rest => MotionKind::Rest,
+        };
+        let mut kinds: Vec<MotionKind> = self.tracks.iter().map(kind).collect();
+        if !self.begun {
+            for body in (0..kinds.len()).filter(|&body| core.world.bodies[body].moves()) {
+                kinds[body] = MotionKind::Flight;
+            }
+            for body in self.present_islands(core).into_iter().flatten() {
+                kinds[body] = MotionKind::Integrated;
+            }
+        }
+        kinds
     }
 
     /// With all effects on, the forces of resting groups are computed at every step although nothing has changed.

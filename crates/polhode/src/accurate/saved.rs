@@ -192,7 +192,10 @@ fn save_track(track: &Track) -> content::Track {
             Mode::Flight(flight) => content::Mode::Flight(save_flight(flight)),
             Mode::Constrained => content::Mode::Constrained,
             Mode::Stepped => content::Mode::Stepped,
-            Mode::Crowded(crowd) => content::Mode::Crowded { until: crowd.until, step_s: crowd.step_s },
+            Mode::Crowded(crowd) => {
+                let Crowd { until, step_s, number } = *crowd;
+                content::Mode::Crowded { until, step_s, number }
+            }
             Mode::Rest => content::Mode::Rest,
         },
         pace: pace.save(),
@@ -215,7 +218,9 @@ fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>
             (content::Mode::Flight(flight), Some(rigid)) => Mode::Flight(Box::new(restored_flight(rigid, flight)?)),
             (content::Mode::Constrained, Some(_)) => Mode::Constrained,
             (content::Mode::Stepped, Some(_)) => Mode::Stepped,
-            (&content::Mode::Crowded { until, step_s }, Some(_)) => Mode::Crowded(Crowd { until, step_s }),
+            (&content::Mode::Crowded { until, step_s, number }, Some(_)) => {
+                Mode::Crowded(Crowd { until, step_s, number })
+            }
             (content::Mode::Rest, Some(_)) => Mode::Rest,
             _ => return Err(SnapshotError::Invalid("a body that never moves moves, or the other way round")),
         };

@@ -97,10 +97,8 @@ impl Overlaps {
             let reach = world.touch_distance(states, a, b) + beyond;
             for touch in world.contacts_of_pair(states, a, b, reach) {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
-                if overlap.geometry.margin >= 0.0 {
-                    if -overlap.geometry.separation > found.deepest_m {
-                        (found.deepest_m, found.deepest) = (-overlap.geometry.separation, Some(touch.id));
-                    }
+                if overlap.geometry.margin >= 0.0 && -overlap.geometry.separation > found.deepest_m {
+                    (found.deepest_m, found.deepest) = (-overlap.geometry.separation, Some(touch.id));
                 }
                 found.is_excess |= is_excess(world, states, overlap.id, &overlap.geometry);
                 found.contacts.push(overlap);

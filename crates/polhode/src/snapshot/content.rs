@@ -23,9 +23,26 @@ pub(crate) struct Content {
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
     pub(crate) integrator: String,
+    /// The plan, where an action of the program has changed it or the facts in it.
+    pub(crate) plan: Option<Plan>,
     pub(crate) plan_changes: Vec<PlanChange>,
     pub(crate) accounts: Accounts,
     pub(crate) tier: Tier,
+}
+
+/// What actions of a program change in a [`crate::Plan`], beside the integrator.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Plan {
+    pub(crate) integrator_reason: String,
+    pub(crate) effects: Vec<EffectDecision>,
+}
+
+/// [`crate::EffectDecision`], by its place in the plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct EffectDecision {
+    pub(crate) is_on: bool,
+    pub(crate) fact: String,
+    pub(crate) saves: String,
 }
 
 /// [`crate::PlanChange`].
@@ -210,7 +227,7 @@ pub(crate) enum Mode {
     Flight(Flight),
     Constrained,
     Stepped,
-    Crowded { until: f64, step_s: f64 },
+    Crowded { until: f64, step_s: f64, number: usize },
     Rest,
 }
 

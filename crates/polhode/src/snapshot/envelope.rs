@@ -17,7 +17,7 @@ use super::hash::Fnv1a;
 const MAGIC: [u8; 8] = *b"polhod\x1a\x00";
 
 /// The version of the content, to be raised with every change of what [`super::content`] holds.
-pub(super) const VERSION: u32 = 1;
+pub(super) const VERSION: u32 = 2;
 
 /// Bytes before the content.
 const HEADER: usize = 28;

@@ -16,6 +16,7 @@ use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{TimeStepReport, TimeStepper, given_by_gravity};
+use crate::world::World;
 use crate::{Acceleration, BodyId, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
@@ -55,8 +56,27 @@ pub(crate) struct SteppedEngine {
 }
 
 impl SteppedEngine {
-    /// Prepares a run.
-    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
+    /// Prepares a run: finds what touches, and the forces of what rests.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+        let mut engine = Self::unbegun(core, states);
+        let world = &core.world;
+        let pairs = engine.search.pairs(world, &engine.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
+        engine.islands = islands(world, &pairs).into_iter().map(|island| island.bodies).collect();
+        let touches = engine.resting_touches(core, &pairs);
+        engine.touching = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
+        for (bodies, contacts) in joined(world, &touches) {
+            let forces = engine.constrained(core, &bodies, &contacts).map(|(forces, _)| forces);
+            let forces = forces.unwrap_or_else(|_| vec![f64::NAN; contacts.len()]);
+            engine.forces.extend(contacts.iter().map(|touch| touch.id).zip(forces));
+        }
+        Ok(engine)
+    }
+
+    /// Bodies with nothing known of what they touch.
+    fn unbegun(core: &Core, states: Vec<BodyState>) -> Self {
         let about = core.accounts.books.ledger.momentum.about;
         Self {
             flights: vec![None; states.len()],
@@ -79,7 +99,7 @@ impl SteppedEngine {
         let world = &core.world;
         let bodies = world.bodies.len();
         let states = read_states(&saved.states, bodies)?;
-        let mut engine = Self::new(core, states);
+        let mut engine = Self::unbegun(core, states);
         let refused = SnapshotError::Invalid("it does not say of each body how it moves");
         let are_bodies = |list: &Vec<usize>| list.iter().all(|&body| body < bodies);
         let are_pairs = saved.touching.iter().all(|&(a, b)| a < b && b < bodies);
@@ -244,21 +264,38 @@ impl SteppedEngine {
         Ok(states)
     }
 
-    /// What the forces of contacts add to the accelerations of their bodies.
-    fn constrained(
-        &self,
-        core: &Core,
-        bodies: &[usize],
-        contacts: &[Touch],
-    ) -> Result<Vec<(usize, DVec3, DVec3)>, ResponseError> {
+    /// The contacts of these pairs that touch and neither approach nor part.
+    fn resting_touches(&self, core: &Core, pairs: &[(usize, usize)]) -> Vec<Touch> {
+        let world = &core.world;
+        let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
+        let of_pair = |&(a, b): &(usize, usize)| {
+            world.contacts_of_pair(&self.states, a, b, world.touch_distance(&self.states, a, b))
+        };
+        let touches = pairs.iter().flat_map(of_pair);
+        touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).collect()
+    }
+
+    /// The forces of contacts (N), and what they add to the accelerations of their bodies.
+    fn constrained(&self, core: &Core, bodies: &[usize], contacts: &[Touch]) -> Result<Constrained, ResponseError> {
         let loads = core.world.loads(core.t, &self.states);
         let problem = AccelerationProblem::new(&core.world, core.t, &self.states, bodies, contacts, &loads)?;
         let AccelerationProblem { assembly, constants: b, .. } = problem;
         let mut solver = ComplementaritySolver::default();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;
-        Ok(assembly.split(&assembly.problem.response(&solution.forces)?).collect())
+        let added = assembly.split(&assembly.problem.response(&solution.forces)?).collect();
+        Ok((solution.forces.clone(), added))
     }
+}
+
+/// Forces of contacts, and what they add to the linear and angular accelerations of bodies by number.
+type Constrained = (Vec<f64>, Vec<(usize, DVec3, DVec3)>);
+
+/// Bodies joined by these contacts, with their contacts.
+fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+    let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
+    let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
+    groups(world, all).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }
 
 impl Tier for SteppedEngine {
@@ -297,14 +334,8 @@ impl Tier for SteppedEngine {
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let failed = |source| Core::response_error(core.t, source);
         let world = &core.world;
-        let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
         let pairs = self.search.pairs(world, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
-        let mut touches = Vec::new();
-        for (a, b) in pairs {
-            let reach = world.touch_distance(&self.states, a, b);
-            touches.extend(world.contacts_of_pair(&self.states, a, b, reach));
-        }
-        touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
+        let touches = self.resting_touches(core, &pairs);
         let loads = world.loads(core.t, &self.states);
         let own_acceleration = |body: usize| {
             if world.trajectory(body).is_some() {
@@ -314,10 +345,8 @@ impl Tier for SteppedEngine {
             }
         };
         let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len()).map(own_acceleration).collect();
-        let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
-        for group in groups(world, all.into_iter()) {
-            let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
-            for (body, linear, angular) in self.constrained(core, &group.bodies, &members).map_err(failed)? {
+        for (bodies, contacts) in joined(world, &touches) {
+            for (body, linear, angular) in self.constrained(core, &bodies, &contacts).map_err(failed)?.1 {
                 found[body].0 += linear;
                 found[body].1 += angular;
             }
@@ -339,7 +368,7 @@ impl Tier for SteppedEngine {
         views
     }
 
-    fn motions(&self) -> Vec<MotionKind> {
+    fn motions(&self, _core: &Core) -> Vec<MotionKind> {
         let mut kinds = vec![MotionKind::Given; self.states.len()];
         for (kind, flight) in kinds.iter_mut().zip(&self.flights) {
             if flight.is_some() {
@@ -352,7 +381,7 @@ impl Tier for SteppedEngine {
         kinds
     }
 
-    fn islands(&self) -> Vec<IslandView> {
+    fn islands(&self, _core: &Core) -> Vec<IslandView> {
         let view = |bodies: &Vec<usize>| IslandView { bodies: bodies.iter().map(|&body| BodyId::new(body)).collect() };
         self.islands.iter().map(view).collect()
     }

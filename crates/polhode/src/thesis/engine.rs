@@ -317,14 +317,15 @@ impl Tier for ThesisEngine {
         views
     }
 
-    fn motions(&self) -> Vec<MotionKind> {
+    fn motions(&self, _core: &Core) -> Vec<MotionKind> {
         self.moves.iter().map(|&moves| if moves { MotionKind::Integrated } else { MotionKind::Given }).collect()
     }
 
-    fn islands(&self) -> Vec<IslandView> {
+    fn islands(&self, _core: &Core) -> Vec<IslandView> {
         // Section 3.5 moves all bodies together.
         let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
-        vec![IslandView { bodies: moving.map(|(body, _)| BodyId::new(body)).collect() }]
+        let bodies: Vec<BodyId> = moving.map(|(body, _)| BodyId::new(body)).collect();
+        if bodies.is_empty() { Vec::new() } else { vec![IslandView { bodies }] }
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {

@@ -318,10 +318,8 @@ fn programs_act_on_bodies_that_rows_hold() {
     assert_closes(&report);
 }
 
-/// Boxes fall onto a seesaw and bounce on it and on the floor, so that events crowd: time steps carry it on, its pivot stays,
-/// and the ledgers close.
-#[test]
-fn a_seesaw_goes_through_crowded_events() {
+/// Boxes that fall onto a seesaw and bounce on it and on the floor, so that events crowd.
+pub(crate) fn seesaw() -> SceneBuilder {
     let bouncing = elastic(0.3);
     let seesaw = heavy_brick("seesaw", 2.0, DVec3::new(2.0, 0.4, 0.1), DVec3::Z * 0.3).pivot(DVec3::Z * 0.3);
     let mut scene =
@@ -333,7 +331,13 @@ fn a_seesaw_goes_through_crowded_events() {
         let cube = heavy_brick(&format!("box {number}"), 0.3, DVec3::new(0.2, 0.15, 0.1), place);
         scene = scene.body(cube.pose(Pose::new(turn, place)).material(bouncing.clone()));
     }
-    let (report, recorder) = run(&scene.build().unwrap(), Effects::Planned);
+    scene
+}
+
+/// Where events crowd time steps carry a seesaw on, its pivot stays, and the ledgers close.
+#[test]
+fn a_seesaw_goes_through_crowded_events() {
+    let (report, recorder) = run(&seesaw().build().unwrap(), Effects::Planned);
     assert!(!report.crowded.is_empty(), "nothing has crowded");
     for row in &recorder.samples {
         assert!((row[1].pose.translation - DVec3::Z * 0.3).length() < 1e-11, "{}", row[1].pose.translation);

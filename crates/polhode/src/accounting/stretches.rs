@@ -1,0 +1,49 @@
+//! Stretches of crowded events, each by its number: those of two islands may lie side by side in time.
+
+use crate::CrowdedStretch;
+
+/// The stretches of a run, in the order in which they began.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Stretches(pub(super) Vec<CrowdedStretch>);
+
+impl Stretches {
+    /// A stretch of this many bodies begins at `t` (s); its number. One that ended there goes on.
+    pub(crate) fn begin(&mut self, t: f64, bodies: usize) -> usize {
+        if let Some(number) = self.0.iter().rposition(|stretch| stretch.to_s == t && stretch.from_s < t) {
+            self.0[number].bodies = self.0[number].bodies.max(bodies);
+            return number;
+        }
+        self.0.push(CrowdedStretch { from_s: t, to_s: t, bodies, steps: 0, error: 0.0 });
+        self.0.len() - 1
+    }
+
+    /// A time step of a stretch has been made, which ends at `t` (s), with this estimated error.
+    pub(crate) fn step(&mut self, number: usize, t: f64, steps: u64, error: f64) {
+        if let Some(stretch) = self.0.get_mut(number) {
+            stretch.steps += steps;
+            stretch.error += error;
+            stretch.to_s = stretch.to_s.max(t);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What one island does stands with its own stretch while another one is in a stretch too; one that goes on where it
+    /// ended is one stretch.
+    #[test]
+    fn stretches_side_by_side() {
+        let mut stretches = Stretches::default();
+        let first = stretches.begin(0.1, 3);
+        stretches.step(first, 0.2, 1, 1e-7);
+        let second = stretches.begin(0.15, 5);
+        stretches.step(first, 0.3, 2, 2e-7);
+        stretches.step(second, 0.25, 4, 1e-8);
+        assert_eq!(stretches.begin(0.3, 4), first);
+        stretches.step(first, 0.35, 1, 0.0);
+        let stretch = |from_s, to_s, bodies, steps, error| CrowdedStretch { from_s, to_s, bodies, steps, error };
+        assert_eq!(stretches.0, [stretch(0.1, 0.35, 4, 4, 1e-7 + 2e-7), stretch(0.15, 0.25, 5, 4, 1e-8)]);
+    }
+}
