@@ -18,12 +18,13 @@ use super::island::{Island, Step};
 use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::core::Core;
+use crate::interaction::overlap::Overlaps;
 use crate::pivots::with_turning_alone;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
+use polhode_response::{Delassus, ResponseError};
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
 use std::collections::BTreeSet;
 
@@ -383,6 +384,22 @@ impl Engine {
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
     }
 
+    /// Moves out the overlap that the time steps of a stretch have left, of all pairs: a step looks only at those that move in
+    /// it. That is of the stretch, and booked, but not judged as drift.
+    fn part_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
+        let failed = |source: ResponseError| Core::response_error(instant.t, source);
+        let overlaps = Overlaps::find(&core.world, &self.states, &instant.pairs);
+        if !overlaps.is_excess {
+            return Ok(());
+        }
+        let before = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
+        let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
+        overlaps.remove(&core.world, &mut self.states, of, problem).map_err(failed)?;
+        let after = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
+        core.accounts.books.projection(before, after, 0.0);
+        Ok(())
+    }
+
     /// The time step of a crowd ends: the next one, or the end of its stretch.
     ///
     /// # Errors
@@ -400,6 +417,7 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Constrained;
         }
+        self.part_at_end(core, &instant)?;
         match self.resolve(core, &mut instant) {
             Ok(()) => self.go_on(core, instant),
             Err(SimulationError::ContactSolve { .. }) if core.is_end_of_run(t) => {
