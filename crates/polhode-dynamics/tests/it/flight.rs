@@ -36,6 +36,32 @@ fn samples_do_not_depend_on_what_was_asked_before() {
     assert_eq!(bits(&flight.state(0.0)), bits(flight.start()));
 }
 
+/// Flights evaluated together have the bits that each has alone: by the series, by elliptic functions over half periods too,
+/// next to the separatrix and on it, steady, and in groups that do not come out even.
+#[test]
+fn many_flights_have_the_bits_of_each_alone() {
+    let moments = DVec3::new(1.0, 2.0, 3.0);
+    let nearly = [0.0, 1e-12, 1e-7, 1e-3, 0.05, 0.3, 1.0, 2.5];
+    let spins = nearly.into_iter().flat_map(|x| {
+        let about =
+            [DVec3::new(x, 2.0, 0.5 * x), DVec3::new(3.0, x, 0.2), DVec3::new(0.1 * x, x, 1.5), DVec3::splat(x)];
+        // On the separatrix 2 T I2 = L^2, which for these moments is p1 = p3.
+        about.into_iter().chain([DVec3::new(x, 1.0, x / 3.0)])
+    });
+    let flights: Vec<Flight> = spins.map(|spin_rad_s| spin(moments, spin_rad_s).1).collect();
+    for t in [0.0, 1e-9, 0.02, 0.3, 0.9, 4.0, 77.0, -3.0] {
+        for count in [0, 1, 3, 4, 7, flights.len()] {
+            let mut states = vec![BodyState::default(); count];
+            // One place more than there is.
+            let of = flights.iter().take(count + 1).enumerate();
+            Flight::write_states(of, t, &mut states);
+            for (k, state) in states.iter().enumerate() {
+                assert_eq!(bits(state), bits(&flights[k].state(t)), "t = {t}, flight {k} of {count}");
+            }
+        }
+    }
+}
+
 /// A spin about a principal axis of the body stays one to the last bit, and its angular acceleration is bounded by zero.
 #[test]
 fn principal_spin_is_bounded_exactly() {
