@@ -97,7 +97,9 @@ impl Overlaps {
             let reach = world.touch_distance(states, a, b) + beyond;
             for touch in world.contacts_of_pair(states, a, b, reach) {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
-                if overlap.geometry.margin >= 0.0 && -overlap.geometry.separation > found.deepest_m {
+                if lies_on_features(world, states, touch.id, &overlap.geometry)
+                    && -overlap.geometry.separation > found.deepest_m
+                {
                     (found.deepest_m, found.deepest) = (-overlap.geometry.separation, Some(touch.id));
                 }
                 found.is_excess |= is_excess(world, states, overlap.id, &overlap.geometry);
@@ -179,8 +181,12 @@ fn move_out(
 /// Whether a contact overlaps by more than may be left.
 pub(crate) fn is_excess(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
     let left = LEFT_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
-    // A point beside its features overlaps nothing.
-    geometry.margin >= 0.0 && geometry.separation < -left
+    lies_on_features(world, states, id, geometry) && geometry.separation < -left
+}
+
+/// A point beside its features overlaps nothing; one at their end, to rounding, does.
+fn lies_on_features(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
+    geometry.margin >= -world.rounding(states, id.a, id.b)
 }
 
 /// How far any point of a body has moved, m, bounded by its size.
