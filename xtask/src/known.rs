@@ -28,13 +28,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \
                  0.70 s it is 1.3e-11 m/s of some 2 m/s; every other scene agrees to 3e-14",
     },
-    KnownFailure {
-        case: "round bodies in valleys",
-        quantity: "ring about a cone: penetration, m",
-        reason: "1.3e-12 m against 1e-12, below the 6e-12 m up to which bodies of this size count as touching: the rim of the \
-                 cone's base sinks between two of the eight points that stand for its disc, as that begins to tilt (t = 0.525 \
-                 s), and is a contact of its own from then on",
-    },
 ];
 
 /// Marks those of `rows` that are known to fail.

@@ -2,11 +2,11 @@
 
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Field, Wrench};
-use std::sync::Mutex;
+use std::cell::RefCell;
 
 /// Buffers of all movable bodies, of which a query for a few touches those few: no part of the state.
 #[derive(Debug, Default)]
-pub(crate) struct FieldBuffers(pub(crate) Mutex<(Vec<BodyState>, Vec<Wrench>)>);
+pub(crate) struct FieldBuffers(pub(crate) RefCell<(Vec<BodyState>, Vec<Wrench>)>);
 
 impl Clone for FieldBuffers {
     /// New ones.

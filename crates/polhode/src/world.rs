@@ -20,7 +20,7 @@ use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
 use polhode_spatial::{CompensatedSum, DVec3, MassProperties, Pose, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
 /// struck together (docs/ARCHITECTURE.md, "Tolerances").
@@ -351,8 +351,8 @@ impl World {
     ) -> Option<Loads> {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
         let (fields, read) = self.field_index.acting_on(&slots)?;
-        let mut buffers = self.field_buffers.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let (own, wrenches) = &mut *buffers;
+        let (mut buffers, mut none) = (self.field_buffers.0.try_borrow_mut(), Default::default());
+        let (own, wrenches) = buffers.as_deref_mut().unwrap_or(&mut none);
         own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
         wrenches.resize(self.movable.len(), Wrench::default());
         for slot in read {

@@ -204,6 +204,14 @@ impl Engine {
         })
     }
 
+    /// When a time step from `t` ends at the latest, s.
+    fn limit_of_crowd_step(&self, core: &Core, t: f64) -> f64 {
+        let limit = core.horizon(t).min(t + core.settings.step_s).min(self.end_of_kinematic_boxes(core, t));
+        // Samples are taken between time steps.
+        let sample = core.accounts.next_sample_s(&core.world);
+        if sample > t { limit.min(sample) } else { limit }
+    }
+
     /// Makes one time step of the bodies of an instant and of all that may meet them within it.
     pub(super) fn crowd_step(
         &mut self,
@@ -213,13 +221,7 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         let t = instant.t;
         let longest = core.settings.step_s;
-        let mut limit = core.horizon(t).min(t + longest);
-        // Samples are taken between time steps.
-        let sample = core.accounts.next_sample_s(&core.world);
-        if sample > t {
-            limit = limit.min(sample);
-        }
-        limit = limit.min(self.end_of_kinematic_boxes(core, t));
+        let limit = self.limit_of_crowd_step(core, t);
         let mut h = crowd.step_s.min(limit - t);
         let mut end;
         let pairs = self.gather(core, &mut instant, h)?;

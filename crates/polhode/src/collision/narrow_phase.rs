@@ -6,8 +6,8 @@
 use crate::world::World;
 use polhode_contact::{Manifold, PairMemory, Workspace, near_manifold_with, separation};
 use polhode_dynamics::BodyState;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
 
 /// Pairs that are remembered, at the most, for each body of the world; more are of the past, and all are forgotten.
 const MOST_PAIRS_PER_BODY: usize = 32;
@@ -15,7 +15,7 @@ const MOST_PAIRS_PER_BODY: usize = 32;
 /// What is remembered of pairs of bodies.
 #[derive(Debug, Default)]
 pub(crate) struct NarrowPhase {
-    remembered: Mutex<Remembered>,
+    remembered: RefCell<Remembered>,
 }
 
 #[derive(Debug, Default)]
@@ -35,8 +35,7 @@ impl Clone for NarrowPhase {
 impl NarrowPhase {
     /// Another shape stands for a body, or none.
     pub(crate) fn forget(&mut self, body: usize) {
-        let remembered = self.remembered.get_mut().unwrap_or_else(PoisonError::into_inner);
-        remembered.pairs.retain(|&(a, b), _| a != body && b != body);
+        self.remembered.get_mut().pairs.retain(|&(a, b), _| a != body && b != body);
     }
 }
 
@@ -51,8 +50,9 @@ impl World {
         read: impl FnOnce(&Manifold) -> T,
     ) -> Option<T> {
         let (shape_a, shape_b) = self.shapes(a, b)?;
-        let mut remembered = self.narrow_phase.remembered.lock().unwrap_or_else(PoisonError::into_inner);
-        let Remembered { workspace, pairs, found } = &mut *remembered;
+        // Who asks again while he reads an answer is answered without the memory.
+        let (mut memory, mut none) = (self.narrow_phase.remembered.try_borrow_mut(), Remembered::default());
+        let Remembered { workspace, pairs, found } = memory.as_deref_mut().unwrap_or(&mut none);
         if pairs.len() > MOST_PAIRS_PER_BODY * self.bodies.len() {
             pairs.clear();
         }
