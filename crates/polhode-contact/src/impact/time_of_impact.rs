@@ -11,7 +11,8 @@
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
 //! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
 //! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
-//! located. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
+//! located. At the end of the interval a smaller overlap counts, a part of the tolerance (`CLOSED`): a search from there would
+//! take it for its start. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};

@@ -3,7 +3,7 @@
 //! Several events may fall on one instant, and some degenerate contacts have two answers that undo each other there at the
 //! level of rounding. Events that do not let time advance are counted for each body; after [`STALL_LIMIT`] of them what is
 //! still found wrong is tolerated for a time that grows with every try (backoff). Steps also become short for good reasons
-//! (an event at which forces jump is approached by some sixty steps, each a part of the one before), but never thousands
+//! (an event at which forces jump is approached by some sixty steps, each a part of the one before), but never hundreds
 //! of them in a row: where a contact cannot be followed, because its place jumps or because bodies touch where no contact is
 //! found, a run would go on for ever. And where bounces accumulate at many contacts of a pile, time does advance, but ever
 //! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so
@@ -21,7 +21,7 @@ const STALL_LIMIT: u32 = 16;
 const BACKOFF_FACTOR: f64 = 8.0;
 
 /// Time has advanced when it has by this fraction of the longest step: far above what the approach to one event or its
-/// resolution takes, and what a contact whose place jumps lets through in [`MOST_STEPS`] (some 1e-6).
+/// resolution takes, and what a contact whose place jumps lets through in [`MOST_STEPS`] (at most some 1e-6).
 const ADVANCE_RELATIVE: f64 = 1e-4;
 
 /// Steps without an advance of time that are too many: many times those that approach an event.

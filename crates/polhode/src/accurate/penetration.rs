@@ -21,8 +21,8 @@ use std::convert::Infallible;
 /// judged by (1e-12).
 const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
-/// Bodies that overlap by this many such depths more than any of their contacts penetrate somewhere else: what a run is
-/// judged by.
+/// Bodies that overlap by this many such depths more than any of their contacts penetrate somewhere else: three quarters of
+/// what a run is judged by.
 const DEEP: f64 = 3.0;
 
 /// How far a pair that is held together penetrates beside the contacts that hold it.

@@ -5,7 +5,9 @@ use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
 use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Geometry, Outcome, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{
+    Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 const G: f64 = 9.81;
@@ -397,17 +399,20 @@ fn ball_bounces_on_a_shaker_by_the_map() {
     assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
 }
 
-/// A press that comes down on a ball on the floor asks for what no force can do: the run ends with an error or degraded, and
-/// does not hang.
+/// A press that comes down on a ball on the floor asks for what no force can do: the run ends with an error that names both,
+/// when they meet, and neither hangs nor lets the press through.
 #[test]
 fn press_on_a_body_without_a_way_out() {
     let press = Body::kinematic("press", steady(DVec3::Z * -0.5, DVec3::ZERO))
         .geometry(Geometry::Shape(Shape::cuboid(DVec3::ONE).unwrap()))
         .pose(Pose::from_translation(DVec3::Z * 1.2));
     let ball = ball("ball", 1.0, RADIUS, DVec3::Z * RADIUS, DVec3::ZERO);
-    let scene = scene("press", 1.0).body(floor()).body(press).body(ball).build().unwrap();
-    let refused = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved);
-    assert!(refused.as_ref().map_or(true, |report| report.outcome == Outcome::Degraded), "{refused:?}");
+    let scene = scene("press", 1.5).body(floor()).body(press).body(ball).build().unwrap();
+    let refused = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved).unwrap_err();
+    let SimulationError::NoWayOut { t, body_a, body_b, overlap_m } = &refused else { panic!("{refused}") };
+    assert_eq!((body_a.as_str(), body_b.as_str()), ("press", "ball"));
+    let met = (0.7 - 2.0 * RADIUS) / 0.5;
+    assert!((t - met).abs() < 1e-2 && *overlap_m < 1e-2 * RADIUS, "{refused}");
 }
 
 /// A pusher that stands by a box on the floor wakes it when it begins to move, drives it, and lets it go when it slows down.
