@@ -153,6 +153,10 @@ impl RigidBody {
     /// `L` (kg m^2/s, about the centre of mass, world axes).
     pub fn angular_velocity_at(&self, rotation: Rotation, angular_momentum: DVec3) -> DVec3 {
         let in_body = rotation.inverse_rotate(angular_momentum);
+        // Every contact and every stage of a step asks for it, and most bodies are given in principal axes.
+        if self.axes == Rotation::IDENTITY {
+            return rotation.rotate(in_body / self.moments);
+        }
         let in_principal = self.axes.inverse_rotate(in_body);
         rotation.rotate(self.axes.rotate(in_principal / self.moments))
     }

@@ -104,8 +104,13 @@ pub(crate) fn accelerations_under(
     let width = problem.width();
     let mut motion = Vec::with_capacity(loads.len());
     for (body, load) in loads.chunks_exact(width).enumerate() {
+        if load.iter().all(|component| component.value() == 0.0) {
+            motion.resize(motion.len() + width, DoubleDouble::default());
+            continue;
+        }
         for line in problem.inverse_mass(body).chunks_exact(width) {
-            let terms = line.iter().zip(load);
+            // Blocks of bodies are mostly zero.
+            let terms = line.iter().zip(load).filter(|(m, _)| **m != 0.0);
             motion.push(terms.fold(DoubleDouble::default(), |sum, (m, x)| sum.plus_long_product(*m, *x)));
         }
     }

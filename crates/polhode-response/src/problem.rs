@@ -84,8 +84,9 @@ impl ContactProblem {
         let bodies = inverse_masses.len() / block;
         check_length("inverse masses", bodies * block, inverse_masses.len())?;
         check_finite("inverse masses", &inverse_masses)?;
+        let mut reduced = Vec::with_capacity(block);
         for (body, matrix) in inverse_masses.chunks_exact(block).enumerate() {
-            if !is_semidefinite(matrix, width) {
+            if !is_semidefinite(matrix, width, &mut reduced) {
                 return Err(ResponseError::InverseMass { body });
             }
         }
@@ -314,13 +315,17 @@ impl ContactProblem {
     }
 }
 
-/// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed.
-fn is_semidefinite(matrix: &[f64], width: usize) -> bool {
+/// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed; `reduced` is room
+/// to work in.
+fn is_semidefinite(matrix: &[f64], width: usize, reduced: &mut Vec<f64>) -> bool {
     let at = |row: usize, column: usize| matrix[row * width + column];
-    let mut reduced = matrix.to_vec();
+    reduced.clear();
+    reduced.extend_from_slice(matrix);
     for k in 0..width {
         for i in k + 1..width {
-            if (at(i, k) - at(k, i)).abs() > BLOCK_ROUNDING * (at(i, i).abs() * at(k, k).abs()).sqrt() {
+            // Bodies have blocks that are symmetric exactly and mostly zero: nothing is computed for those entries.
+            let asymmetry = (at(i, k) - at(k, i)).abs();
+            if asymmetry > 0.0 && asymmetry > BLOCK_ROUNDING * (at(i, i).abs() * at(k, k).abs()).sqrt() {
                 return false;
             }
         }
@@ -339,6 +344,9 @@ fn is_semidefinite(matrix: &[f64], width: usize) -> bool {
             continue;
         }
         for i in k + 1..width {
+            if reduced[i * width + k] == 0.0 {
+                continue;
+            }
             let factor = reduced[i * width + k] / pivot;
             for j in k + 1..width {
                 reduced[i * width + j] -= factor * reduced[k * width + j];

@@ -58,14 +58,17 @@ impl World {
     /// Geometry, approach and acceleration terms of a contact at the given states; none when its features no longer
     /// define a contact (edges have become parallel).
     pub(crate) fn kinematics(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-        let mut kinematics = self.kinematics_in_space(states, id)?;
+        self.kinematics_in_space(states, id).map(|kinematics| self.in_plane(kinematics))
+    }
+
+    /// A contact as it acts in planar motion: it stands for its mirror image too, and together they act in the plane.
+    fn in_plane(&self, mut kinematics: ContactKinematics) -> ContactKinematics {
         if let Some(plane) = &self.plane {
-            // It stands for its mirror image too, and together they act in the plane.
             let geometry = &mut kinematics.geometry;
             geometry.point = plane.project_point(geometry.point);
             geometry.normal = plane.project_vector(geometry.normal);
         }
-        Some(kinematics)
+        kinematics
     }
 
     fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
@@ -91,16 +94,17 @@ impl World {
         (height.abs() > distance).then(|| plane.normal() * height)
     }
 
-    /// Whether a contact point stands for itself in planar motion, and not its mirror image among `points` for it. Where
+    /// Whether a contact point stands for itself in planar motion, and not its mirror image among the `found` for it. Where
     /// two images separate equally well, collision detection may name one of them alone, on either side.
-    fn is_counted(&self, point: DVec3, points: &[DVec3], distance: f64) -> bool {
+    fn is_counted(&self, point: DVec3, found: &[Touch], distance: f64) -> bool {
         let Some(plane) = &self.plane else { return true };
         let height = plane.height(point);
         if height >= -distance {
             return true;
         }
         let image = point - plane.normal() * (2.0 * height);
-        points.iter().all(|other| (*other - image).length() > distance / COUNTERPART_FRACTION)
+        let mut points = found.iter().map(|other| other.kinematics.geometry.point);
+        points.all(|other| (other - image).length() > distance / COUNTERPART_FRACTION)
     }
 
     /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
@@ -125,22 +129,21 @@ impl World {
         }
         features.sort_unstable();
         features.dedup();
-        let point = |&feature: &_| Some(self.kinematics_in_space(states, ContactId { a, b, feature })?.geometry.point);
-        let points: Vec<DVec3> = features.iter().filter_map(point).collect();
-        let touch = |feature| {
-            let id = ContactId { a, b, feature };
-            if !self.is_counted(point(&feature)?, &points, distance) {
-                return None;
-            }
-            let kinematics = self.kinematics(states, id)?;
-            Some(Touch { id, kinematics, hold: Hold::Open, known: false })
-        };
+        let found: Vec<Touch> = features
+            .into_iter()
+            .filter_map(|feature| {
+                let id = ContactId { a, b, feature };
+                Some(Touch { id, kinematics: self.kinematics_in_space(states, id)?, hold: Hold::Open, known: false })
+            })
+            .collect();
+        let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);
+        let in_motion = |touch: &Touch| Touch { kinematics: self.in_plane(touch.kinematics), ..*touch };
         // A contact that has left its features is none, also where collision detection keeps it as the last of its pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
         let within = |touch: &Touch| {
             let geometry = &touch.kinematics.geometry;
             geometry.separation <= reach && geometry.margin >= border
         };
-        (separation, features.into_iter().filter_map(touch).filter(within).collect())
+        (separation, found.iter().filter(is_counted).map(in_motion).filter(within).collect())
     }
 }
