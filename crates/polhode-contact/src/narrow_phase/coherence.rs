@@ -131,7 +131,7 @@ impl Coherence {
         if self.limits.into_iter().all(f64::is_finite) {
             self.keep(workspace);
         }
-        axes.edges = workspace.deciding_edges(a, b, x_ab, &axes, reach);
+        workspace.deciding_edges(a, b, x_ab, &mut axes, reach);
         axes
     }
 
@@ -186,7 +186,7 @@ impl Coherence {
         if axes.face_separation() <= reach {
             workspace.edges.of_a.clone_from(&self.edges[0]);
             workspace.edges.of_b.clone_from(&self.edges[1]);
-            axes.edges = workspace.deciding_edges(a, b, x_ab, &axes, reach);
+            workspace.deciding_edges(a, b, x_ab, &mut axes, reach);
         }
         Some(axes)
     }

@@ -21,6 +21,13 @@ use polhode_spatial::Pose;
 /// between the edges: the direction of their cross product is uncertain by that much.
 pub(crate) const AXIS_ULPS: f64 = 8.0;
 
+/// Edges are nearly parallel when the sine of the angle between them is at most this: the rounding of their separation counts
+/// among penetrations.
+const NEARLY_PARALLEL_SINE: f64 = 0.03;
+
+/// The sine of the angle between edges up to which their cross product is nothing but rounding.
+const ROUNDING_SINE: f64 = 16.0 * f64::EPSILON;
+
 /// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
 /// are only just not parallel ([`PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
 pub(crate) const AXIS_SLACK: f64 = 1e-8;
@@ -83,38 +90,31 @@ impl Workspace {
         select(of_b, &b.edges, limit_b, &self.along_faces_b, |face| (row(face), plane(face)));
     }
 
-    /// The pair of chosen edges that separates better than the faces do, if there is one.
+    /// Finds the pair of chosen edges that separates better than the faces do, if there is one.
     pub(crate) fn deciding_edges(
         &mut self,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         x_ab: &Pose,
-        axes: &Axes,
+        axes: &mut Axes,
         stop: f64,
-    ) -> Option<EdgeAxis> {
+    ) {
         let over = OverBestFaces::new(self, a, x_ab, axes);
         self.edges.of_a.retain(|&i| !over.leaves_a(a, i));
         if self.edges.of_a.is_empty() {
-            return None;
+            return;
         }
         let mut of_b = std::mem::take(&mut self.edges.of_b);
         of_b.retain(|&j| !over.leaves_b(self, b, j));
         self.edges.of_b = of_b;
-        self.best_edges(a, b, axes.edge_threshold(stop), stop, axes.tolerance)
+        self.best_edges(a, b, axes, stop);
     }
 
-    /// The pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
-    /// than `threshold` (at most `stop`) may be left out.
-    pub(crate) fn best_edges(
-        &self,
-        a: &ConvexPolyhedron,
-        b: &ConvexPolyhedron,
-        threshold: f64,
-        stop: f64,
-        tolerance: f64,
-    ) -> Option<EdgeAxis> {
-        let edges = &self.edges;
-        let mut best: Option<EdgeAxis> = None;
+    /// Finds the pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
+    /// than the threshold of the faces may be left out.
+    pub(crate) fn best_edges(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, axes: &mut Axes, stop: f64) {
+        let (edges, threshold) = (&self.edges, axes.edge_threshold(stop));
+        axes.edges = None;
         for &i in &edges.of_a {
             let edge_a = &a.edges[i as usize];
             let of_a = edge_a.faces.map(|f| a.faces[f as usize].normal);
@@ -131,19 +131,45 @@ impl Workspace {
                 if z * w >= 0.0 || x * w <= 0.0 {
                     continue;
                 }
-                let Some(separation) = self.along_edges(a, b, [i as usize, j as usize], threshold) else { continue };
-                if best.is_none_or(|best| separation > best.separation) {
-                    if !self.are_outermost(a, b, [i as usize, j as usize], tolerance) {
+                let pair = [i as usize, j as usize];
+                let Some(along) = self.along_edges(a, b, pair, threshold) else { continue };
+                let is_nearly_parallel = along.sine <= NEARLY_PARALLEL_SINE;
+                if is_nearly_parallel && along.separation > axes.face_separation() + axes.rounding {
+                    let [highest, lowest] = self.outermost(a, b, pair);
+                    axes.along_nearly_parallel = axes.along_nearly_parallel.max(lowest - highest);
+                }
+                if along.sine <= PARALLEL_SINE {
+                    continue;
+                }
+                let separation = along.separation - along.rounding;
+                if axes.edges.is_none_or(|best| separation > best.separation) {
+                    if !self.are_outermost(a, b, pair, axes.tolerance) {
                         continue;
                     }
-                    best = Some(EdgeAxis { separation, edge_a: i, edge_b: j });
+                    axes.edges = Some(EdgeAxis { separation, edge_a: i, edge_b: j });
                 }
                 if separation > stop {
-                    return best;
+                    return;
                 }
             }
         }
-        best
+    }
+
+    /// The common perpendicular of two edges, unit, out of A. Rounding turns the cross product of edges that are nearly
+    /// parallel towards them, and across: the first is taken out again, the second hardly shows along the edges.
+    fn perpendicular(&self, a: &ConvexPolyhedron, [i, j]: [usize; 2]) -> DVec3 {
+        let edge_a = &a.edges[i];
+        let cross = edge_a.direction.cross(self.directions[j]).normalize();
+        let across = (cross - edge_a.direction * cross.dot(edge_a.direction)).normalize();
+        if across.dot(edge_a.outward) >= 0.0 { across } else { -across }
+    }
+
+    /// Heights, along the common perpendicular of two edges, of A's highest vertex and of B's lowest, m.
+    fn outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, pair: [usize; 2]) -> [f64; 2] {
+        debug_assert_eq!(self.vertices.len(), b.vertices.len());
+        let v = self.perpendicular(a, pair);
+        let highest = a.vertices.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p.dot(v)));
+        [highest, self.vertices.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(v)))]
     }
 
     /// Whether two edges are the outermost of their bodies along their common perpendicular. Where an edge of one body is
@@ -151,26 +177,30 @@ impl Workspace {
     /// body could pass for one that faces the other body.
     fn are_outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, [i, j]: [usize; 2], tolerance: f64) -> bool {
         let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
-        let cross = edge_a.direction.cross(self.directions[j]);
-        let sign = if cross.dot(edge_a.outward) >= 0.0 { 1.0 } else { -1.0 };
-        let v = cross * (sign / cross.length());
+        let v = self.perpendicular(a, [i, j]);
         let highest = a.vertices[edge_a.vertices[0] as usize].dot(v) + tolerance;
         let lowest = self.vertices[edge_b.vertices[0] as usize].dot(v) - tolerance;
         a.vertices.iter().all(|p| p.dot(v) <= highest) && self.vertices.iter().all(|p| p.dot(v) >= lowest)
     }
 
-    /// Separation along the common perpendicular of two edges less its rounding, m; nothing when they are parallel, and
-    /// often when it is no more than `threshold` (at most 0).
+    /// Separation along the common perpendicular of two edges; nothing when they are parallel to rounding, and often when it is no more
+    /// than `threshold` (at most 0).
     fn along_edges(
         &self,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         [i, j]: [usize; 2],
         threshold: f64,
-    ) -> Option<f64> {
+    ) -> Option<Along> {
         let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
         let cross = edge_a.direction.cross(self.directions[j]);
         let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
+        let rounding_at = |sine: f64| AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
+        if cross.length_squared() <= NEARLY_PARALLEL_SINE * NEARLY_PARALLEL_SINE {
+            let (sine, separation) = (cross.length(), between.dot(self.perpendicular(a, [i, j])));
+            let is_crossing = sine > ROUNDING_SINE && separation > threshold;
+            return is_crossing.then(|| Along { separation, rounding: rounding_at(sine), sine });
+        }
         let upward = cross.dot(edge_a.outward) >= 0.0;
         // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.
         let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
@@ -178,13 +208,18 @@ impl Workspace {
             return None;
         }
         let sine = cross.length();
-        if sine.is_nan() || sine <= PARALLEL_SINE {
-            return None;
-        }
-        let along = between.dot(cross) / sine;
-        let rounding = AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
-        Some(if upward { along - rounding } else { -along - rounding })
+        (!sine.is_nan()).then(|| Along { separation: lever / sine, rounding: rounding_at(sine), sine })
     }
+}
+
+/// A separation along the common perpendicular of two edges.
+struct Along {
+    /// m.
+    separation: f64,
+    /// What the uncertainty of the direction may add, m.
+    rounding: f64,
+    /// Sine of the angle between the edges.
+    sine: f64,
 }
 
 /// The lowest vertices above the best face of each body, which shut out edges of that face inside which they stand: none of

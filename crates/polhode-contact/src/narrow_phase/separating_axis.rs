@@ -60,6 +60,9 @@ pub(crate) struct Axes {
     pub(crate) face_a: FaceAxis,
     pub(crate) face_b: FaceAxis,
     pub(crate) edges: Option<EdgeAxis>,
+    /// Separation of all vertices along the best perpendicular of edges that are nearly parallel, m: the direction is
+    /// uncertain, but whatever it is, the bodies are at least that far apart along it. `-inf` when there is none.
+    pub(crate) along_nearly_parallel: f64,
     /// Distance up to which features are in one place, m.
     pub(crate) tolerance: f64,
     /// Differences of separations up to this are rounding, m.
@@ -82,7 +85,14 @@ impl Axes {
     pub(crate) fn none(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
         let tolerance = place_tolerance(a.size, b.size, x_ab.translation);
         let rounding = f64::EPSILON * (a.size + b.size + x_ab.translation.length());
-        Self { face_a: FaceAxis::NONE, face_b: FaceAxis::NONE, edges: None, tolerance, rounding }
+        Self {
+            face_a: FaceAxis::NONE,
+            face_b: FaceAxis::NONE,
+            edges: None,
+            along_nearly_parallel: f64::NEG_INFINITY,
+            tolerance,
+            rounding,
+        }
     }
 
     /// Largest separation over the faces.
@@ -97,7 +107,8 @@ impl Axes {
 
     /// Largest separation over all axes; that of edges measured between their nearest places, where it is most accurate.
     /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts
-    /// when it is more by more than the rounding of their axis.
+    /// when it is more by more than the rounding of their axis. Of edges that are nearly parallel that rounding is large, and
+    /// the separation of all vertices counts.
     pub(crate) fn separation(&self, a: &ConvexPolyhedron, pose_a: &Pose, b: &ConvexPolyhedron, pose_b: &Pose) -> f64 {
         let crossed = self.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
         self.largest(crossed.as_ref())
@@ -107,7 +118,8 @@ impl Axes {
     pub(crate) fn largest(&self, crossed: Option<&CrossedEdges>) -> f64 {
         let faces = self.face_separation();
         let counts = self.edges.is_some_and(|edges| edges.separation > faces);
-        crossed.filter(|_| counts).map_or(faces, |crossed| crossed.separation.max(faces))
+        let best = crossed.filter(|_| counts).map_or(faces, |crossed| crossed.separation.max(faces));
+        best.max(self.along_nearly_parallel)
     }
 }
 
@@ -130,7 +142,7 @@ impl Workspace {
     pub(crate) fn search(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, stop: f64) -> Axes {
         self.search_faces(a, b, x_ab, stop).unwrap_or_else(|mut axes| {
             self.select_edges(a, b, x_ab, axes.edge_limits(a, b, x_ab, [0.0; 2]));
-            axes.edges = self.best_edges(a, b, axes.edge_threshold(stop), stop, axes.tolerance);
+            self.best_edges(a, b, &mut axes, stop);
             axes
         })
     }
@@ -145,7 +157,7 @@ impl Workspace {
     ) -> Axes {
         self.search_faces(a, b, x_ab, stop).unwrap_or_else(|mut axes| {
             self.select_edges(a, b, x_ab, axes.edge_limits(a, b, x_ab, [0.0; 2]));
-            axes.edges = self.deciding_edges(a, b, x_ab, &axes, stop);
+            self.deciding_edges(a, b, x_ab, &mut axes, stop);
             axes
         })
     }

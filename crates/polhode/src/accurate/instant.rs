@@ -11,12 +11,11 @@ use super::island::{Island, Step};
 use super::near_pairs::Search;
 use super::pace::{NoAdvance, Pace, StepEnd};
 use crate::SimulationError;
-use crate::accounting::books::Received;
+use crate::accounting::books::{Balance, Received};
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::free_stage::{self, Ends};
 use crate::interaction::groups::coupled_groups;
-use crate::interaction::projection;
 use crate::world::World;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
@@ -200,13 +199,15 @@ impl Engine {
         core.world.prescribe(t, &mut self.states);
         let mut departing = BTreeSet::new();
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
+        let mut ended = Vec::with_capacity(firsts.len());
         for first in firsts {
-            let Some(island) = self.remove_island(first) else { continue };
+            let Some(mut island) = self.remove_island(first) else { continue };
             // Contacts depart at the time that was found for them, not at an earlier event.
             if island.changes && island.due <= t {
                 departing.extend(island.departing.iter().copied());
             }
-            self.end_step(core, island, t)?;
+            let balance = self.end_motion(core, &mut island, t)?;
+            ended.push((island, balance));
         }
         for &body in &bodies {
             self.tracks[body].island = None;
@@ -214,6 +215,10 @@ impl Engine {
                 self.states[body] = flight.state(t);
             }
             self.book_rest(core, body, t);
+        }
+        // Now that all have come to `t`, none is pushed into another.
+        for (island, balance) in ended {
+            self.finish_step(core, &island, balance, t)?;
         }
         let mut pairs = BTreeSet::new();
         let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
@@ -239,7 +244,8 @@ impl Engine {
     }
 
     /// Brings the bodies of an island to `t`, within its step or at its end; the smooth stage that ends there is booked.
-    fn end_step(&mut self, core: &mut Core, mut island: Island, t: f64) -> Result<Step, SimulationError> {
+    /// The balance of its bodies there; none where time steps have moved them.
+    fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<Option<Balance>, SimulationError> {
         let (states, received) = match &mut island.step {
             Step::Constrained(step) => {
                 let end = self.constrained_end(core, step, t)?;
@@ -255,10 +261,9 @@ impl Engine {
                     self.states[body] = state;
                 }
                 core.accounts.note_time_step(&core.world, &self.states, &report);
-                self.check(core, &island.bodies, &[], t)?;
-                return Ok(island.step);
+                return Ok(None);
             }
-            Step::Waiting(_) => return Ok(island.step),
+            Step::Waiting(_) => return Ok(None),
         };
         let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         for (&body, mut state) in island.bodies.iter().zip(states) {
@@ -267,13 +272,21 @@ impl Engine {
         }
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        let (held, how) = (&island.held, (core.settings.step_error(), &mut core.solver));
-        let done = projection::project(&core.world, &mut self.states, &island.bodies, (held, held), how)
-            .map_err(|source| Core::response_error(t, source))?;
-        let projected = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
-        core.book_projection(t, &self.states, &done, (integrated, projected));
-        self.check(core, &island.bodies, &island.held, t)?;
-        Ok(island.step)
+        Ok(Some(integrated))
+    }
+
+    /// Puts together what an island holds, after its motion has ended at `t` (s), and checks its bodies.
+    fn finish_step(
+        &mut self,
+        core: &mut Core,
+        island: &Island,
+        ended: Option<Balance>,
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if let Some(balance) = ended {
+            self.put_together(core, &island.bodies, (&island.held, &island.held), t, balance)?;
+        }
+        self.check(core, &island.bodies, &island.held, t)
     }
 
     /// Checks that the bodies of an island are finite, and measures penetration and speed.
@@ -437,10 +450,11 @@ impl Engine {
     /// # Errors
     /// When no step is possible.
     pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
-        let Some(island) = self.remove_island(first) else { return Ok(()) };
-        let (bodies, held) = (island.bodies.clone(), island.held.clone());
+        let Some(mut island) = self.remove_island(first) else { return Ok(()) };
         core.world.prescribe(t, &mut self.states);
-        let step = self.end_step(core, island, t)?;
+        let balance = self.end_motion(core, &mut island, t)?;
+        self.finish_step(core, &island, balance, t)?;
+        let Island { bodies, held, step, .. } = island;
         let mut pace = self.pace_of(core, &bodies);
         let longest = core.settings.step_s;
         let mut advance = pace.note_end(t, StepEnd::AsPlanned, longest);

@@ -176,6 +176,11 @@ impl Engine {
         for k in 1..=PENETRATION_CHECKS {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
             step.states_at(&core.world, t, states);
+            // Contacts may leave their features long before others penetrate.
+            let mut held = step.held.iter().filter(|id| !tolerated.contains(id));
+            if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(core, states, id).is_none()) {
+                return Ok(Some((before, t)));
+            }
             let penetration = self.first_penetration(core, step, states, tolerated);
             // What is wrong at the end is looked for there, with all else.
             if penetration.contact.is_some() && k < PENETRATION_CHECKS {
@@ -207,16 +212,12 @@ impl Engine {
         let mut touches = Vec::with_capacity(step.held.len());
         let mut left = Vec::new();
         for &id in &step.held {
-            let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
-            let stays = |kinematics: &ContactKinematics| {
-                ContactEvent::Leaving.value(kinematics) >= -tolerance
-                    && !moves_apart(&core.world, states, id, kinematics, core.settings.step_error())
-            };
-            match core.world.kinematics(states, id) {
-                Some(kinematics) if tolerated.contains(&id) || stays(&kinematics) => {
-                    touches.push(Touch { id, kinematics, hold: Hold::Held, known: true });
-                }
-                _ => left.push(id),
+            let is_tolerated = tolerated.contains(&id);
+            let kinematics =
+                if is_tolerated { core.world.kinematics(states, id) } else { held_kinematics(core, states, id) };
+            match kinematics {
+                Some(kinematics) => touches.push(Touch { id, kinematics, hold: Hold::Held, known: true }),
+                None => left.push(id),
             }
         }
         if left.is_empty() {
@@ -266,6 +267,15 @@ impl Engine {
         let bracket = close_in((step.t, wrong), |t| separation(t).map(Side::of).ok_or(()));
         bracket.ok().map(|bracket| bracket.after)
     }
+}
+
+/// A held contact that lies on its features and whose place has not jumped to where the bodies approach or part.
+fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
+    let kinematics = core.world.kinematics(states, id)?;
+    let stays = ContactEvent::Leaving.value(&kinematics) >= -tolerance
+        && !moves_apart(&core.world, states, id, &kinematics, core.settings.step_error());
+    stays.then_some(kinematics)
 }
 
 /// When the forces of contacts that open after `wrong` reach zero: their accelerations, which grow from zero, are

@@ -26,6 +26,7 @@
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
 //! | `present` | the state of a body and the contacts that touch, at the present |
+//! | `together` | held contacts are put exactly together |
 //! | `saved` | what a run goes on from, as plain data and back |
 
 mod agenda;
@@ -50,5 +51,6 @@ mod saved;
 mod stage_method;
 mod start;
 mod system;
+mod together;
 
 pub(crate) use engine::Engine;

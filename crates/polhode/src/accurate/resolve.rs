@@ -34,6 +34,9 @@ const STOPPED_RELATIVE: f64 = 1e-13;
 /// touch while they last.
 const INVISIBLE_HEIGHT: f64 = 64.0;
 
+/// Impacts that the ends of bounces may set off at one instant, each weaker than the one before.
+const MOST_IMPACTS_OF_BOUNCES: usize = 32;
+
 /// A contact whose force is below this fraction of the group's largest carries none.
 const DEPARTED_FORCE: f64 = 1e-6;
 
@@ -97,11 +100,7 @@ impl Engine {
     /// Strikes every group in which a contact approaches.
     fn strike_approaching(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         for group in groups(&core.world, instant.numbered()) {
-            let approaches = |&i: &usize| {
-                let touch = &instant.touches[i];
-                touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
-            };
-            if group.contacts.iter().any(approaches) {
+            if group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
                 self.strike_group(core, instant, &group)?;
             }
         }
@@ -166,19 +165,18 @@ impl Engine {
 
     /// Decides which contacts of a group hold until the next event, and whether its bodies rest.
     fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
-        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
-        let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
-        let mut forces = self.forces(core, instant, group, &candidates)?;
-        // A contact may come back only because the one below it is held, so those found hold before others are judged.
-        loop {
-            let bounces = self.invisible_bounces(core, instant, group, &candidates, &forces);
-            if bounces.is_empty() {
+        let (mut candidates, mut forces, mut has_ended) = self.candidates(core, instant, group)?;
+        let mut impacts = 0;
+        // To end the bounces of one contact may push a body into another.
+        while has_ended && group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
+            if impacts == MOST_IMPACTS_OF_BOUNCES {
+                core.accounts.tolerate(instant.t, "bounces were summed up while bodies still approach each other");
                 break;
             }
-            candidates.extend(bounces);
-            candidates.sort_unstable();
-            self.end_bounces(core, instant, group, &candidates)?;
-            forces = self.forces(core, instant, group, &candidates)?;
+            impacts += 1;
+            self.strike_group(core, instant, group)?;
+            self.refresh_kinematics(core, instant);
+            (candidates, forces, has_ended) = self.candidates(core, instant, group)?;
         }
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
@@ -188,6 +186,37 @@ impl Engine {
             self.set_hold(core, instant, i, hold);
         }
         self.settle(core, instant, group, &candidates, &forces)
+    }
+
+    /// Contacts of a group that may hold, their forces, and whether bounces have been summed up.
+    fn candidates(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        group: &Group,
+    ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
+        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+        let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
+        let mut forces = self.forces(core, instant, group, &candidates)?;
+        let mut has_ended_bounces = false;
+        // A contact may come back only because the one below it is held, so those found hold before others are judged.
+        loop {
+            let bounces = self.invisible_bounces(core, instant, group, &candidates, &forces);
+            if bounces.is_empty() {
+                break;
+            }
+            candidates.extend(bounces);
+            candidates.sort_unstable();
+            self.end_bounces(core, instant, group, &candidates)?;
+            has_ended_bounces = true;
+            forces = self.forces(core, instant, group, &candidates)?;
+        }
+        Ok((candidates, forces, has_ended_bounces))
+    }
+
+    /// Whether the bodies of a contact approach each other there.
+    fn approaches(&self, core: &Core, instant: &Instant, touch: &Touch) -> bool {
+        touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
     }
 
     fn forces(
@@ -290,11 +319,7 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            let how = (core.settings.step_error(), &mut core.solver);
-            let done = projection::project(&core.world, &mut self.states, &component.bodies, (&touching, &ids), how)
-                .map_err(|source| Core::response_error(instant.t, source))?;
-            let after = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            core.book_projection(instant.t, &self.states, &done, (before, after));
+            self.put_together(core, &component.bodies, (&touching, &ids), instant.t, before)?;
             let scale = instant.speed_scale;
             let rests = let_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {

@@ -192,7 +192,8 @@ pub(crate) fn project_positions(
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
-        let allowed = allowed_change(&separations, size);
+        // What earlier steps have moved counts: rows that depend on each other nearly may ask for as much again and again.
+        let allowed = (allowed_change(&separations, size) - largest_displacement(world, &moved)).max(0.0);
         let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
         done.is_soft |= is_soft;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
@@ -205,11 +206,16 @@ pub(crate) fn project_positions(
     }
     done.jumped.dedup_by_key(|contact| contact.bodies());
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
+    done.moved_m = largest_displacement(world, &moved);
+    Ok(done)
+}
+
+/// Largest displacement of any point of some bodies, m, bounded by their sizes, from their displacements and turns.
+fn largest_displacement(world: &World, moved: &BTreeMap<usize, (DVec3, DVec3)>) -> f64 {
     let displacement = |(&body, (linear, angular)): (&usize, &(DVec3, DVec3))| {
         linear.length() + angular.length() * world.bodies[body].size
     };
-    done.moved_m = moved.iter().map(displacement).fold(0.0, f64::max);
-    Ok(done)
+    moved.iter().map(displacement).fold(0.0, f64::max)
 }
 
 /// The pivots that are farther from their places than rounding after the last Newton step.
@@ -286,14 +292,25 @@ pub(crate) fn project_velocities(
 /// more than `allowed`.
 fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> Result<(Vec<f64>, bool), ResponseError> {
     let delassus = assembly.problem.delassus();
+    let largest_change = |multipliers: &[f64]| {
+        let response = assembly.problem.response(multipliers)?;
+        let changes = assembly.split(&response);
+        let change =
+            changes.map(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size);
+        Ok::<_, ResponseError>(change.fold(0.0, f64::max))
+    };
     let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
-    let changes_too_much = assembly
-        .split(&assembly.problem.response(&multipliers)?)
-        .any(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size > allowed);
-    if !changes_too_much {
+    if largest_change(&multipliers)? <= allowed {
         return Ok((multipliers, false));
     }
-    Ok((LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?, true))
+    let mut multipliers = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
+    let change = largest_change(&multipliers)?;
+    if change > allowed {
+        for multiplier in &mut multipliers {
+            *multiplier *= allowed / change;
+        }
+    }
+    Ok((multipliers, true))
 }
 
 /// What may change to cancel `values`: of the order of the largest, or negligible against `scale`.

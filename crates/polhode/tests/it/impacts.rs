@@ -113,3 +113,31 @@ fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
         assert!(reach < 5.55 + 1e-11, "{t} s: {reach} m");
     }
 }
+
+/// A ball in a corner is struck so slowly by a heavy one that it comes back to floor and wall before it has left touch. These
+/// bounces are summed up, and to end them pushes it against the other ball again: that is struck at the same instant, as long
+/// as anything approaches (left approaching, the balls met again two hundred times within a millisecond, each time by an
+/// overlap).
+#[test]
+fn bounces_that_end_leave_nothing_approaching() {
+    for (e, heavy, speed) in [(0.1, 100.0, 2e-6), (0.05, 30.0, 1e-6), (0.2, 1000.0, 3e-6)] {
+        let (small, large) = (0.1_f64, 0.25);
+        let apart = ((small + large) * (small + large) - 2.0 * (large - small) * (large - small)).sqrt() + 1e-7;
+        let wall = Body::fixed("wall").geometry(Shape::half_space(UnitVector::new(DVec3::X).unwrap()).into());
+        let scene = Scene::builder("corner")
+            .gravity(DVec3::new(-5.0, 0.0, -9.81))
+            .duration_s(1.0)
+            .body(floor().material(elastic(e)))
+            .body(wall.material(elastic(e)))
+            .body(ball("heavy", heavy, small, DVec3::new(small, 0.0, small), DVec3::ZERO).material(elastic(e)))
+            .body(ball("light", 1.0, large, DVec3::new(large, -apart, large), DVec3::Y * speed).material(elastic(e)))
+            .build()
+            .unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        let impacts = recorder.events.iter().filter(|event| event.kind == EventKind::Impact);
+        let times: Vec<f64> = impacts.map(|event| event.t).collect();
+        assert!(times.len() > 4 && times.iter().all(|&t| t == times[0]), "e = {e}: {times:?}");
+        assert!(report.certificate.max_penetration_m < 2e-15, "e = {e}: {:?}", report.certificate);
+        assert!(report.warnings.is_empty(), "{:?}", report.warnings);
+    }
+}

@@ -114,7 +114,7 @@ fn shaken_bin(count: u32) -> SceneBuilder {
 /// leaves the bin, and the ledgers close with the work of the bin in them.
 #[test]
 fn pile_in_a_shaken_bin_goes_through_crowding() {
-    let (report, recorder) = run_by(&shaken_bin(12), accurate());
+    let (report, recorder) = run_by(&shaken_bin(16), accurate());
     assert!(!report.crowded.is_empty(), "{:?}", report.warnings);
     assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
     assert!(report.ledger.external.value().abs() > 1e-3, "{:?}", report.ledger);

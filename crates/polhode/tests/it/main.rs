@@ -21,6 +21,7 @@ mod linked_rings;
 mod mass_ratios;
 mod momentum;
 mod outcomes;
+mod piles;
 mod pivot_rows;
 mod pivots;
 mod planar;
