@@ -9,7 +9,7 @@ use crate::certificate::{
 };
 use crate::delassus::Delassus;
 use crate::dense::double_double::DoubleDouble;
-use crate::dense::kernels::axpy;
+use crate::dense::kernels::{axpy, largest};
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::interior_point;
@@ -25,6 +25,13 @@ const PRECISE_PIVOT_ROUNDING: f64 = 1e-29;
 /// Bodies that are squeezed by less than this fraction of the terms of a row fit within the rounding of their data (no
 /// unit): a hundred times what rows that count as dependent may differ by.
 const SQUEEZE_ROUNDING: f64 = 1e-12;
+
+/// Rounding of constant terms relative to the largest of them (no unit): that of some dozen terms.
+const CONSTANT_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// An answer that holds only to the rounding of the constant terms is none when the terms that cancel in it are more than
+/// this many times as large (no unit): then forces squeeze bodies by a rounding, and what their own rounding moves is more.
+const SOUND_AMPLIFICATION: f64 = 1e3;
 
 /// An answer in working precision with a larger residual, though accepted, is found again in twice the precision (no
 /// unit): as large as what is left of bodies that are squeezed within rounding.
@@ -167,8 +174,30 @@ impl ComplementaritySolver {
         &self.solution
     }
 
-    /// Tries the methods in turn until one decides, and keeps the best answer.
+    /// Solves; where that does not succeed, once more with the rounding of the constant terms as noise: each of them is a
+    /// sum of terms as large as the largest of all, and rows whose own terms vanish must not pass for bodies that are
+    /// squeezed by a rounding.
     fn search(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
+        self.try_methods(data, warm_start);
+        let noise_floor = CONSTANT_ROUNDING * largest(data.b);
+        if self.solution.report.status == SolverStatus::Solved || noise_floor <= self.settings.noise_floor {
+            return;
+        }
+        let (settings, unsolved) = (self.settings, self.solution.clone());
+        self.settings.noise_floor = noise_floor;
+        self.try_methods(data, None);
+        self.settings = settings;
+        let is_sound = largest(&self.best.scales) <= SOUND_AMPLIFICATION * largest(data.b);
+        if self.solution.report.status == SolverStatus::Solved && is_sound {
+            // What is noise in one row may be motion in another: rows are held by what they are, not by the noise.
+            self.publish(data.b);
+        } else {
+            self.solution = unsolved;
+        }
+    }
+
+    /// Tries the methods in turn until one decides, and keeps the best answer.
+    fn try_methods(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
         self.best.report = SolverReport { status: SolverStatus::Inaccurate, residual: f64::NAN, ..Default::default() };
         self.best.rows.clear();
         self.best.squeeze.clear();

@@ -287,6 +287,26 @@ fn squeezed_body_is_infeasible() {
     assert_eq!(report.unwrap().report.status, SolverStatus::Infeasible);
 }
 
+/// A body that fits exactly between two walls is not squeezed by constant terms that are roundings of the others in the
+/// problem, as they are where velocities cancel; by more than that it is.
+#[test]
+fn roundings_of_other_rows_squeeze_no_body() {
+    let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0]).unwrap();
+    for row in [[1.0, 0.0], [-1.0, 0.0], [0.6, 0.8]] {
+        problem.push_row(&[(0, &row)]).unwrap();
+    }
+    let delassus = problem.delassus();
+    let solve = |b: &[f64]| solve_complementarity(&problem, &delassus, b, None, &SolverSettings::default()).unwrap();
+    for speed in [1e-6, 1.0, 1e6] {
+        let solution = solve(&[-3e-17 * speed, 1e-17 * speed, -speed]);
+        assert_eq!(solution.report.status, SolverStatus::Solved, "{speed}: {:?}", solution.report);
+        let rate = problem.response(&solution.forces).unwrap();
+        assert!(rate[0].abs() < 1e-14 * speed && (rate[1] - 1.25 * speed).abs() < 1e-13 * speed, "{rate:?}");
+        let squeezed = solve(&[-3e-12 * speed, 1e-12 * speed, -speed]);
+        assert_eq!(squeezed.report.status, SolverStatus::Infeasible, "{speed}: {:?}", squeezed.report);
+    }
+}
+
 /// With too few pivots for the active set the interior point takes over, and its polished answer is as exact; without
 /// it the status says that there is no accurate answer.
 #[test]

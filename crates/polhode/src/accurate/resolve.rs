@@ -121,6 +121,9 @@ impl Engine {
         let struck = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
         let outcome = struck.outcome;
+        if outcome.status == ImpactStatus::NotSolved {
+            return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
+        }
         let impulses = group.contacts.iter().zip(&outcome.impulses);
         let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
@@ -145,9 +148,6 @@ impl Engine {
             let names = core.world.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
             core.accounts.note_unsolved(instant.t, what);
-        }
-        if outcome.status == ImpactStatus::NotSolved {
-            return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
         Ok(())
     }

@@ -67,7 +67,39 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
     bodies.iter().map(speed).fold(0.0, f64::max)
 }
 
-/// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies.
+/// Energy that impulses may seem to give, relative to that of the bodies and to the work of prescribed motions: more is no
+/// rounding of an answer, but an answer of roundings, where impulses that cancel are larger than all momenta by many digits.
+const GAIN_ROUNDING: f64 = 1e-9;
+
+/// Applies impulses of contacts and of pivots to some bodies; whether their energy has not risen but by the work of prescribed
+/// motions. Otherwise nothing has changed.
+pub(crate) fn apply_without_gain<'a>(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    (impulses, pivots): (
+        impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
+        impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
+    ),
+) -> bool {
+    let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
+    let before = kinetic(states);
+    let work = world.prescribed_work(states, impulses.clone());
+    apply_impulses(world, states, impulses);
+    apply_pivot_impulses(world, states, pivots);
+    let gain = kinetic(states) - before - work;
+    let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
+    if !is_sound {
+        for (&body, start) in bodies.iter().zip(start) {
+            states[body] = start;
+        }
+    }
+    is_sound
+}
+
+/// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies. Where the law finds no answer,
+/// nothing has changed, and the status says so.
 ///
 /// # Errors
 /// When the problem is not finite.
@@ -95,18 +127,28 @@ pub(crate) fn strike(
         ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
     };
     let delassus = assembly.problem.delassus();
-    let mut outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
-    if outcome.status == ImpactStatus::NotSolved {
-        // Bodies that fit exactly between others seem squeezed by the rounding of velocities that nearly cancel.
-        let noise_floor = RATE_ROUNDING * largest_speed(world, states, &group.bodies);
-        let settings = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
-        outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, &settings, solver)?;
+    // Bodies that fit exactly between others seem squeezed by the rounding of velocities that nearly cancel.
+    let noise_floor = RATE_ROUNDING * largest_speed(world, states, &group.bodies);
+    let with_noise = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
+    let contacts: Vec<_> = members.iter().map(|touch| (touch.id, touch.kinematics.geometry)).collect();
+    let mut outcome = ImpactOutcome::default();
+    for settings in [settings, &with_noise] {
+        outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
+        if outcome.status != ImpactStatus::NotSolved {
+            let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
+            let pivots = assembly.pivot_forces(&outcome.impulses);
+            if apply_without_gain(world, states, &group.bodies, (impulses, pivots)) {
+                break;
+            }
+        }
+        outcome = ImpactOutcome {
+            impulses: vec![0.0; before.len()],
+            velocities_after: before.clone(),
+            residual: outcome.residual,
+            status: ImpactStatus::NotSolved,
+            ..ImpactOutcome::default()
+        };
     }
-    let geometries: Vec<ContactGeometry> = members.iter().map(|touch| touch.kinematics.geometry).collect();
-    let impulses =
-        members.iter().zip(&geometries).zip(&outcome.impulses).map(|((touch, geometry), &p)| (touch.id, geometry, p));
-    apply_impulses(world, states, impulses);
-    apply_pivot_impulses(world, states, assembly.pivot_forces(&outcome.impulses));
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let whose = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
     Ok(Struck { outcome, whose, pivots })

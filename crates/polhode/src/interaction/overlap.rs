@@ -13,7 +13,7 @@ use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError, SolverSettings, SolverStatus};
-use polhode_spatial::{Pose, Rotation};
+use polhode_spatial::{DVec3, Pose, Rotation};
 
 /// Rounds: each squares what is left of an overlap relative to the size, so that the third is at rounding also for overlaps
 /// of a hundredth of the size; contacts whose place jumps take some more.
@@ -165,17 +165,31 @@ fn move_out(
         let mut separations: Vec<f64> = members.iter().map(|row| row.geometry.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         assembly.problem.delassus_into(delassus);
-        solver.set_settings(SolverSettings::default());
+        let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
+        let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
+        solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let solution = solver.solve(&assembly.problem, delassus, &separations, None)?;
         fallbacks += u64::from(solution.report.status != SolverStatus::Solved);
-        for (body, linear, angular) in assembly.split(&assembly.problem.response(&solution.forces)?) {
+        let response = assembly.problem.response(&solution.forces)?;
+        let share = share_of_move(world, &members, assembly.split(&response));
+        for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;
-            pose.translation += linear;
-            pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
+            pose.translation += linear * share;
+            pose.rotation = Rotation::from_rotation_vector(angular * share) * pose.rotation;
             world.keep_in_plane(body, &mut states[body]);
         }
     }
     Ok(fallbacks)
+}
+
+/// The part of a displacement up to which the contacts are those that it was found for. Bodies in a straight row between walls
+/// get out of an overlap `d` by going aside by `sqrt(d r)`, `r` being their size: the less the row is bent, the farther aside
+/// the contacts at the start would send them, without end.
+fn share_of_move(world: &World, rows: &[Overlap], changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
+    let deepest = rows.iter().map(|row| -row.geometry.separation).fold(0.0, f64::max);
+    let size = rows.iter().map(|row| world.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
+    let farthest = changes.map(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size);
+    ((deepest * size).sqrt() / farthest.fold(f64::MIN_POSITIVE, f64::max)).min(1.0)
 }
 
 /// Whether a contact overlaps by more than may be left.

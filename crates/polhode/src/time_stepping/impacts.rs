@@ -73,7 +73,6 @@ impl TimeStepper {
         t: f64,
         report: &mut TimeStepReport,
     ) -> Result<bool, ResponseError> {
-        let before: Vec<BodyState> = group.bodies.iter().map(|&body| states[body]).collect();
         let touch = |contact: &NearContact| Touch {
             id: contact.id,
             kinematics: contact.kinematics,
@@ -85,9 +84,6 @@ impl TimeStepper {
         let settings = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
         let outcome = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?.outcome;
         if outcome.status == ImpactStatus::NotSolved {
-            for (&body, state) in group.bodies.iter().zip(&before) {
-                states[body] = *state;
-            }
             report.fallbacks += 1;
             return Ok(false);
         }

@@ -23,9 +23,9 @@
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
-use crate::interaction::assembly::{Assembly, apply_impulses};
+use crate::interaction::assembly::Assembly;
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::support;
+use crate::interaction::impact::{apply_without_gain, support};
 use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -97,8 +97,8 @@ impl TimeStepper {
             for group in groups(world, members.iter().copied()) {
                 solved.push(self.solve_group(world, states, group, &rows, near, report)?);
             }
-            for group in &solved {
-                group.apply(world, states, &rows, near);
+            for group in &mut solved {
+                report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
             }
             let mut added = false;
             for (row, taken) in rows.iter().zip(&mut taken).filter(|(_, taken)| !**taken) {
@@ -245,7 +245,7 @@ impl SolvedGroup {
         &'a self,
         rows: &'a [Row],
         near: &'a [NearContact],
-    ) -> impl Iterator<Item = (crate::collision::contact_set::ContactId, &'a polhode_contact::ContactGeometry, f64)>
+    ) -> impl Iterator<Item = (crate::collision::contact_set::ContactId, &'a polhode_contact::ContactGeometry, f64)> + Clone
     {
         self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
             let row = &rows[index];
@@ -253,10 +253,16 @@ impl SolvedGroup {
         })
     }
 
-    fn apply(&self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) {
-        apply_impulses(world, states, self.impulses_of(rows, near));
+    /// Applies the impulses; whether they are an answer. Impulses that give energy are none, and are dropped.
+    fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
+        let impulses = (self.impulses_of(rows, near), std::iter::empty());
+        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses);
+        if !is_sound {
+            self.impulses.fill(0.0);
+        }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);
         }
+        is_sound
     }
 }
