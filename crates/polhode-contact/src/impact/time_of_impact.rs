@@ -11,8 +11,8 @@
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
 //! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
 //! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
-//! located. At the end of the interval a smaller overlap counts, a part of the tolerance (`CLOSED`): a search from there would
-//! take it for its start. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
+//! located. At the end of the interval, and where the pair opens again, a smaller overlap counts, a part of the tolerance
+//! (`CLOSED`): a search from there would take it for its start, or nothing would. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
@@ -242,7 +242,8 @@ const MEASURABLE: f64 = 4.0;
 /// contact drifts, less than what counts as penetration.
 const NOTICED: f64 = 1.0 / 16.0;
 
-/// At the end of an interval the pair has closed by this part of the touch tolerance: a quarter of what is noticed within.
+/// At the end of an interval, or before it opens again, the pair has closed by this part of the touch tolerance: a quarter of
+/// what is noticed within.
 const CLOSED: f64 = 1.0 / 64.0;
 
 /// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
@@ -578,7 +579,8 @@ impl Search<'_> {
             // What overlaps visibly must not come to overlap by all that in addition.
             (start.separation - MEASURABLE * rounding).min(-noticed)
         };
-        let (mut open, mut below, mut last) = (start, None, start);
+        let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
+        let (mut open, mut below, mut last): (_, Option<Moment>, _) = (start, None, start);
         let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
         while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {
             halvings -= 1;
@@ -590,6 +592,12 @@ impl Search<'_> {
             }
             last = self.look(t)?;
             let touch = self.touch(&last);
+            let dip = below.filter(|below| last.separation >= level && below.separation < closed);
+            if let Some(dip) = dip {
+                // It has closed, by less than a touch, and opens again.
+                let open = if open.separation >= closed { open } else { start };
+                return self.locate_closing(open, dip, closed, rounding);
+            }
             if last.separation > touch {
                 return self.advance(last, t1);
             }
@@ -604,7 +612,6 @@ impl Search<'_> {
             }
         }
         // Closed at the end, by less than a touch: a search from there takes this overlap for its start.
-        let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
         if last.separation < closed {
             let open = if open.separation >= closed { open } else { start };
             return self.locate_closing(open, last, closed, rounding);
@@ -612,7 +619,7 @@ impl Search<'_> {
         Ok((None, last.separation))
     }
 
-    /// Whether by the `j`-th departure time a point can have moved by half the touch tolerance.
+    /// Whether by the `j`-th departure time a point can have moved by what closes a pair (`CLOSED`).
     fn can_have_moved(&mut self, start: &Moment, t1: f64, j: u32) -> Result<bool, ImpactError> {
         let length = (t1 - start.t) * halved(j);
         let mut buffers = std::mem::take(&mut self.workspace.bounds);
@@ -625,7 +632,7 @@ impl Search<'_> {
         self.workspace.bounds = buffers;
         let speed = speed.ok_or(ImpactError::NotFinite { t: start.t })?;
         let path = speed * length;
-        Ok(path.is_nan() || path >= 0.5 * self.touch(start))
+        Ok(path.is_nan() || path >= CLOSED * self.touch(start))
     }
 
     /// The time between two moments at which the separation falls below a level.

@@ -1,7 +1,7 @@
 //! Times of impact that are known: head-on shots, falls, grazing, resting contact, bad input.
 
 use crate::support::{Flight, at, cuboid, yaw};
-use polhode_contact::{ImpactError, ImpactSearch, Shape, find_impact, time_of_impact};
+use polhode_contact::{ImpactError, ImpactSearch, Shape, find_impact, separation, time_of_impact};
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, UnitVector, Velocity};
 
 fn ball(radius: f64) -> Shape {
@@ -174,4 +174,25 @@ fn errors() {
     assert!(matches!(result, Err(ImpactError::EvaluationLimit { limit: 2, .. })), "{result:?}");
     let plane = floor();
     assert_eq!(time(&plane, &still, &plane, &still, 1.0), None);
+}
+
+/// Two balls that start within touch, close by less than a touch and open again before the interval ends have met on the way
+/// (the dip between two looks was forgotten where the last one saw them open).
+#[test]
+fn balls_that_close_from_touch_and_open_again_have_met() {
+    let ball = ball(0.2);
+    let below = Flight::new(Pose::IDENTITY, DVec3::ZERO, DVec3::ZERO);
+    for (apart, depth, end) in [(2e-13, 4e-13, 1e-3), (2e-13, 6e-13, 0.1), (4e-13, 1e-12, 3.0)] {
+        let up = DVec3::new(0.6, 0.0, 0.8);
+        // s(t) = apart - v t + a t^2/2 is -depth at the middle of the interval, and apart again at its end.
+        let speed = 4.0 * (apart + depth) / end;
+        let start = Pose::from_translation(up * (0.4 + apart));
+        let above = Flight { acceleration: up * (2.0 * speed / end), ..Flight::new(start, up * -speed, DVec3::ZERO) };
+        let found = time(&ball, &below, &ball, &above, end);
+        let separation = found.map(|t| separation(&ball, &below.pose(t), &ball, &above.pose(t)));
+        assert!(
+            separation.is_some_and(|s| s < 0.0 && s > -0.5 * depth),
+            "{apart:e} {depth:e}: {found:?} {separation:?}"
+        );
+    }
 }

@@ -135,13 +135,8 @@ impl Engine {
                 None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
                 None => (start, limit),
             };
-        let mut suspect = None;
         loop {
-            let bracket = close_in((right, wrong), |t| {
-                let is_wrong = self.is_wrong(core, step, t, tolerated, states, &mut suspect)?;
-                Ok::<_, SimulationError>(if is_wrong { Side::After } else { Side::Before })
-            })?;
-            wrong = bracket.after;
+            wrong = self.first_of_suspects(core, step, (right, wrong), tolerated, states)?;
             // Another pair may have come to overlap before.
             step.states_at(&core.world, wrong, states);
             if !self.penetrates_unseen(core, step, states, tolerated) {
@@ -224,32 +219,89 @@ impl Engine {
             left.extend(self.penetrating(core, step, states, tolerated));
         }
         if left.is_empty() {
-            let forces = forces_of(core, step, t, states, &touches)?;
-            let opens = touches.iter().zip(forces.holding());
-            let opens = opens.filter(|&(touch, holding)| holding < 0.0 && !tolerated.contains(&touch.id));
-            left.extend(opens.map(|(touch, _)| touch.id));
+            left = opening_contacts(core, step, t, states, &touches, tolerated)?;
         }
         Ok(left)
     }
 
-    /// Whether anything is wrong with the held contacts of a group at a time. The pair of what was wrong last is asked
-    /// first: where it penetrates, nothing else need be asked, and in a large group that is most of the work.
-    fn is_wrong(
+    /// The end of the shortest interval between two times, at whose start nothing is wrong and at whose end something is. What
+    /// is wrong at the end is followed to where it begins, and all else is asked only there: in a large group that is most of
+    /// the work.
+    fn first_of_suspects(
+        &self,
+        core: &mut Core,
+        step: &ConstrainedStep,
+        (right, mut wrong): (f64, f64),
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
+    ) -> Result<f64, SimulationError> {
+        let mut suspect = self.suspect(core, step, wrong, tolerated, states)?;
+        loop {
+            let bracket = close_in((right, wrong), |t| {
+                let is_wrong = match suspect {
+                    Some(suspect) => self.shows(core, step, suspect, t, tolerated, states)?,
+                    None => !self.violations(core, step, t, tolerated, states)?.is_empty(),
+                };
+                Ok::<_, SimulationError>(if is_wrong { Side::After } else { Side::Before })
+            })?;
+            if suspect.is_none() || bracket.before <= right {
+                return Ok(bracket.after);
+            }
+            match self.suspect(core, step, bracket.before, tolerated, states)? {
+                Some(earlier) => (wrong, suspect) = (bracket.before, Some(earlier)),
+                None => return Ok(bracket.after),
+            }
+        }
+    }
+
+    /// What is wrong at a time, if anything is.
+    fn suspect(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
         t: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
-        suspect: &mut Option<(usize, usize)>,
+    ) -> Result<Option<Suspect>, SimulationError> {
+        let Some(&id) = self.violations(core, step, t, tolerated, states)?.first() else { return Ok(None) };
+        let kind = [Suspect::Leaves(id), Suspect::Penetrates(id.a, id.b), Suspect::Opens];
+        for suspect in kind {
+            if self.shows(core, step, suspect, t, tolerated, states)? {
+                return Ok(Some(suspect));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether what is suspected is wrong at a time.
+    fn shows(
+        &self,
+        core: &mut Core,
+        step: &ConstrainedStep,
+        suspect: Suspect,
+        t: f64,
+        tolerated: &BTreeSet<ContactId>,
+        states: &mut [BodyState],
     ) -> Result<bool, SimulationError> {
         step.states_at(&core.world, t, states);
-        if suspect.is_some_and(|pair| self.penetrates(core, step, pair, states, tolerated)) {
-            return Ok(true);
+        match suspect {
+            Suspect::Leaves(id) => {
+                let is_held = step.held.binary_search(&id).is_ok() && !tolerated.contains(&id);
+                Ok(is_held && held_kinematics(core, states, id).is_none())
+            }
+            Suspect::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
+            Suspect::Opens => {
+                let touches = step.held.iter().map(|&id| {
+                    let kinematics = core.world.kinematics(states, id)?;
+                    Some(Touch { id, kinematics, hold: Hold::Held, known: true })
+                });
+                match touches.collect::<Option<Vec<_>>>() {
+                    Some(touches) => Ok(!opening_contacts(core, step, t, states, &touches, tolerated)?.is_empty()),
+                    // A contact has left its features.
+                    None => Ok(true),
+                }
+            }
         }
-        let first = self.violations(core, step, t, tolerated, states)?.first().map(|id| (id.a, id.b));
-        *suspect = first.or(*suspect);
-        Ok(first.is_some())
     }
 
     /// When a contact that was clear at the start of the step closes within it: the time at which its separation is
@@ -267,6 +319,32 @@ impl Engine {
         let bracket = close_in((step.t, wrong), |t| separation(t).map(Side::of).ok_or(()));
         bracket.ok().map(|bracket| bracket.after)
     }
+}
+
+/// What may be wrong with the held contacts of a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Suspect {
+    /// A held contact that leaves its features.
+    Leaves(ContactId),
+    /// A pair of which a contact that is not held penetrates.
+    Penetrates(usize, usize),
+    /// Forces that only push cannot hold the contacts.
+    Opens,
+}
+
+/// The held contacts that open under forces that only push, those tolerated left out.
+fn opening_contacts(
+    core: &mut Core,
+    step: &ConstrainedStep,
+    t: f64,
+    states: &[BodyState],
+    touches: &[Touch],
+    tolerated: &BTreeSet<ContactId>,
+) -> Result<Vec<ContactId>, SimulationError> {
+    let forces = forces_of(core, step, t, states, touches)?;
+    let opens = touches.iter().zip(forces.holding());
+    let opens = opens.filter(|&(touch, holding)| holding < 0.0 && !tolerated.contains(&touch.id));
+    Ok(opens.map(|(touch, _)| touch.id).collect())
 }
 
 /// A held contact that lies on its features and whose place has not jumped to where the bodies approach or part.

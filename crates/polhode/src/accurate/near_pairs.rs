@@ -11,11 +11,12 @@ use super::agenda::Due;
 use super::engine::{Engine, Mode};
 use super::island::Step;
 use super::locate::PENETRATION_CHECKS;
+use super::penetration::PENETRATION_RELATIVE;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
 use crate::snapshot::{SnapshotError, content};
-use polhode_contact::{Aabb, ImpactSearch, time_of_further_impact, time_of_impact};
+use polhode_contact::{Aabb, ImpactError, ImpactSearch, separation, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
 use std::collections::BTreeMap;
@@ -23,6 +24,11 @@ use std::collections::BTreeMap;
 /// How far bodies that are held together may go between two looks at them, relative to the smaller of their sizes, before
 /// their other parts are searched.
 const FAST: f64 = 0.01;
+
+/// Evaluations of one search for an impact, and how often a search goes on from where that many were used up: a pair that has
+/// come to within roundings of touch is approached by ever smaller steps, and is left by longer ones when a search begins there.
+const EVALUATIONS: u32 = 4096;
+const SEARCHES_FROM_TOUCH: u32 = 64;
 
 /// Bodies with new boxes from which on the broad phase finds the pairs of all at once.
 const MANY_NEW_BOXES: usize = 32;
@@ -342,12 +348,17 @@ impl Engine {
         let found = self.first_impact(core, (a, b), (t, until))?;
         let (pace, longest) = (self.pace_of(core, &[a, b]), core.settings.step_s);
         let impact = match found {
-            Some(found) if pace.is_backing_off() && pace.is_stall(found, longest) => {
-                let names = core.world.pair_names(a, b);
-                core.accounts.tolerate(found, format!("an impact of {names} was put off for a moment"));
-                pace.retry_time(longest).min(until)
+            Some(found) => {
+                let retry = pace.retry_time(longest).min(until);
+                let is_put_off = pace.is_backing_off() && pace.is_stall(found, longest);
+                if is_put_off && !self.penetrates_at(core, (a, b), retry) {
+                    let names = core.world.pair_names(a, b);
+                    core.accounts.tolerate(found, format!("an impact of {names} was put off for a moment"));
+                    retry
+                } else {
+                    found
+                }
             }
-            Some(found) => found,
             None => f64::INFINITY,
         };
         self.near.watches.insert((a, b), Watch { until, impact });
@@ -388,6 +399,14 @@ impl Engine {
         }
     }
 
+    /// Whether two bodies that go on as they do now overlap visibly at `t` (s).
+    fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
+        let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
+        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATION_RELATIVE * core.world.pair_size(a, b)
+        })
+    }
+
     /// The time of the first impact of a pair in `(start, end]`.
     fn first_impact(
         &self,
@@ -403,14 +422,23 @@ impl Engine {
             true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
             true => return Ok(None),
         };
-        search(shape_a, motion_a, shape_b, motion_b, start, end, &ImpactSearch::default()).map_err(|source| {
-            SimulationError::ImpactSearch {
-                t: start,
-                body_a: core.world.bodies[a].name.clone(),
-                body_b: core.world.bodies[b].name.clone(),
-                source,
+        let mut from = start;
+        for left in (0..=SEARCHES_FROM_TOUCH).rev() {
+            let settings = ImpactSearch { max_evaluations: EVALUATIONS, ..ImpactSearch::default() };
+            match search(shape_a, motion_a, shape_b, motion_b, from, end, &settings) {
+                // Clear up to there, but so near that it takes ever smaller steps: from touch it takes longer ones.
+                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => from = t,
+                found => {
+                    return found.map_err(|source| SimulationError::ImpactSearch {
+                        t: start,
+                        body_a: core.world.bodies[a].name.clone(),
+                        body_b: core.world.bodies[b].name.clone(),
+                        source,
+                    });
+                }
             }
-        })
+        }
+        Ok(None)
     }
 
     /// Whether a contact holds two bodies together.

@@ -19,7 +19,7 @@ use std::convert::Infallible;
 
 /// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
 /// judged by (1e-12).
-const PENETRATION_RELATIVE: f64 = 2.5e-13;
+pub(super) const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
 /// Bodies that overlap by this many such depths more than any of their contacts penetrate somewhere else: three quarters of
 /// what a run is judged by.

@@ -34,6 +34,9 @@ const STOPPED_RELATIVE: f64 = 1e-13;
 /// touch while they last.
 const INVISIBLE_HEIGHT: f64 = 64.0;
 
+/// An impulse below this fraction of the largest of an impact is what rounding leaves at a contact, and no event of its own.
+const NEGLIGIBLE_IMPULSE: f64 = 1e-12;
+
 /// Impacts that the ends of bounces may set off at one instant, each weaker than the one before.
 const MOST_IMPACTS_OF_BOUNCES: usize = 32;
 
@@ -131,7 +134,10 @@ impl Engine {
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = support(&core.world, about, impulses) + by_pivots;
         core.accounts.books.impact(outcome.energy_change, given, work);
-        for (application, constraint) in outcome.applications.iter().zip(&struck.whose) {
+        let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
+        let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
+        let applications = outcome.applications.iter().zip(&struck.whose);
+        for (application, constraint) in applications.filter(|(application, _)| is_event(application.impulse)) {
             // The impulse of a pivot is no event of a contact: it stands in the ledger of momentum.
             let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
             let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
