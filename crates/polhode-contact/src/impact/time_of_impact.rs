@@ -12,7 +12,8 @@
 //! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
 //! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
 //! located. At the end of the interval, and where the pair opens again, a smaller overlap counts, a part of the tolerance
-//! (`CLOSED`): a search from there would take it for its start, or nothing would. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
+//! (`CLOSED`): at the end because the next search would take the overlap for its start, and before an opening because nothing
+//! later shows that the pair met. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
 //! that leaves and comes back between two of them is not seen.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
@@ -432,6 +433,10 @@ impl Search<'_> {
             if crossed.separation > direction.0 {
                 direction = (crossed.separation, crossed.normal);
             }
+        }
+        let (separation, out_of_a) = axes.along_nearly_parallel;
+        if separation > direction.0 {
+            direction = (separation, -pose_a.rotation.rotate(out_of_a));
         }
         if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
     }

@@ -87,8 +87,13 @@ fn along_best_axis(
 ) -> Separation {
     let axes = search_axes(workspace, a, pose_a, b, pose_b, f64::INFINITY);
     let crossed = axes.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
-    if let Some(crossed) = crossed.filter(|crossed| crossed.separation > axes.face_separation()) {
+    let (nearly_parallel, out_of_a) = axes.along_nearly_parallel;
+    let others = axes.face_separation().max(nearly_parallel);
+    if let Some(crossed) = crossed.filter(|crossed| crossed.separation > others) {
         return Separation { distance: crossed.separation, normal: crossed.normal };
+    }
+    if nearly_parallel > axes.face_separation() {
+        return Separation { distance: nearly_parallel, normal: -pose_a.rotation.rotate(out_of_a) };
     }
     let face = |polyhedron: &ConvexPolyhedron, pose: &Pose, face: u32| {
         polyhedron.faces.get(face as usize).map_or(DVec3::Z, |f| pose.rotation.rotate(f.normal))

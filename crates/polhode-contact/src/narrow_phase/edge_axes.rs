@@ -21,8 +21,8 @@ use polhode_spatial::Pose;
 /// between the edges: the direction of their cross product is uncertain by that much.
 pub(crate) const AXIS_ULPS: f64 = 8.0;
 
-/// Edges are nearly parallel when the sine of the angle between them is at most this: the rounding of their separation counts
-/// among penetrations.
+/// Up to this sine of their angle edges are nearly parallel: the rounding of the separation along their common perpendicular
+/// is no longer small against the depth that counts as penetration (no unit).
 const NEARLY_PARALLEL_SINE: f64 = 0.03;
 
 /// The sine of the angle between edges up to which their cross product is nothing but rounding.
@@ -90,7 +90,8 @@ impl Workspace {
         select(of_b, &b.edges, limit_b, &self.along_faces_b, |face| (row(face), plane(face)));
     }
 
-    /// Finds the pair of chosen edges that separates better than the faces do, if there is one.
+    /// Finds the pair of chosen edges that separates better than the faces do, if there is one, and how far apart all vertices
+    /// are along the perpendiculars of nearly parallel edges.
     pub(crate) fn deciding_edges(
         &mut self,
         a: &ConvexPolyhedron,
@@ -135,8 +136,11 @@ impl Workspace {
                 let Some(along) = self.along_edges(a, b, pair, threshold) else { continue };
                 let is_nearly_parallel = along.sine <= NEARLY_PARALLEL_SINE;
                 if is_nearly_parallel && along.separation > axes.face_separation() + axes.rounding {
-                    let [highest, lowest] = self.outermost(a, b, pair);
-                    axes.along_nearly_parallel = axes.along_nearly_parallel.max(lowest - highest);
+                    let v = self.perpendicular(a, pair);
+                    let [highest, lowest] = self.outermost(a, b, v);
+                    if lowest - highest > axes.along_nearly_parallel.0 {
+                        axes.along_nearly_parallel = (lowest - highest, v);
+                    }
                 }
                 if along.sine <= PARALLEL_SINE {
                     continue;
@@ -164,10 +168,9 @@ impl Workspace {
         if across.dot(edge_a.outward) >= 0.0 { across } else { -across }
     }
 
-    /// Heights, along the common perpendicular of two edges, of A's highest vertex and of B's lowest, m.
-    fn outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, pair: [usize; 2]) -> [f64; 2] {
+    /// Heights, along a direction out of A, of A's highest vertex and of B's lowest, m.
+    fn outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, v: DVec3) -> [f64; 2] {
         debug_assert_eq!(self.vertices.len(), b.vertices.len());
-        let v = self.perpendicular(a, pair);
         let highest = a.vertices.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p.dot(v)));
         [highest, self.vertices.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(v)))]
     }
@@ -197,9 +200,12 @@ impl Workspace {
         let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
         let rounding_at = |sine: f64| AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
         if cross.length_squared() <= NEARLY_PARALLEL_SINE * NEARLY_PARALLEL_SINE {
-            let (sine, separation) = (cross.length(), between.dot(self.perpendicular(a, [i, j])));
-            let is_crossing = sine > ROUNDING_SINE && separation > threshold;
-            return is_crossing.then(|| Along { separation, rounding: rounding_at(sine), sine });
+            let sine = cross.length();
+            if sine <= ROUNDING_SINE {
+                return None;
+            }
+            let separation = between.dot(self.perpendicular(a, [i, j]));
+            return (separation > threshold).then(|| Along { separation, rounding: rounding_at(sine), sine });
         }
         let upward = cross.dot(edge_a.outward) >= 0.0;
         // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.

@@ -60,9 +60,10 @@ pub(crate) struct Axes {
     pub(crate) face_a: FaceAxis,
     pub(crate) face_b: FaceAxis,
     pub(crate) edges: Option<EdgeAxis>,
-    /// Separation of all vertices along the best perpendicular of edges that are nearly parallel, m: the direction is
-    /// uncertain, but whatever it is, the bodies are at least that far apart along it. `-inf` when there is none.
-    pub(crate) along_nearly_parallel: f64,
+    /// Separation of all vertices along the best perpendicular of edges that are nearly parallel, m, and that direction, out of A
+    /// in its frame: it is uncertain, but whatever it is, the bodies are at least that far apart along it. `-inf` when there is
+    /// none.
+    pub(crate) along_nearly_parallel: (f64, DVec3),
     /// Distance up to which features are in one place, m.
     pub(crate) tolerance: f64,
     /// Differences of separations up to this are rounding, m.
@@ -89,7 +90,7 @@ impl Axes {
             face_a: FaceAxis::NONE,
             face_b: FaceAxis::NONE,
             edges: None,
-            along_nearly_parallel: f64::NEG_INFINITY,
+            along_nearly_parallel: (f64::NEG_INFINITY, DVec3::ZERO),
             tolerance,
             rounding,
         }
@@ -119,7 +120,7 @@ impl Axes {
         let faces = self.face_separation();
         let counts = self.edges.is_some_and(|edges| edges.separation > faces);
         let best = crossed.filter(|_| counts).map_or(faces, |crossed| crossed.separation.max(faces));
-        best.max(self.along_nearly_parallel)
+        best.max(self.along_nearly_parallel.0)
     }
 }
 

@@ -1,10 +1,12 @@
 //! Random poses: against an independent separating-axis test of boxes, and under the symmetries of space.
 
-use crate::support::{Random, cuboid, prism, yaw};
+use crate::support::{Flight, Random, cuboid, prism, yaw};
+use polhode_contact::clearance::touch_tolerance;
 use polhode_contact::{
-    Contact, ContactFeature, ConvexPolyhedron, Manifold, SeparatingAxis, Shape, Side, manifold, separation,
+    Contact, ContactFeature, ConvexPolyhedron, ImpactSearch, Manifold, SeparatingAxis, Shape, Side, manifold,
+    separation, time_of_impact,
 };
-use polhode_spatial::{DVec3, Pose, Rotation};
+use polhode_spatial::{DVec3, Pose, Rotation, Still};
 use std::f64::consts::PI;
 
 /// Separation of two boxes with half sizes `h1`, `h2` over all fifteen axes, written for boxes only.
@@ -62,6 +64,16 @@ fn nearly_parallel_ridges_do_not_penetrate_by_more_than_along_the_vertical() {
             let along = lowest - heights(&lower).into_iter().fold(f64::NEG_INFINITY, f64::max);
             let found = separation(&roof, &lower, &roof, &upper);
             assert!(found > along.min(0.0) - 4e-15, "{steepness} {angle:e} {gap:e}: {found:e} and {along:e}");
+            // And they meet when they have fallen by the gap, to where they touch.
+            let apart = gap.abs() + 1e-3;
+            let from = Pose::new(upper.rotation, up * apart);
+            let fall = Flight::new(from, -up, DVec3::ZERO);
+            let (still, settings) = (Still(lower), ImpactSearch::default());
+            let met = time_of_impact(&roof, &still, &roof, &fall, 0.0, 1.0, &settings)
+                .expect("an answer")
+                .expect("an impact");
+            let touch = touch_tolerance(&roof, &lower, &roof, &from, settings.touch_relative);
+            assert!((met - apart).abs() <= touch, "{steepness} {angle:e}: {met} and {apart}");
         }
     }
 }

@@ -29,8 +29,8 @@ const SQUEEZE_ROUNDING: f64 = 1e-12;
 /// Rounding of constant terms relative to the largest of them (no unit): that of some dozen terms.
 const CONSTANT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// An answer that holds only to the rounding of the constant terms is none when the terms that cancel in it are more than
-/// this many times as large (no unit): then forces squeeze bodies by a rounding, and what their own rounding moves is more.
+/// An answer that holds only to the rounding of the constant terms is refused when the terms that cancel in its rows exceed
+/// the largest constant by this factor (no unit): their own rounding then decides it.
 const SOUND_AMPLIFICATION: f64 = 1e3;
 
 /// An answer in working precision with a larger residual, though accepted, is found again in twice the precision (no

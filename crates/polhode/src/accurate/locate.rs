@@ -28,7 +28,10 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest extrapolation back, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
-/// Intervals of a step at whose ends contacts that are not held are looked for.
+/// What is wrong earlier than what was suspected, at the most, before the time found is taken as it is.
+const MOST_SUSPECTS: usize = 16;
+
+/// Intervals of a step at whose ends held contacts are checked for leaving their features, and others for penetration.
 pub(super) const PENETRATION_CHECKS: u32 = 8;
 
 /// When and how the held contacts of an island cease to be right.
@@ -129,12 +132,14 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
         let start = step.t;
-        let (mut right, mut wrong) =
-            match self.first_penetrating_interval(core, step, start, limit, tolerated, states)? {
-                Some(interval) => interval,
-                None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
-                None => (start, limit),
-            };
+        let (mut right, mut wrong) = match self.first_wrong_interval(core, step, start, limit, tolerated, states)? {
+            Some(interval) => interval,
+            None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
+            None => (start, limit),
+        };
+        if right > start && !self.violations(core, step, right, tolerated, states)?.is_empty() {
+            (right, wrong) = (start, right);
+        }
         loop {
             wrong = self.first_of_suspects(core, step, (right, wrong), tolerated, states)?;
             // Another pair may have come to overlap before.
@@ -149,10 +154,11 @@ impl Engine {
         }
     }
 
-    /// The first of some intervals of the step at whose end a contact that is not held penetrates: bodies that rock on
+    /// The first of some intervals of the step at whose end a held contact has left its features or a contact that is not held
+    /// penetrates: bodies that rock on
     /// each other may penetrate and part again within a step, and its end would not show it. Nor would it show that a kinematic
     /// body has left what it carries for a moment: where one moves, forces are looked at too.
-    fn first_penetrating_interval(
+    fn first_wrong_interval(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
@@ -224,7 +230,7 @@ impl Engine {
         Ok(left)
     }
 
-    /// The end of the shortest interval between two times, at whose start nothing is wrong and at whose end something is. What
+    /// The end of the shortest interval between two times, at the first of which nothing is wrong and at whose end something is. What
     /// is wrong at the end is followed to where it begins, and all else is asked only there: in a large group that is most of
     /// the work.
     fn first_of_suspects(
@@ -236,7 +242,7 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<f64, SimulationError> {
         let mut suspect = self.suspect(core, step, wrong, tolerated, states)?;
-        loop {
+        for _ in 0..MOST_SUSPECTS {
             let bracket = close_in((right, wrong), |t| {
                 let is_wrong = match suspect {
                     Some(suspect) => self.shows(core, step, suspect, t, tolerated, states)?,
@@ -244,14 +250,16 @@ impl Engine {
                 };
                 Ok::<_, SimulationError>(if is_wrong { Side::After } else { Side::Before })
             })?;
+            wrong = bracket.after;
             if suspect.is_none() || bracket.before <= right {
-                return Ok(bracket.after);
+                break;
             }
             match self.suspect(core, step, bracket.before, tolerated, states)? {
                 Some(earlier) => (wrong, suspect) = (bracket.before, Some(earlier)),
-                None => return Ok(bracket.after),
+                None => break,
             }
         }
+        Ok(wrong)
     }
 
     /// What is wrong at a time, if anything is.

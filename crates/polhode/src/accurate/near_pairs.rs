@@ -16,7 +16,7 @@ use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
 use crate::snapshot::{SnapshotError, content};
-use polhode_contact::{Aabb, ImpactError, ImpactSearch, separation, time_of_further_impact, time_of_impact};
+use polhode_contact::{Aabb, ImpactError, ImpactSearch, Shape, separation, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
 use std::collections::BTreeMap;
@@ -25,10 +25,9 @@ use std::collections::BTreeMap;
 /// their other parts are searched.
 const FAST: f64 = 0.01;
 
-/// Evaluations of one search for an impact, and how often a search goes on from where that many were used up: a pair that has
-/// come to within roundings of touch is approached by ever smaller steps, and is left by longer ones when a search begins there.
-const EVALUATIONS: u32 = 4096;
-const SEARCHES_FROM_TOUCH: u32 = 64;
+/// How often a search goes on from where its evaluations were used up: a pair that has come to within roundings of touch is
+/// approached by ever smaller steps, and is left by longer ones when a search begins there.
+const SEARCHES_FROM_TOUCH: u32 = 8;
 
 /// Bodies with new boxes from which on the broad phase finds the pairs of all at once.
 const MANY_NEW_BOXES: usize = 32;
@@ -417,28 +416,31 @@ impl Engine {
         let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
         let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
         let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
-        let search = match self.are_held(a, b) {
+        let is_held = self.are_held(a, b);
+        let search = match is_held {
             false => time_of_impact,
             true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
             true => return Ok(None),
         };
-        let mut from = start;
-        for left in (0..=SEARCHES_FROM_TOUCH).rev() {
-            let settings = ImpactSearch { max_evaluations: EVALUATIONS, ..ImpactSearch::default() };
-            match search(shape_a, motion_a, shape_b, motion_b, from, end, &settings) {
-                // Clear up to there, but so near that it takes ever smaller steps: from touch it takes longer ones.
-                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => from = t,
-                found => {
-                    return found.map_err(|source| SimulationError::ImpactSearch {
-                        t: start,
-                        body_a: core.world.bodies[a].name.clone(),
-                        body_b: core.world.bodies[b].name.clone(),
-                        source,
-                    });
+        let failed = |source| SimulationError::ImpactSearch {
+            t: start,
+            body_a: core.world.bodies[a].name.clone(),
+            body_b: core.world.bodies[b].name.clone(),
+            source,
+        };
+        let has_parts =
+            [shape_a, shape_b].iter().any(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)));
+        let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
+        loop {
+            match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
+                // Clear up to there, but so near that it takes ever smaller steps: from touch it takes longer ones. Of bodies
+                // of parts only the parts that were searched are clear, and one that is held is searched for all but touch.
+                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
+                    (from, left) = (t, left - 1);
                 }
+                found => return found.map_err(failed),
             }
         }
-        Ok(None)
     }
 
     /// Whether a contact holds two bodies together.

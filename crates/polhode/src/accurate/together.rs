@@ -1,9 +1,8 @@
 //! Held contacts are put exactly together where steps end and where contacts begin to hold.
 //!
 //! What drift and touch leave of their separations is projected away (`crate::interaction::projection`). That moves bodies by
-//! the tolerance at the most, but it may push one into a neighbour that is not held to it: an overlap that the motion never
-//! had, and that moving it out again would only hand back. Then the contacts stay open, as far as touch allows, until there is
-//! room.
+//! the tolerance at the most, but it may push one into a neighbour that is not held to it. That overlap is not of the motion,
+//! and to remove it would push the next body. The poses then stay as they were, if all contacts still touch.
 //!
 //! Neighbours of other islands stand where they are at that time within their own steps. Fails where they move into a body
 //! after it was put together: that shows as an impact.
@@ -15,6 +14,9 @@ use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
 use crate::interaction::projection;
+use crate::pivots::PivotKinematics;
+use crate::world::World;
+use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;
 use std::collections::BTreeSet;
 
@@ -27,7 +29,7 @@ impl Engine {
     /// their places stay.
     ///
     /// # Errors
-    /// When a state is not finite.
+    /// When a state is not finite, or an integrator cannot evaluate a neighbour.
     pub(super) fn put_together(
         &mut self,
         core: &mut Core,
@@ -42,7 +44,8 @@ impl Engine {
             .map_err(|source| Core::response_error(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.world.bodies[*body].size;
         if bodies.iter().any(pushes) && self.stay_apart(core, bodies, &start, touching, t)? {
-            (done.moved_m, done.unconverged) = (0.0, Vec::new());
+            done.moved_m = 0.0;
+            done.unconverged.retain(|constraint| constraint.contact().is_none());
         }
         let after = core.accounts.books.balance(&core.world, &self.states, bodies);
         core.book_projection(t, &self.states, &done, (before, after));
@@ -69,29 +72,39 @@ impl Engine {
         others.sort_unstable();
         others.dedup();
         others.retain(|body| bodies.binary_search(body).is_err() && core.world.bodies[*body].moves());
-        let mut states = self.states.clone();
-        for other in others {
-            states[other] = self.state_at(core, other, t)?;
+        let beside = others.iter().map(|&other| self.state_at(core, other, t)).collect::<Result<Vec<_>, _>>()?;
+        let mut states = std::mem::take(&mut self.scratch);
+        for (&other, state) in others.iter().zip(beside) {
+            states[other] = state;
+        }
+        for &body in bodies {
+            states[body] = self.states[body];
         }
         let now = Overlaps::find(&core.world, &states, &pairs);
-        if !now.is_excess {
-            return Ok(false);
-        }
         for (&body, pose) in bodies.iter().zip(start) {
             states[body].pose = *pose;
         }
-        let then = Overlaps::find(&core.world, &states, &pairs);
-        let touches = |&id: &ContactId| {
-            let kinematics = core.world.kinematics(&states, id);
-            let reach = core.world.touch_distance(&states, id.a, id.b);
-            kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= reach)
-        };
-        let stays = then.deepest_m < now.deepest_m && touching.iter().all(touches);
+        let stays = now.is_excess
+            && Overlaps::find(&core.world, &states, &pairs).deepest_m < now.deepest_m
+            && all_touch(&core.world, &states, bodies, touching);
         if stays {
             for (&body, pose) in bodies.iter().zip(start) {
                 self.states[body].pose = *pose;
             }
         }
+        others.extend(bodies);
+        self.restore_scratch(core, states, &others);
         Ok(stays)
     }
+}
+
+/// Whether some contacts touch, and the pivots of some bodies are within touch of their places.
+fn all_touch(world: &World, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
+    let touches = |&id: &ContactId| {
+        let kinematics = world.kinematics(states, id);
+        kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= world.touch_distance(states, id.a, id.b))
+    };
+    let is_in_place =
+        |pivot: PivotKinematics| pivot.gap.length() <= world.touch_distance(states, pivot.body, pivot.body);
+    contacts.iter().all(touches) && world.pivots(states, bodies).all(is_in_place)
 }

@@ -69,7 +69,7 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 
 /// Energy that impulses may seem to give, relative to that of the bodies and to the work of prescribed motions: more is no
 /// rounding of an answer, but an answer of roundings, where impulses that cancel are larger than all momenta by many digits.
-const GAIN_ROUNDING: f64 = 1e-9;
+const GAIN_ROUNDING: f64 = 1e-6;
 
 /// Applies impulses of contacts and of pivots to some bodies; whether their energy has not risen but by the work of prescribed
 /// motions. Otherwise nothing has changed.

@@ -4,10 +4,12 @@
 //! moved until it touches, what touches is not pushed into anything else, and nothing is pulled together. Repeated with
 //! contacts found afresh, since normals turn with the bodies. A contact whose place has jumped to another part of its features,
 //! as that of a ball within a ring does, stays among the rows at its old place too, its separation carried along with the
-//! bodies: otherwise the rounds would push to and fro. Pivots stay in place. Velocities stay.
+//! bodies: otherwise the rounds would push to and fro. Pivots stay in place. Velocities stay. A round moves bodies by no more
+//! than `sqrt(d r)`, with the largest overlap d and the size r; what that leaves is for the next.
 
 use super::assembly::Assembly;
 use super::groups::groups;
+use super::projection::largest_change;
 use crate::collision::contact_set::ContactId;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
@@ -16,7 +18,7 @@ use polhode_response::{ComplementaritySolver, Delassus, ResponseError, SolverSet
 use polhode_spatial::{DVec3, Pose, Rotation};
 
 /// Rounds: each squares what is left of an overlap relative to the size, so that the third is at rounding also for overlaps
-/// of a hundredth of the size; contacts whose place jumps take some more.
+/// of a hundredth of the size; a round that is cut short, or contacts whose place jumps, take some more.
 const MOST_ROUNDS: usize = 8;
 
 /// Overlap that is left, relative to the size of the smaller body, besides rounding: a quarter of what a run is judged by
@@ -188,8 +190,7 @@ fn move_out(
 fn share_of_move(world: &World, rows: &[Overlap], changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let deepest = rows.iter().map(|row| -row.geometry.separation).fold(0.0, f64::max);
     let size = rows.iter().map(|row| world.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
-    let farthest = changes.map(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size);
-    ((deepest * size).sqrt() / farthest.fold(f64::MIN_POSITIVE, f64::max)).min(1.0)
+    ((deepest * size).sqrt() / largest_change(world, changes).max(f64::MIN_POSITIVE)).min(1.0)
 }
 
 /// Whether a contact overlaps by more than may be left.

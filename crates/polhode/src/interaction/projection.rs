@@ -153,6 +153,7 @@ pub(crate) fn project_positions(
 ) -> Result<Projection, ResponseError> {
     let mut done = Projection::default();
     let mut moved: BTreeMap<usize, (DVec3, DVec3)> = BTreeMap::new();
+    let mut allowance = None;
     let distance =
         |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
     for step in 0..=MAX_NEWTON_STEPS {
@@ -192,8 +193,11 @@ pub(crate) fn project_positions(
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
-        // What earlier steps have moved counts: rows that depend on each other nearly may ask for as much again and again.
-        let allowed = (allowed_change(&separations, size) - largest_displacement(world, &moved)).max(0.0);
+        // One allowance for all steps: rows that depend on each other nearly may ask for as much again and again.
+        let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
+        let displacement =
+            largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
+        let allowed = (allowance - displacement).max(0.0);
         let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
         done.is_soft |= is_soft;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
@@ -206,16 +210,16 @@ pub(crate) fn project_positions(
     }
     done.jumped.dedup_by_key(|contact| contact.bodies());
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
-    done.moved_m = largest_displacement(world, &moved);
+    done.moved_m = largest_change(world, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
     Ok(done)
 }
 
-/// Largest displacement of any point of some bodies, m, bounded by their sizes, from their displacements and turns.
-fn largest_displacement(world: &World, moved: &BTreeMap<usize, (DVec3, DVec3)>) -> f64 {
-    let displacement = |(&body, (linear, angular)): (&usize, &(DVec3, DVec3))| {
-        linear.length() + angular.length() * world.bodies[body].size
-    };
-    moved.iter().map(displacement).fold(0.0, f64::max)
+/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a displacement
+/// (m, rad) or a velocity (m/s, rad/s).
+pub(crate) fn largest_change(world: &World, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
+    let change =
+        |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * world.bodies[body].size;
+    changes.map(change).fold(0.0, f64::max)
 }
 
 /// The pivots that are farther from their places than rounding after the last Newton step.
@@ -292,19 +296,16 @@ pub(crate) fn project_velocities(
 /// more than `allowed`.
 fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> Result<(Vec<f64>, bool), ResponseError> {
     let delassus = assembly.problem.delassus();
-    let largest_change = |multipliers: &[f64]| {
+    let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
-        let changes = assembly.split(&response);
-        let change =
-            changes.map(|(body, linear, angular)| linear.length() + angular.length() * world.bodies[body].size);
-        Ok::<_, ResponseError>(change.fold(0.0, f64::max))
+        Ok::<_, ResponseError>(largest_change(world, assembly.split(&response)))
     };
     let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
-    if largest_change(&multipliers)? <= allowed {
+    if change_by(&multipliers)? <= allowed {
         return Ok((multipliers, false));
     }
     let mut multipliers = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
-    let change = largest_change(&multipliers)?;
+    let change = change_by(&multipliers)?;
     if change > allowed {
         for multiplier in &mut multipliers {
             *multiplier *= allowed / change;
