@@ -434,9 +434,9 @@ impl Search<'_> {
                 direction = (crossed.separation, crossed.normal);
             }
         }
-        let (separation, out_of_a) = axes.along_nearly_parallel;
-        if separation > direction.0 {
-            direction = (separation, -pose_a.rotation.rotate(out_of_a));
+        let (nearly_parallel, out_of_a) = axes.along_nearly_parallel;
+        if nearly_parallel > 0.0 {
+            step = step.max(window.along_direction(-pose_a.rotation.rotate(out_of_a), &hull_a, &hull_b));
         }
         if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
     }
