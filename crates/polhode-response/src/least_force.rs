@@ -213,6 +213,7 @@ impl<'a> Programme<'a> {
             bound: power_bound(&forces, &w),
             certified: false,
             rank: forces.iter().filter(|force| **force > 0.0).count(),
+            noise_floor: 0.0,
         };
         LeastForceSolution { forces, residual_accelerations: w, least_sum, stage, report }
     }

@@ -62,4 +62,7 @@ pub struct SolverReport {
     pub certified: bool,
     /// Number of independent rows that carry the forces.
     pub rank: usize,
+    /// What the answer takes for rounding in the constant terms, in their unit: the
+    /// [`noise_floor`](crate::SolverSettings::noise_floor) of the settings, or more where an answer was found only so.
+    pub noise_floor: f64,
 }

@@ -191,6 +191,8 @@ impl ComplementaritySolver {
         if self.solution.report.status == SolverStatus::Solved && is_sound {
             // What is noise in one row may be motion in another: rows are held by what they are, not by the noise.
             self.publish(data.b);
+            self.solution.report.iterations += unsolved.report.iterations;
+            self.solution.report.noise_floor = noise_floor;
         } else {
             self.solution = unsolved;
         }
@@ -528,6 +530,6 @@ impl ComplementaritySolver {
             }
         }
         solution.warm_start.rows.clone_from(&best.rows);
-        solution.report = best.report;
+        solution.report = SolverReport { noise_floor: settings.noise_floor, ..best.report };
     }
 }

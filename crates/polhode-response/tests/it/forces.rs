@@ -288,22 +288,28 @@ fn squeezed_body_is_infeasible() {
 }
 
 /// A body that fits exactly between two walls is not squeezed by constant terms that are roundings of the others in the
-/// problem, as they are where velocities cancel; by more than that it is.
+/// problem, as they are where velocities cancel, whether the contact of these pushes it along the walls or towards one; by
+/// more than that it is. Where the answer was found only so, its report says it.
 #[test]
 fn roundings_of_other_rows_squeeze_no_body() {
-    let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0]).unwrap();
-    for row in [[1.0, 0.0], [-1.0, 0.0], [0.6, 0.8]] {
-        problem.push_row(&[(0, &row)]).unwrap();
-    }
-    let delassus = problem.delassus();
-    let solve = |b: &[f64]| solve_complementarity(&problem, &delassus, b, None, &SolverSettings::default()).unwrap();
-    for speed in [1e-6, 1.0, 1e6] {
-        let solution = solve(&[-3e-17 * speed, 1e-17 * speed, -speed]);
-        assert_eq!(solution.report.status, SolverStatus::Solved, "{speed}: {:?}", solution.report);
-        let rate = problem.response(&solution.forces).unwrap();
-        assert!(rate[0].abs() < 1e-14 * speed && (rate[1] - 1.25 * speed).abs() < 1e-13 * speed, "{rate:?}");
-        let squeezed = solve(&[-3e-12 * speed, 1e-12 * speed, -speed]);
-        assert_eq!(squeezed.report.status, SolverStatus::Infeasible, "{speed}: {:?}", squeezed.report);
+    for (push, noise) in [([0.6, 0.8], 0.0), ([0.0, 1.0], 64.0 * f64::EPSILON)] {
+        let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0]).unwrap();
+        for row in [[1.0, 0.0], [-1.0, 0.0], push] {
+            problem.push_row(&[(0, &row)]).unwrap();
+        }
+        let delassus = problem.delassus();
+        let settings = SolverSettings::default();
+        let solve = |b: &[f64]| solve_complementarity(&problem, &delassus, b, None, &settings).unwrap();
+        for speed in [1e-6, 1.0, 1e6] {
+            let solution = solve(&[-3e-17 * speed, 1e-17 * speed, -speed]);
+            assert_eq!(solution.report.status, SolverStatus::Solved, "{speed}: {:?}", solution.report);
+            assert_eq!(solution.report.noise_floor, noise * speed, "{:?}", solution.report);
+            let rate = problem.response(&solution.forces).unwrap();
+            let along = speed / push[1];
+            assert!(rate[0].abs() < 1e-14 * speed && (rate[1] - along).abs() < 1e-13 * speed, "{rate:?}");
+            let squeezed = solve(&[-3e-12 * speed, 1e-12 * speed, -speed]);
+            assert_eq!(squeezed.report.status, SolverStatus::Infeasible, "{speed}: {:?}", squeezed.report);
+        }
     }
 }
 

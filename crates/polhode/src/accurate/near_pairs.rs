@@ -1,9 +1,10 @@
 //! Pairs of bodies that may meet, each with the time of its impact.
 //!
 //! Every body that may collide has a box around its motion: over the present step of its island, or, in flight or on a
-//! prescribed path, up to the next renewal of all such boxes, which lies on a grid of time that no event shifts. Pairs whose boxes meet are
-//! searched for their impact by conservative advancement on their true motion, which is never late, and the answer is kept
-//! until the motion of one of them changes. Pairs held together by a contact are watched by the location of contact
+//! prescribed path, up to the next renewal of all such boxes, which lies on a grid of time that no event shifts. Pairs whose
+//! boxes meet are searched for their impact by conservative advancement on their true motion, and the answer is kept until
+//! the motion of one of them changes. The impact found is never late, but for pairs that touch where the search begins: such
+//! a pair may part and meet again between the times at which the search looks whether it has parted. Pairs held together by a contact are watched by the location of contact
 //! changes; of those that are fast, the parts that are clear of each other are searched too: between two looks they could
 //! go through each other.
 
