@@ -40,6 +40,13 @@ const ROUNDING_FRACTION: f64 = 0.25;
 /// the distances. Beyond this many times the largest (dimensionless, 2 to 100) they are put together in part.
 const SOFT_AMPLIFICATION: f64 = 5.0;
 
+/// Distances below `NEGLIGIBLE_RELATIVE` of the pair's size are put together in part, too, beyond this many times the largest
+/// (dimensionless), unless at most `WORTH_PART` of them is left then: a buckled row of bodies between walls that is too long by
+/// a rounding would straighten a little at every step, and be as long as before.
+const CHEAP_AMPLIFICATION: f64 = 1e3;
+const WORTH_PART: f64 = 0.1;
+const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
+
 /// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of what projections may move a body
 /// by at the default tolerance.
 const SOFT_RELATIVE: f64 = 5e-11;
@@ -198,7 +205,7 @@ pub(crate) fn project_positions(
         let displacement =
             largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
         let allowed = (allowance - displacement).max(0.0);
-        let (multipliers, is_soft) = cancel(world, &assembly, &separations, allowed)?;
+        let (multipliers, is_soft) = cancel(world, &assembly, &separations, (allowed, NEGLIGIBLE_RELATIVE * size))?;
         done.is_soft |= is_soft;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
             let pose = &mut states[body].pose;
@@ -282,7 +289,7 @@ pub(crate) fn project_velocities(
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
-    let (multipliers, _) = cancel(world, &assembly, &rates, allowed)?;
+    let (multipliers, _) = cancel(world, &assembly, &rates, (allowed, 0.0))?;
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p));
     apply_impulses(world, states, impulses.clone());
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
@@ -293,15 +300,27 @@ pub(crate) fn project_velocities(
 }
 
 /// Multipliers whose response cancels `values` on all rows; whether in part, because otherwise a point of a body would change by
-/// more than `allowed`.
-fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> Result<(Vec<f64>, bool), ResponseError> {
+/// more than `allowed`, or by much for values up to `negligible` that stay.
+fn cancel(
+    world: &World,
+    assembly: &Assembly,
+    values: &[f64],
+    (allowed, negligible): (f64, f64),
+) -> Result<(Vec<f64>, bool), ResponseError> {
     let delassus = assembly.problem.delassus();
     let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
         Ok::<_, ResponseError>(largest_change(world, assembly.split(&response)))
     };
     let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
-    if change_by(&multipliers)? <= allowed {
+    let change = change_by(&multipliers)?;
+    let is_cheap = largest(values) > negligible || change <= CHEAP_AMPLIFICATION * largest(values);
+    let is_worth_it = || {
+        let left: Vec<f64> =
+            delassus.times(&multipliers)?.iter().zip(values).map(|(given, value)| given + value).collect();
+        Ok::<_, ResponseError>(largest(&left) <= WORTH_PART * largest(values))
+    };
+    if change <= allowed && (is_cheap || is_worth_it()?) {
         return Ok((multipliers, false));
     }
     let mut multipliers = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
@@ -316,6 +335,10 @@ fn cancel(world: &World, assembly: &Assembly, values: &[f64], allowed: f64) -> R
 
 /// What may change to cancel `values`: of the order of the largest, or negligible against `scale`.
 fn allowed_change(values: &[f64], scale: f64) -> f64 {
-    let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    (SOFT_RELATIVE * scale).max(SOFT_AMPLIFICATION * largest)
+    (SOFT_RELATIVE * scale).max(SOFT_AMPLIFICATION * largest(values))
+}
+
+/// The largest magnitude of some values.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
