@@ -267,16 +267,7 @@ impl Engine {
             self.contacts.set(*pair, Vec::new());
         }
         let bodies = instant.bodies;
-        let island = Island {
-            bodies: bodies.clone(),
-            held: Vec::new(),
-            t,
-            step: Step::Crowd(step),
-            due: f64::INFINITY,
-            changes: false,
-            is_unsolved: false,
-            departing: BTreeSet::new(),
-        };
+        let island = Island::beginning(bodies.clone(), Vec::new(), t, Step::Crowd(step));
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &bodies, &firsts, t)
     }

@@ -392,16 +392,7 @@ impl Engine {
             self.tracks[body].pace = pace;
         }
         let step = self.first_step(core, &bodies, &held, t)?;
-        Ok(self.insert_island(Island {
-            due: f64::INFINITY,
-            bodies,
-            held,
-            t,
-            step,
-            changes: false,
-            is_unsolved: false,
-            departing: BTreeSet::new(),
-        }))
+        Ok(self.insert_island(Island::beginning(bodies, held, t, step)))
     }
 
     /// The first step of an island.
@@ -477,16 +468,7 @@ impl Engine {
             _ => self.first_step(core, &bodies, &held, t)?,
         };
         let of_island = bodies.clone();
-        let island = Island {
-            due: f64::INFINITY,
-            bodies,
-            held,
-            t,
-            step,
-            changes: false,
-            is_unsolved: false,
-            departing: BTreeSet::new(),
-        };
+        let island = Island::beginning(bodies, held, t, step);
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &of_island, &firsts, t)
     }

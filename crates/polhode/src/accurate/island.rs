@@ -45,6 +45,12 @@ pub(super) enum Step {
 }
 
 impl Island {
+    /// Bodies (ascending) that begin a step at `t` (s) with these contacts held (ascending): what ends it is not yet looked for.
+    pub(super) fn beginning(bodies: Vec<usize>, held: Vec<ContactId>, t: f64, step: Step) -> Self {
+        let departing = BTreeSet::new();
+        Self { bodies, held, t, step, due: f64::INFINITY, changes: false, is_unsolved: false, departing }
+    }
+
     /// The first body, by which the island is known.
     pub(super) fn first(&self) -> Option<usize> {
         self.bodies.first().copied()
