@@ -5,6 +5,7 @@
 //! alone. The ledgers book it as work from outside and as impulse given by the program. Where an action ends a reduction
 //! of the plan (planar motion, flight in closed form, no contact), the plan is derived again, and the report says when.
 
+use crate::action_error::ActionError;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
@@ -15,52 +16,6 @@ use crate::{BodyId, Effects, Plan, SimulationError, free_method};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_spatial::{DVec3, Pose, Velocity};
-use thiserror::Error;
-
-/// Why an action is refused. The simulation is as it was before.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum ActionError {
-    /// The handle is not one of this simulation's.
-    #[error("body number {index} does not exist: the simulation has {bodies} bodies")]
-    UnknownBody {
-        /// The number of the handle.
-        index: usize,
-        /// How many bodies there are.
-        bodies: usize,
-    },
-    /// The body has been removed.
-    #[error("body {0} has been removed: its handle is no longer of use")]
-    RemovedBody(String),
-    /// The body never moves.
-    #[error("body {0} is fixed: no force, impulse or velocity moves it")]
-    FixedBody(String),
-    /// A number is not finite.
-    #[error("{what} of body {body} has a component that is not finite")]
-    NotFinite {
-        /// The body.
-        body: String,
-        /// What is not finite.
-        what: &'static str,
-    },
-    /// The body would overlap another one.
-    #[error(
-        "body {body_a} would overlap body {body_b} by {depth_m:e} m; at most {allowed_m:e} m counts as touch: choose another pose"
-    )]
-    Overlap {
-        /// The body.
-        body_a: String,
-        /// The other body.
-        body_b: String,
-        /// How deep, m.
-        depth_m: f64,
-        /// What counts as touch, m.
-        allowed_m: f64,
-    },
-    /// The body is held at a pivot, which it cannot leave.
-    #[error("body {0} is held at a pivot: it can be turned about it, not moved away from it")]
-    PivotedBody(String),
-}
 
 impl Simulation {
     /// Sets the force (N) on the centre of mass of a body and the torque (N m), world; both are held until they are set

@@ -1,6 +1,6 @@
 //! What can go wrong while simulating.
 
-use crate::actions::ActionError;
+use crate::action_error::ActionError;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_contact::{BroadPhaseError, ImpactError};

@@ -1,9 +1,10 @@
 //! Everything that a viewer draws of one instant.
 
+use crate::BodyId;
+use crate::body_sample::BodySample;
 use crate::collision::contact_set::Touch;
-use crate::observer::BodySample;
+use crate::energy::Energy;
 use crate::world::World;
-use crate::{BodyId, Energy};
 use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;

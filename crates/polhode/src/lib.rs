@@ -4,14 +4,19 @@
 //! Scene --> Plan --> Simulation --> samples, events --> RunReport (energies, ledger, certificate)
 //! ```
 
+mod acceleration;
 mod accounting;
 mod accurate;
+mod action_error;
 mod actions;
 mod body_id;
 pub mod body_queries;
+mod body_sample;
 mod collision;
 mod core;
 mod disjoint_sets;
+mod effects;
+mod energy;
 pub mod error;
 pub mod event;
 mod field_index;
@@ -22,12 +27,16 @@ mod interaction;
 pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
+mod pivot_form;
 mod pivots;
 pub mod plan;
 mod planar;
+mod plane_of_motion;
 mod prescribed;
+mod prescribed_state;
 mod promise;
 pub mod report;
+mod sampling;
 pub mod scene;
 mod settings;
 mod simulation;
@@ -39,19 +48,23 @@ mod tier;
 mod time_stepping;
 mod world;
 
-pub use actions::ActionError;
+pub use acceleration::Acceleration;
+pub use action_error::ActionError;
 pub use body_id::BodyId;
 pub use body_queries::BodyQueries;
+pub use body_sample::BodySample;
+pub use effects::Effects;
+pub use energy::Energy;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
 pub use frame::{ContactView, Frame, IslandView, MotionKind, PivotView};
 pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
-pub use observer::{BodySample, Flow, Observer, Recorder, Unobserved};
-pub use plan::{Decision, Effect, EffectDecision, Effects, Plan};
-pub use report::{Certificate, CrowdedStretch, Energy, Outcome, PairAt, PlanChange, RunReport, Tolerated};
+pub use observer::{Flow, Observer, Recorder, Unobserved};
+pub use plan::{Decision, Effect, EffectDecision, Plan};
+pub use report::{Certificate, CrowdedStretch, Outcome, PairAt, PlanChange, RunReport, Tolerated};
 pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
-pub use simulation::{Acceleration, Simulation, StepEnd, StepOutcome};
+pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};
 
 pub use polhode_contact as contact;

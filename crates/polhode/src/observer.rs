@@ -1,16 +1,8 @@
 //! Who watches a run.
 
-use crate::{Event, Frame};
-use polhode_spatial::{Pose, Velocity};
-
-/// A body at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodySample {
-    /// `X_WB`: pose of the body's own origin.
-    pub pose: Pose,
-    /// Velocity of the centre of mass and angular velocity, world.
-    pub velocity: Velocity,
-}
+pub use crate::body_sample::BodySample;
+use crate::event::Event;
+use crate::frame::Frame;
 
 /// Whether a run goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,6 +5,7 @@
 //! skipping rest gives the same bits as simulating everything (`Effects::All`); a reduction (a plane instead of space, turning
 //! alone instead of a body that rows hold at its pivot) gives the same motion to 1e-12 over a second.
 
+pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
 use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Scene, Tier};
@@ -57,16 +58,6 @@ impl Effect {
             Self::ForceFields => "force fields",
         }
     }
-}
-
-/// Which effects a run simulates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Effects {
-    /// Those that the plan finds the scene to call for.
-    #[default]
-    Planned,
-    /// All, whether called for or not: the reference for what the plan leaves out.
-    All,
 }
 
 /// Whether an effect is simulated.

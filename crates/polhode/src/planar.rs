@@ -10,6 +10,7 @@
 //! The proof needs laws that treat all contacts of an instant alike; one contact after the other (propagation) has no
 //! mirror symmetry, nor have the forces of a linear programme.
 
+use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Tier};
 use crate::settings::Settings;
 use crate::world::{World, WorldBody};
@@ -19,61 +20,6 @@ use polhode_spatial::{DVec3, UnitVector};
 
 /// What may be missing from symmetry, relative to the size of what is measured: roundings of poses and mass properties.
 const SYMMETRY_RELATIVE: f64 = 32.0 * f64::EPSILON;
-
-/// The plane in which a scene moves: `normal . x = offset`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct PlaneOfMotion {
-    normal: DVec3,
-    /// m.
-    offset: f64,
-    /// Two directions that span the plane.
-    axes: [DVec3; 2],
-}
-
-impl PlaneOfMotion {
-    fn new(normal: DVec3, offset: f64) -> Self {
-        let first = normal.any_orthonormal_vector();
-        Self { normal, offset, axes: [first, normal.cross(first)] }
-    }
-
-    /// The unit normal.
-    pub(crate) fn normal(&self) -> DVec3 {
-        self.normal
-    }
-
-    /// Coordinates of a velocity or force with a moment: two in the plane, one about its normal.
-    pub(crate) fn coordinates(&self, linear: DVec3, angular: DVec3) -> [f64; 3] {
-        [self.axes[0].dot(linear), self.axes[1].dot(linear), self.normal.dot(angular)]
-    }
-
-    /// Linear and angular part of a velocity of the plane.
-    pub(crate) fn velocity(&self, coordinates: [f64; 3]) -> (DVec3, DVec3) {
-        let [x, y, turn] = coordinates;
-        (self.axes[0] * x + self.axes[1] * y, self.normal * turn)
-    }
-
-    /// Height of a point above the plane, m.
-    pub(crate) fn height(&self, point: DVec3) -> f64 {
-        self.normal.dot(point) - self.offset
-    }
-
-    /// The point of the plane below a point.
-    pub(crate) fn project_point(&self, point: DVec3) -> DVec3 {
-        point - self.normal * self.height(point)
-    }
-
-    /// The part of a vector in the plane.
-    pub(crate) fn project_vector(&self, vector: DVec3) -> DVec3 {
-        vector - self.normal * self.normal.dot(vector)
-    }
-
-    /// Takes from a state what rounding has left outside the motion in the plane.
-    pub(crate) fn project_state(&self, state: &mut BodyState) {
-        state.pose.translation = self.project_point(state.pose.translation);
-        state.linear_velocity = self.project_vector(state.linear_velocity);
-        state.angular_momentum = self.normal * self.normal.dot(state.angular_momentum);
-    }
-}
 
 /// Whether a scene moves in a plane, with the measured fact that decides it.
 #[derive(Debug, Clone, PartialEq)]

@@ -19,11 +19,12 @@
 //! leaves that work out.
 
 use crate::collision::contact_set::ContactId;
+use crate::prescribed_state::state_at;
 use crate::scene::Trajectory;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, Motion, Velocity};
+use polhode_spatial::{DVec3, Motion};
 
 impl World {
     /// The kinematic bodies, ascending.
@@ -177,29 +178,19 @@ impl World {
     }
 }
 
-/// The state of a body that follows a trajectory.
-pub(crate) fn state_at(trajectory: &Trajectory, t: f64) -> BodyState {
-    let velocity = trajectory.velocity(t);
-    BodyState { pose: trajectory.pose(t), linear_velocity: velocity.linear, angular_momentum: velocity.angular }
-}
-
-/// The velocity that the state of a kinematic body holds.
-pub(crate) const fn velocity_of(state: &BodyState) -> Velocity {
-    Velocity::new(state.linear_velocity, state.angular_momentum)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::interaction::assembly::Assembly;
     use crate::interaction::groups::Group;
     use crate::interaction::impact::strike;
-    use crate::pivots::PivotRows;
+    use crate::pivot_form::PivotRows;
     use crate::scene::{Body, Geometry, ImpactLaw, MotionTable, PrescribedMotion, SampledOrientations, Scene};
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
     use polhode_response::ComplementaritySolver;
     use polhode_response::impact::ImpactSettings;
+    use polhode_spatial::Velocity;
     use polhode_spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector};
     use std::error::Error;
 

@@ -1,21 +1,9 @@
 //! What a run returns: energies, ledger, certificate, warnings.
 
-use crate::observer::BodySample;
+use crate::body_sample::BodySample;
+pub use crate::energy::Energy;
 use crate::{BodyId, Ledger, Plan};
 use std::fmt;
-
-/// Energies of the whole scene, J. The potential is `-sum m g.x_cm`, zero at the world's origin.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Energy {
-    /// Total at t = 0.
-    pub initial_j: f64,
-    /// Total at the end.
-    pub final_j: f64,
-    /// Kinetic at the end.
-    pub kinetic_j: f64,
-    /// Potential at the end.
-    pub potential_j: f64,
-}
 
 /// What is known for certain about the accuracy of a run: the worst over all steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

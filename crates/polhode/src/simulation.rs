@@ -1,5 +1,6 @@
 //! A simulation: a scene in motion, in the hand of a program.
 
+use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
@@ -7,10 +8,12 @@ use crate::core::Core;
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
-use crate::pivots::PivotRows;
+use crate::pivot_form::PivotRows;
 use crate::plan::Findings;
-use crate::planar::{self, PlanarFinding, PlaneOfMotion};
+use crate::planar::{self, PlanarFinding};
+use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
+use crate::sampling::{emit_sample, frame};
 use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
@@ -21,23 +24,11 @@ use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force};
 use polhode_contact::QueryError;
-use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
-use polhode_spatial::DVec3;
-use std::sync::Arc;
 
 /// What is left of the run after a step is added to it, if it is less than this fraction of the step: a sum of equal
 /// steps may leave over what is no step.
 const LEFT_OVER_RELATIVE: f64 = 1e-9;
-
-/// Acceleration of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Acceleration {
-    /// Of the centre of mass, world, m/s^2.
-    pub linear: DVec3,
-    /// Angular, world, rad/s^2.
-    pub angular: DVec3,
-}
 
 /// How a step ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -379,50 +370,6 @@ impl Simulation {
         let (states, limits) = (self.tier.states(&self.core), self.core.limits());
         accounts.fill(&self.core.world, &states, &limits, &mut report);
         Ok(report)
-    }
-}
-
-/// Everything that a viewer draws of the instant `t` (s) with these states.
-fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
-    let sample = |(body, state)| core.world.sample(body, state);
-    Frame {
-        t_s: t,
-        bodies: states.iter().enumerate().map(sample).collect(),
-        motions: tier.motions(core),
-        contacts: tier.contacts(core, t, states),
-        islands: tier.islands(core),
-        energy: core.accounts.books.clone().observe(&core.world, states),
-    }
-}
-
-/// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
-fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
-    let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
-    if emitted && observer.wants_frames() {
-        observer.frame(&frame(tier, core, t, states));
-    }
-}
-
-/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier;
-/// none of a sample that it has passed over.
-///
-/// # Errors
-/// As `states_at`.
-pub(crate) fn emit_samples_before<T: Tier>(
-    until: f64,
-    tier: &mut T,
-    core: &mut Core,
-    observer: &mut dyn Observer,
-    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError>,
-) -> Result<(), SimulationError> {
-    loop {
-        let t = core.accounts.next_sample_s(&core.world);
-        if t >= until {
-            return Ok(());
-        }
-        if let Some(states) = states_at(tier, core, t)? {
-            emit_sample(tier, core, &states, t, observer);
-        }
     }
 }
 

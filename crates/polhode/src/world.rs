@@ -5,12 +5,12 @@
 //! body of which turning alone is left (`pivots.rs`). Shapes are moved into it once, here; results are moved back when they are sampled.
 
 use crate::Acceleration;
+use crate::body_sample::BodySample;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::field_index::{FieldBuffers, FieldIndex, acted_on};
-use crate::observer::BodySample;
-use crate::pivots::{HeldPoint, PivotForm, PivotRows};
-use crate::planar::PlaneOfMotion;
-use crate::prescribed;
+use crate::pivot_form::{HeldPoint, PivotForm, PivotRows};
+use crate::plane_of_motion::PlaneOfMotion;
+use crate::prescribed_state;
 use crate::scene::{Body, Geometry, MovingFrames, Scene, SceneError, Trajectory};
 use crate::snapshot::SnapshotError;
 use polhode_contact::{Shape, ShapeError};
@@ -513,7 +513,7 @@ impl World {
         let body = &self.bodies[index];
         let velocity = match (&body.rigid, &body.trajectory) {
             (Some(rigid), _) => rigid.center_of_mass_velocity(state),
-            (None, Some(_)) => prescribed::velocity_of(state),
+            (None, Some(_)) => prescribed_state::velocity_of(state),
             (None, None) => Velocity::ZERO,
         };
         BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
@@ -670,7 +670,7 @@ impl WorldBody {
                 let given = *body.initial_velocity();
                 rigid.at_velocity(pose, self.held.map_or(given, |held| held.turning(&pose, given.angular)))
             }
-            (None, Some(trajectory)) => prescribed::state_at(trajectory, t),
+            (None, Some(trajectory)) => prescribed_state::state_at(trajectory, t),
             (None, None) => BodyState::at_rest(pose),
         }
     }

@@ -3,9 +3,9 @@
 //! A contact is known by its bodies and features, so that its status survives from one event to the next while its
 //! geometry is always evaluated afresh. Between events the set is frozen; at an event it is detected again.
 
-use crate::prescribed;
+use crate::prescribed_state;
 use crate::world::{TOUCH_RELATIVE, World};
-use polhode_contact::{ContactFeature, ContactKinematics, Manifold, Shape, counterpart};
+use polhode_contact::{ContactFeature, ContactKinematics, Manifold, Shape, counterpart, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
@@ -41,6 +41,28 @@ pub(crate) struct Touch {
 }
 
 impl World {
+    /// What `read` makes of the contacts of two bodies with a separation of at most `reach` (m), as
+    /// [`polhode_contact::near_manifold`] gives them; none for a body without a shape.
+    pub(crate) fn manifold_of<T>(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        reach: f64,
+        read: impl FnOnce(&Manifold) -> T,
+    ) -> Option<T> {
+        let (shape_a, shape_b) = self.shapes(a, b)?;
+        let placed = ((shape_a, &states[a].pose), (shape_b, &states[b].pose));
+        Some(self.narrow_phase.read((a, b), placed, (reach, self.bodies.len()), read))
+    }
+
+    /// The signed separation of two bodies, m, found afresh and at any distance: what a pair is judged by when it is placed,
+    /// by a scene or a program, or looked at where a step began, far from the poses that the memory is of. None for a body
+    /// without a shape.
+    pub(crate) fn separation_afresh(&self, states: &[BodyState], a: usize, b: usize) -> Option<f64> {
+        let (shape_a, shape_b) = self.shapes(a, b)?;
+        Some(separation(shape_a, &states[a].pose, shape_b, &states[b].pose))
+    }
+
     /// The shapes of a pair that may collide.
     pub(crate) fn shapes(&self, a: usize, b: usize) -> Option<(&Shape, &Shape)> {
         Some((self.bodies[a].shape.as_ref()?, self.bodies[b].shape.as_ref()?))
@@ -50,7 +72,7 @@ impl World {
     pub(crate) fn velocity(&self, index: usize, state: &BodyState) -> Velocity {
         match (&self.bodies[index].rigid, &self.bodies[index].trajectory) {
             (Some(rigid), _) => rigid.velocity(state),
-            (None, Some(_)) => prescribed::velocity_of(state),
+            (None, Some(_)) => prescribed_state::velocity_of(state),
             (None, None) => Velocity::ZERO,
         }
     }

@@ -8,7 +8,7 @@
 use crate::collision::contact_set::ContactId;
 use crate::interaction::constraint::ConstraintId;
 use crate::pivots::PivotKinematics;
-use crate::planar::PlaneOfMotion;
+use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
@@ -259,4 +259,12 @@ fn push_inverse_mass(out: &mut Vec<f64>, world: &World, states: &[BodyState], bo
             block[2 * width + 2] = plane.normal().dot(inverse_inertia * plane.normal());
         }
     }
+}
+
+/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a displacement
+/// (m, rad) or a velocity (m/s, rad/s).
+pub(crate) fn largest_change(world: &World, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
+    let change =
+        |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * world.bodies[body].size;
+    changes.map(change).fold(0.0, f64::max)
 }

@@ -7,9 +7,8 @@
 //! bodies: otherwise the rounds would push to and fro. Pivots stay in place. Velocities stay. A round moves bodies by no more
 //! than `sqrt(d r)`, with the largest overlap d and the size r; what that leaves is for the next.
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, largest_change};
 use super::groups::groups;
-use super::projection::largest_change;
 use crate::collision::contact_set::ContactId;
 use crate::world::World;
 use polhode_contact::ContactGeometry;

@@ -5,7 +5,7 @@
 //! as a force; what they change in energy is booked in the ledger.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses, largest_change};
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::PivotKinematics;
@@ -219,14 +219,6 @@ pub(crate) fn project_positions(
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
     done.moved_m = largest_change(world, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
     Ok(done)
-}
-
-/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a displacement
-/// (m, rad) or a velocity (m/s, rad/s).
-pub(crate) fn largest_change(world: &World, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
-    let change =
-        |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * world.bodies[body].size;
-    changes.map(change).fold(0.0, f64::max)
 }
 
 /// The pivots that are farther from their places than rounding after the last Newton step.

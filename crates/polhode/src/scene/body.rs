@@ -1,7 +1,11 @@
 //! Bodies of a scene.
 
-use super::{Geometry, Material, PrescribedMotion, Trajectory};
+use super::{Geometry, Material, PrescribedMotion, SceneError, Trajectory};
+use polhode_contact::Shape;
 use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
+
+/// How far the velocity given to a pivoted body may be from that of its rotation, relative to it.
+const PIVOT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Whether and how a body moves.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,5 +145,72 @@ impl Body {
     /// Velocity at the start.
     pub fn initial_velocity(&self) -> &Velocity {
         &self.velocity
+    }
+
+    /// Checks the numbers of a body, and that what is said of it fits together.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`](super::SceneBuilder::build).
+    pub(super) fn check(&self, number: usize) -> Result<(), SceneError> {
+        if self.name.is_empty() {
+            return Err(SceneError::EmptyName(number));
+        }
+        let not_finite = |quantity| Err(SceneError::NotFinite { body: self.name.clone(), quantity });
+        if !self.pose.is_finite() {
+            return not_finite("its pose");
+        }
+        if !self.velocity.is_finite() {
+            return not_finite("its velocity");
+        }
+        if let Some(motion) = self.motion() {
+            return self.check_kinematic(motion);
+        }
+        if let Some(pivot) = self.pivot {
+            self.check_pivot(pivot)?;
+        }
+        if self.is_fixed() && !self.velocity.is_zero() {
+            return Err(SceneError::FixedBodyMoves(self.name.clone()));
+        }
+        match &self.geometry {
+            Some(Geometry::Shape(Shape::HalfSpace(_))) if !self.is_fixed() => {
+                Err(SceneError::MovingHalfSpace(self.name.clone()))
+            }
+            Some(Geometry::Shape(Shape::TriangleMesh(_))) if !self.is_fixed() => {
+                Err(SceneError::MovingSurface(self.name.clone()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A kinematic body has no velocity or pivot of its own, and starts where its motion does.
+    fn check_kinematic(&self, motion: &PrescribedMotion) -> Result<(), SceneError> {
+        if self.pivot.is_some() {
+            return Err(SceneError::KinematicBodyPivots(self.name.clone()));
+        }
+        if !self.velocity.is_zero() {
+            return Err(SceneError::KinematicBodyHasVelocity(self.name.clone()));
+        }
+        motion.check_start(&self.pose).map_err(|source| SceneError::Motion { body: self.name.clone(), source })
+    }
+
+    /// A pivoted body moves about a point that stays: a velocity of its centre of mass, when it is given, must be that of
+    /// the rotation.
+    fn check_pivot(&self, pivot: DVec3) -> Result<(), SceneError> {
+        if !pivot.is_finite() {
+            return Err(SceneError::NotFinite { body: self.name.clone(), quantity: "its pivot" });
+        }
+        let Some(properties) = self.mass_properties() else {
+            return Err(SceneError::FixedBodyPivots(self.name.clone()));
+        };
+        let arm = self.pose.transform_point(properties.center_of_mass()) - pivot;
+        let turning = self.velocity.angular.cross(arm);
+        let difference = (self.velocity.linear - turning).length();
+        if self.velocity.linear != DVec3::ZERO
+            && difference > PIVOT_VELOCITY_RELATIVE * self.velocity.angular.length() * arm.length()
+        {
+            let needed = turning.to_array();
+            return Err(SceneError::PivotMoves { body: self.name.clone(), difference, needed });
+        }
+        Ok(())
     }
 }

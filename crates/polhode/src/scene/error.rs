@@ -148,3 +148,12 @@ pub enum SceneError {
         allowed_m: f64,
     },
 }
+
+/// `value` when it is positive and finite.
+pub(super) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(SceneError::Number { key, value, accepted: "a positive number" })
+    }
+}

@@ -104,13 +104,13 @@ impl Method {
     /// When a number is not positive, or two knobs are not yet available together.
     pub fn validate(&self) -> Result<(), SceneError> {
         if let Some(step) = self.step_s {
-            super::builder::positive("method.step", step)?;
+            super::error::positive("method.step", step)?;
         }
         if let Some(tolerance) = self.crowding_tolerance {
-            super::builder::positive("method.crowding_tolerance", tolerance)?;
+            super::error::positive("method.crowding_tolerance", tolerance)?;
         }
         if let Some(tolerance) = self.tolerance {
-            super::builder::positive("method.tolerance", tolerance)?;
+            super::error::positive("method.tolerance", tolerance)?;
             if tolerance > 0.1 {
                 return Err(SceneError::Number {
                     key: "method.tolerance",

@@ -31,6 +31,9 @@ use polhode_spatial::DVec3;
 /// Standard gravity of the scene format, m/s^2.
 pub const DEFAULT_GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -9.81);
 
+/// Samples or steps of a run at the most.
+const MOST_STEPS: f64 = 1e12;
+
 /// A validated scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
@@ -46,11 +49,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Starts a scene: gravity [`DEFAULT_GRAVITY`], no bodies, method chosen by the plan.
-    pub fn builder(name: impl Into<String>) -> SceneBuilder {
-        SceneBuilder::new(name.into())
-    }
-
     /// The scene's name.
     pub fn name(&self) -> &str {
         &self.name
@@ -87,7 +85,7 @@ impl Scene {
     /// # Errors
     /// When the duration is not positive and finite.
     pub fn with_duration(mut self, duration_s: f64) -> Result<Self, SceneError> {
-        self.duration_s = builder::positive("duration", duration_s)?;
+        self.duration_s = error::positive("duration", duration_s)?;
         Ok(self)
     }
 
@@ -97,7 +95,21 @@ impl Scene {
     /// As [`SceneBuilder::build`].
     pub(crate) fn check_times(&self) -> Result<(), SceneError> {
         self.method.validate()?;
-        builder::check_counts(self)
+        self.check_counts()
+    }
+
+    /// A run must end: neither samples nor steps may be more than can be counted down in a lifetime.
+    fn check_counts(&self) -> Result<(), SceneError> {
+        let too_many = |interval: f64| self.duration_s / interval > MOST_STEPS;
+        if too_many(self.output_interval_s) {
+            let (key, accepted) = ("output.interval", "at least duration / 1e12");
+            return Err(SceneError::Number { key, value: self.output_interval_s, accepted });
+        }
+        if let Some(value) = self.method.step_s.filter(|&step| too_many(step)) {
+            let (key, accepted) = ("method.step", "at least duration / 1e12");
+            return Err(SceneError::Number { key, value, accepted });
+        }
+        Ok(())
     }
 
     /// Checks a body that a program adds.
@@ -108,7 +120,7 @@ impl Scene {
         if name_is_taken {
             return Err(SceneError::DuplicateName(body.name.clone()));
         }
-        builder::check_body(number, body)
+        body.check(number)
     }
 
     /// The bodies, in the order of the scene.

@@ -10,7 +10,7 @@ use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
-use crate::simulation::emit_samples_before;
+use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};

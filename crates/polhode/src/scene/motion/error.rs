@@ -1,8 +1,15 @@
-//! Why numbers prescribe no motion.
+//! What numbers prescribe a motion, and why others do not.
 
-use super::{LARGEST, LARGEST_TURN};
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, MotionBounds};
 use thiserror::Error;
+
+/// Largest magnitude of a number, a speed (m/s, rad/s) and an acceleration (m/s^2, rad/s^2) of a prescribed motion: their
+/// products are still numbers.
+pub const LARGEST: f64 = 1e100;
+
+/// Largest angle between two samples of a table, rad: half a turn, which may go either way, less the digits that a
+/// quaternion in a file may have lost.
+pub const LARGEST_TURN: f64 = std::f64::consts::PI - 1e-6;
 
 /// Why a motion is refused. Each message names the value and what is accepted.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -97,4 +104,17 @@ pub(super) fn vector(quantity: &'static str, vector: DVec3) -> Result<DVec3, Mot
         number(quantity, component)?;
     }
     Ok(vector)
+}
+
+/// Checks that speeds and accelerations are numbers that can be calculated with.
+pub(super) fn within_reach(bounds: &MotionBounds) -> Result<(), MotionError> {
+    let quantities = [
+        ("a speed in m/s", bounds.speed),
+        ("an acceleration in m/s^2", bounds.acceleration),
+        ("an angular speed in rad/s", bounds.angular_speed),
+        ("an angular acceleration in rad/s^2", bounds.angular_acceleration),
+    ];
+    // Written so that NaN is refused.
+    let found = quantities.into_iter().find(|&(_, value)| !matches!(value, 0.0..=LARGEST));
+    found.map_or(Ok(()), |(quantity, value)| Err(MotionError::TooFast { quantity, value }))
 }

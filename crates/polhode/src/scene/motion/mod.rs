@@ -15,7 +15,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `error` | [`MotionError`] |
+//! | `displacement` | where a motion has moved a body to |
+//! | `error` | what numbers are accepted, and [`MotionError`] |
 //! | `polynomial` | polynomials of degree five, their bounds, and the clamped cubic spline |
 //! | `sine` | oscillation |
 //! | `table` | [`MotionTable`]: motion through samples |
@@ -24,28 +25,21 @@
 //! **Limits.** No number, speed or acceleration may exceed [`LARGEST`]. Far from t = 0 the pose is as accurate as the
 //! time is a number: a time of 1e6 s is known to 1e-10 s.
 
+mod displacement;
 mod error;
 mod polynomial;
 mod sine;
 mod table;
 mod turning;
 
-pub use error::MotionError;
+pub use error::{LARGEST, LARGEST_TURN, MotionError};
 pub use table::{MotionTable, SampledOrientations};
 
-use crate::Acceleration;
+use crate::acceleration::Acceleration;
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
 use sine::Sine;
 use std::sync::Arc;
 use table::Spline;
-
-/// Largest magnitude of a number, a speed (m/s, rad/s) and an acceleration (m/s^2, rad/s^2) of a prescribed motion: their
-/// products are still numbers.
-pub const LARGEST: f64 = 1e100;
-
-/// Largest angle between two samples of a table, rad: half a turn, which may go either way, less the digits that a
-/// quaternion in a file may have lost.
-pub const LARGEST_TURN: f64 = std::f64::consts::PI - 1e-6;
 
 /// How far a pose given for the start may be from that of a table at t = 0: in rad, and relative to the largest coordinate.
 /// The digits that a file may have lost.
@@ -63,17 +57,6 @@ enum Kind {
     Constant(Velocity),
     Sine(Sine),
     Table(Arc<Spline>),
-}
-
-/// Where a motion has moved a body to, and how it goes on.
-#[derive(Debug, Clone, Copy, Default)]
-struct Displacement {
-    translation: DVec3,
-    rotation: Rotation,
-    velocity: DVec3,
-    angular_velocity: DVec3,
-    acceleration: DVec3,
-    angular_acceleration: DVec3,
 }
 
 impl PrescribedMotion {
@@ -224,27 +207,4 @@ impl Motion for Trajectory {
             Kind::Table(spline) => spline.bounds(t0, t1),
         }
     }
-}
-
-impl Displacement {
-    const fn rate(&self) -> Velocity {
-        Velocity::new(self.velocity, self.angular_velocity)
-    }
-
-    const fn acceleration(&self) -> Acceleration {
-        Acceleration { linear: self.acceleration, angular: self.angular_acceleration }
-    }
-}
-
-/// Checks that speeds and accelerations are numbers that can be calculated with.
-fn within_reach(bounds: &MotionBounds) -> Result<(), MotionError> {
-    let quantities = [
-        ("a speed in m/s", bounds.speed),
-        ("an acceleration in m/s^2", bounds.acceleration),
-        ("an angular speed in rad/s", bounds.angular_speed),
-        ("an angular acceleration in rad/s^2", bounds.angular_acceleration),
-    ];
-    // Written so that NaN is refused.
-    let found = quantities.into_iter().find(|&(_, value)| !matches!(value, 0.0..=LARGEST));
-    found.map_or(Ok(()), |(quantity, value)| Err(MotionError::TooFast { quantity, value }))
 }

@@ -3,8 +3,8 @@
 //! With `s(t) = sin(2 pi f t + phase)` the body's origin is moved by `A s(t)` and the body turned by the rotation vector
 //! `B s(t)`, both in the world; `f` in Hz, `A` in m, `B` in rad.
 
-use super::error::{number, vector};
-use super::{Displacement, MotionError, within_reach};
+use super::displacement::Displacement;
+use super::error::{MotionError, number, vector, within_reach};
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
 use std::f64::consts::TAU;
 

@@ -22,9 +22,10 @@
 //! Sources: docs/REFERENCES.md, de Boor 1978; Park and Ravani 1997 for splines of rotations in rotation vectors from sample
 //! to sample.
 
-use super::error::{number, vector};
+use super::displacement::Displacement;
+use super::error::{LARGEST_TURN, MotionError, number, vector, within_reach};
 use super::polynomial::{Jet, Quintic, knot_rates};
-use super::{Displacement, LARGEST_TURN, MotionError, turning, within_reach};
+use super::turning;
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
 
 /// SampledOrientations of a table.

@@ -1,0 +1,53 @@
+//! Samples and frames: what an observer is told of the motion between two events.
+
+use crate::SimulationError;
+use crate::core::Core;
+use crate::frame::Frame;
+use crate::observer::Observer;
+use crate::tier::Tier;
+use polhode_dynamics::BodyState;
+use std::sync::Arc;
+
+/// Everything that a viewer draws of the instant `t` (s) with these states.
+pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
+    let sample = |(body, state)| core.world.sample(body, state);
+    Frame {
+        t_s: t,
+        bodies: states.iter().enumerate().map(sample).collect(),
+        motions: tier.motions(core),
+        contacts: tier.contacts(core, t, states),
+        islands: tier.islands(core),
+        energy: core.accounts.books.clone().observe(&core.world, states),
+    }
+}
+
+/// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
+pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+    let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_frames() {
+        observer.frame(&frame(tier, core, t, states));
+    }
+}
+
+/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier;
+/// none of a sample that it has passed over.
+///
+/// # Errors
+/// As `states_at`.
+pub(crate) fn emit_samples_before<T: Tier>(
+    until: f64,
+    tier: &mut T,
+    core: &mut Core,
+    observer: &mut dyn Observer,
+    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError>,
+) -> Result<(), SimulationError> {
+    loop {
+        let t = core.accounts.next_sample_s(&core.world);
+        if t >= until {
+            return Ok(());
+        }
+        if let Some(states) = states_at(tier, core, t)? {
+            emit_sample(tier, core, &states, t, observer);
+        }
+    }
+}
