@@ -11,7 +11,9 @@
 
 use super::constrained_step::{end_of, step_limit};
 use crate::SimulationError;
+use crate::accounting::books::Received;
 use crate::core::Core;
+use crate::free_stage::{self, Ends};
 use crate::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
@@ -21,7 +23,7 @@ use polhode_dynamics::integrated_motion::IntegratedMotion;
 use polhode_dynamics::integrator::{self, AdaptiveExact, Tolerance};
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::{BodyState, DenseStep, FreeMotion, RigidBody};
-use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
+use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Velocity};
 use std::sync::Arc;
 
 /// Turn of a body within one polynomial, rad: the interpolation of its quaternion then errs by some 1e-14.
@@ -352,4 +354,31 @@ impl Motion for Piecewise {
         }
         bounds
     }
+}
+
+/// States at `t` of bodies that an integrator of free motion moves, and what the outside gave to them since their step
+/// began; `states` are those of all bodies.
+///
+/// # Errors
+/// When the integrator cannot evaluate them.
+pub(super) fn free_end(
+    world: &World,
+    step: &mut FreeStep,
+    bodies: &[usize],
+    states: &[BodyState],
+    about: DVec3,
+    t: f64,
+) -> Result<(Vec<BodyState>, Received), SimulationError> {
+    let parts = step.parts_until(world, t)?;
+    let mut received = Received::default();
+    let mut ends = [states.to_vec(), states.to_vec()];
+    for pair in parts.windows(2) {
+        let [(t0, start), (t1, end)] = pair else { continue };
+        for (k, &body) in bodies.iter().enumerate() {
+            (ends[0][body], ends[1][body]) = (start[k], end[k]);
+        }
+        let stage = Ends { t: [*t0, *t1], states: [&ends[0], &ends[1]] };
+        received += free_stage::received(world, stage, bodies, about);
+    }
+    Ok((parts.into_iter().next_back().map(|(_, states)| states).unwrap_or_default(), received))
 }

@@ -5,7 +5,7 @@
 //! or at rest is in none. Bodies of different islands that may meet share nothing but the search for their impact.
 
 use super::constrained_step::ConstrainedStep;
-use super::crowding::CrowdStep;
+use super::crowd_step::CrowdStep;
 use super::free_stepping::FreeStep;
 use crate::collision::contact_set::ContactId;
 use std::collections::BTreeSet;

@@ -4,9 +4,6 @@
 //! that reads the bodies. Where every body flies or stands they are kept until the next event: nothing else changes what they
 //! are at that time. A cache and no part of the state.
 
-use super::engine::Engine;
-use crate::SimulationError;
-use crate::core::Core;
 use polhode_dynamics::BodyState;
 use std::sync::Arc;
 
@@ -14,8 +11,8 @@ use std::sync::Arc;
 #[derive(Debug, Default)]
 pub(super) struct Looked {
     /// When they are the states, s; nothing when they are out of date.
-    t: Option<f64>,
-    states: Arc<Vec<BodyState>>,
+    pub(super) t: Option<f64>,
+    pub(super) states: Arc<Vec<BodyState>>,
 }
 
 impl Looked {
@@ -27,26 +24,5 @@ impl Looked {
     /// Something changes: they are out of date.
     pub(super) fn forget(&mut self) {
         self.t = None;
-    }
-}
-
-impl Engine {
-    /// Takes note of energies and momenta at `t` (s), a time within all present steps; the states of all bodies there.
-    ///
-    /// # Errors
-    /// When a state cannot be evaluated or is not finite.
-    pub(super) fn look(&mut self, core: &mut Core, t: f64) -> Result<Arc<Vec<BodyState>>, SimulationError> {
-        if let Some(states) = self.looked.at(t) {
-            return Ok(Arc::clone(states));
-        }
-        let mut looked = std::mem::take(&mut self.looked);
-        // The room of the last ones serves again, unless somebody holds them.
-        let states = Arc::make_mut(&mut looked.states);
-        self.write_states_at(core, t, states)?;
-        core.accounts.observe(&core.world, states, t)?;
-        self.observed_s = t;
-        looked.t = self.islands.is_empty().then_some(t);
-        self.looked = looked;
-        Ok(Arc::clone(&self.looked.states))
     }
 }

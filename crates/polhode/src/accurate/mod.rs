@@ -9,20 +9,21 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `engine` | the bodies, how each moves, and the loop over what is due |
+//! | `tier` | the loop over what is due, and what is asked of the bodies at the present |
+//! | `engine` | the bodies, and how each moves |
 //! | `agenda` | what is due when |
 //! | `island` | bodies that move together, and their present step |
-//! | `constrained_step`, `stage_method` | a step with held contacts, by DOP853 or RK4 over `system` |
+//! | `constrained_step`, `constrained_stepping`, `stage_method` | a step with held contacts, and how it is made: by DOP853 or RK4 over `system` |
 //! | `free_stepping` | a step by the integrator that the scene asks for |
 //! | `locate`, `penetration` | when held contacts cease to be the right ones |
 //! | `looked` | the states of all bodies when they were last looked at |
-//! | `near_pairs` | pairs that may meet, and their impacts |
-//! | `instant` | whom an event concerns, and how they go on |
+//! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
+//! | `instant`, `events` | an event, whom it concerns, and how they go on |
 //! | `resolve`, `hold` | what happens at an instant, and which contacts hold |
 //! | `contacts` | the contacts that touched when their bodies were last looked at |
 //! | `pivot_views` | what pivots bear at the present |
 //! | `pace` | whether time advances |
-//! | `crowding` | stretches of time in which events crowd, passed by time steps |
+//! | `crowding`, `crowd_step` | stretches of time in which events crowd, passed by time steps |
 //! | `start` | the first instant |
 //! | `program` | what a program does to bodies between two steps |
 //! | `present` | the state of a body and the contacts that touch, at the present |
@@ -31,11 +32,15 @@
 
 mod agenda;
 mod constrained_step;
+mod constrained_stepping;
 mod contacts;
+mod crowd_step;
 mod crowding;
 mod engine;
+mod events;
 mod free_stepping;
 mod hold;
+mod impact_search;
 mod instant;
 mod island;
 mod locate;
@@ -51,6 +56,7 @@ mod saved;
 mod stage_method;
 mod start;
 mod system;
+mod tier;
 mod together;
 
 pub(crate) use engine::Engine;

@@ -4,8 +4,8 @@
 //! is found anew, what approaches is struck, and islands are formed as after any event.
 
 use super::engine::{Engine, Mode, Track};
+use super::impact_search::Search;
 use super::instant::Instant;
-use super::near_pairs::Search;
 use super::pace::Pace;
 use crate::SimulationError;
 use crate::core::Core;

@@ -6,7 +6,7 @@
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
-use super::crowding::Crowd;
+use super::crowd_step::Crowd;
 use super::engine::{Engine, Mode, Track};
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};

@@ -1,0 +1,305 @@
+//! A step of an island whose held contacts stay: integrated once, before any event is looked for.
+//!
+//! By DOP853 each island takes the longest step that its own error estimate accepts; by the classical method of order 4
+//! (`stage_method.rs`) every step is the longest allowed. The attitude of a body that only forces through
+//! its centre of mass act on is that of free rotation, unless an integrator is asked for by name. A step that an event cuts
+//! short is repeated from its start with the shorter step, not interpolated, so that states at events are as accurate as
+//! states at step ends.
+
+use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
+use super::engine::Engine;
+use super::pace::is_instant;
+use super::stage_method::{MethodStep, StageMethod};
+use super::system::ContactSystem;
+use crate::SimulationError;
+use crate::collision::contact_set::ContactId;
+use crate::core::Core;
+use crate::world::World;
+use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrator::dop853::STEP_SHARE;
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use polhode_dynamics::{BodyState, Dop853, Flight, RigidBody};
+use polhode_response::ResponseError;
+use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
+const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
+
+/// Rounding of the directions of contact forces, of which one stage may differ from another: that of the normals, a few
+/// rounding units.
+const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
+
+/// Rounding of the poses that fields are evaluated at (relative, 2^-53 to 2^-50): one rounding unit. A larger one would let
+/// steps grow until their own error, which takes energy, is as large as it.
+const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+/// What a stage that could not be evaluated shortens the step to.
+const FAILED_STAGE_FACTOR: f64 = 0.25;
+
+/// A refused step is repeated with one that is shorter by this factor at least.
+const REFUSED_STEP_FACTOR: f64 = 0.9;
+
+/// One attempt at a step.
+struct Attempt {
+    step: MethodStep,
+    /// In units of what is allowed; none of a method that estimates none.
+    error: Option<f64>,
+}
+
+/// A step that was accepted, and what its error says of the next one.
+struct Accepted {
+    step: ConstrainedStep,
+    factor: f64,
+}
+
+impl Engine {
+    /// Integrates bodies with their held contacts from `t` over the longest step that the error control accepts.
+    ///
+    /// # Errors
+    /// When no step is short enough.
+    pub(super) fn constrained_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        t: f64,
+    ) -> Result<ConstrainedStep, SimulationError> {
+        let longest = core.settings.step_s;
+        let limit = step_limit(core, held, t);
+        let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
+        let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
+        loop {
+            // A step that ends where a force is not smooth may be as short as it must.
+            if h < limit {
+                check_step(h, longest, t)?;
+            }
+            match self.attempt_step(core, bodies, held, (t, h)) {
+                Ok(accepted) => {
+                    // A step that was cut short says nothing against a longer one.
+                    let kept = if accepted.factor >= 1.0 && h == limit { proposed } else { 0.0 };
+                    let next = (h * accepted.factor).max(kept).min(longest);
+                    for &body in bodies {
+                        self.tracks[body].proposed_step_s = next;
+                    }
+                    return Ok(accepted.step);
+                }
+                Err(factor) => h *= factor,
+            }
+        }
+    }
+
+    /// A step from `t` over `h` (s) that has been accepted before: the same bits from the same start.
+    pub(super) fn repeated_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        (t, h): (f64, f64),
+    ) -> Option<ConstrainedStep> {
+        self.attempt_step(core, bodies, held, (t, h)).ok().map(|accepted| accepted.step)
+    }
+
+    /// Attempts a step; the factor for this one again on failure.
+    fn attempt_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        (t, h): (f64, f64),
+    ) -> Result<Accepted, f64> {
+        let about = core.accounts.books.ledger.momentum.about;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
+        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|mut attempt| {
+            let dense = attempt.step.dense(&mut system)?;
+            Ok((attempt, dense))
+        });
+        self.restore_scratch(core, scratch, bodies);
+        let (attempt, dense) = attempted.map_err(|_| FAILED_STAGE_FACTOR)?;
+        // Without an estimate the next step is as long as it may be.
+        let factor = attempt.error.map_or(f64::INFINITY, Dop853::next_step_factor);
+        let error = attempt.error.unwrap_or(0.0);
+        if error > 1.0 || error.is_nan() {
+            return Err(factor.min(REFUSED_STEP_FACTOR));
+        }
+        if attempt.step.end_state().iter().any(|number| !number.is_finite()) {
+            return Err(FAILED_STAGE_FACTOR);
+        }
+        let worst = &mut core.accounts.certificate.max_step_error;
+        *worst = worst.max(error);
+        let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
+        let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
+        let motions = bodies.iter().enumerate().map(motion).collect();
+        let spins = bodies.iter().map(|&body| self.free_spin(core, body, held, t)).collect();
+        let step = ConstrainedStep {
+            bodies: bodies.to_vec(),
+            held: held.to_vec(),
+            t,
+            end: end_of(core, held, t, h),
+            h,
+            end_state: attempt.step.end_state().to_vec(),
+            dense,
+            motions,
+            spins,
+        };
+        Ok(Accepted { step, factor })
+    }
+
+    /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it: the record of the step
+    /// before, not chained, as long as the body is where that leads.
+    fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
+        let is_held = held.iter().any(|id| id.a == body || id.b == body);
+        if is_held || core.settings.asked_integrator.is_some() || !core.world.is_pushed_only(body) {
+            return None;
+        }
+        let state = self.states[body];
+        let leads_here = |spin: &Flight| {
+            polhode_spatial::Motion::pose(spin, t).rotation == state.pose.rotation
+                && spin.start().angular_momentum == state.angular_momentum
+        };
+        if let Some(spin) = self.spins.get(&body).filter(|spin| leads_here(spin)) {
+            return Some(*spin);
+        }
+        let rigid = core.world.bodies[body].rigid.as_ref()?;
+        let spin = Flight::new(rigid, t, &state, DVec3::ZERO);
+        self.spins.insert(body, spin);
+        Some(spin)
+    }
+
+    fn attempt(
+        &self,
+        core: &Core,
+        system: &mut ContactSystem<'_>,
+        (t, h): (f64, f64),
+    ) -> Result<Attempt, ResponseError> {
+        let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
+        let error = step.embedded().map(|method| self.error_of(core, method, system, (t, h)));
+        Ok(Attempt { step, error })
+    }
+
+    /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
+    fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
+        let mut worst = 0.0f64;
+        let bodies = system.bodies();
+        let first = bodies.iter().map(|&body| self.states[body]);
+        let before = system.loads_at(t, first);
+        let ends: Vec<BodyState> = unpack(integrator.end_state()).collect();
+        let loads = system.loads_at(t + h, ends.iter().copied());
+        for (index, &body) in bodies.iter().enumerate() {
+            let offset = index * WIDTH;
+            let own = offset..offset + WIDTH;
+            let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
+            let (Some(rates), Some(end)) = (rates, end) else { continue };
+            let allowances = allowances(core, body, &self.states[body], rates, end, loads.of(body));
+            let cancelling = system.cancelling()[index];
+            let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
+            let roundings = roundings(core, body, (cancelling, of_places(ends)), h);
+            for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
+                let allowed = allowed.max(rounding);
+                let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
+                // No error is none, also where nothing moves and nothing is allowed.
+                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+            }
+        }
+        worst
+    }
+
+    /// States of an island's bodies at `t_next`: the end of its step, or of a shorter one from the same start.
+    pub(super) fn constrained_end(
+        &mut self,
+        core: &Core,
+        step: &ConstrainedStep,
+        t_next: f64,
+    ) -> Result<StepEndStates, SimulationError> {
+        if t_next >= step.end {
+            return Ok(step.at_end(&step.end_state, t_next));
+        }
+        let about = core.accounts.books.ledger.momentum.about;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.held, about);
+        let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
+        self.restore_scratch(core, scratch, &step.bodies);
+        let attempt = attempt.map_err(|source| Core::response_error(step.t, source))?;
+        Ok(step.at_end(attempt.step.end_state(), t_next))
+    }
+}
+
+/// The error allowed in a step for each quantity of a body: the tolerance, of which a step may use [`STEP_SHARE`],
+/// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
+/// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
+/// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
+fn allowances(
+    core: &Core,
+    body: usize,
+    state: &BodyState,
+    rates: &[f64],
+    end: &[f64],
+    load: Wrench,
+) -> [(Range<usize>, f64); 4] {
+    let world: &World = &core.world;
+    let tolerance = STEP_SHARE * core.settings.tolerance;
+    let length = world.bodies[body].size;
+    let velocity = world.velocity(body, state);
+    let gravity_speed = (world.gravity().length() * length).sqrt();
+    let rigid = world.bodies[body].rigid.as_ref();
+    let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());
+    let inverse_mass = rigid.map_or(0.0, RigidBody::inverse_mass);
+    let size = |of: &[f64], first: usize| DVec3::new(of[first], of[first + 1], of[first + 2]).length();
+    let per_moment = |value: f64| if moment > 0.0 { value / moment } else { 0.0 };
+    let speed = [
+        gravity_speed,
+        velocity.linear.length(),
+        velocity.angular.length() * length,
+        (size(rates, LINEAR_VELOCITY) * length).sqrt(),
+        per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
+        // Where a force sets in within the step, what moves at its end is of the order of the error.
+        (load.force.length() * inverse_mass * length).sqrt(),
+        per_moment(load.torque.length()).sqrt() * length,
+        size(end, LINEAR_VELOCITY),
+        per_moment(size(end, ANGULAR_MOMENTUM)) * length,
+    ]
+    .into_iter()
+    .fold(0.0, f64::max);
+    [
+        (POSITION..QUATERNION, tolerance * length),
+        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
+        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
+        (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
+    ]
+}
+
+/// What rounding leaves in a step of `h` (s), for each quantity of a body: of contact forces whose magnitudes add up to
+/// `cancelling` (N, N m), and of fields that the rounding of places changes by `fields` (N, N m). Shorter steps do not make
+/// it less.
+fn roundings(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> [f64; 4] {
+    let Some(rigid) = &core.world.bodies[body].rigid else { return [0.0; 4] };
+    let inverse_moment = 1.0 / rigid.moments().min_element();
+    let speed = (DIRECTION_ROUNDING * force).max(fields[0]) * h;
+    let spin = (DIRECTION_ROUNDING * moment).max(fields[1]) * h;
+    [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
+}
+
+/// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and loads at
+/// both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. Measured as the change of the load over
+/// the step per rounding unit by which the pose has changed, of place or attitude by the larger number of units, so that it
+/// is not too large where the load depends on one of them alone. A body that has not moved tells nothing: zero.
+fn of_places([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
+    let (from, to) = (&start.pose, &end.pose);
+    let unit = POSE_ROUNDING * from.translation.abs().max(to.translation.abs()).max_element();
+    let way = (to.translation - from.translation).length();
+    let places = if unit > 0.0 { way / unit } else { f64::INFINITY };
+    let turn = (to.rotation.quaternion() - from.rotation.quaternion()).length();
+    let units = places.max(turn / POSE_ROUNDING);
+    if units > 0.0 {
+        [(after.force - before.force).length() / units, (after.torque - before.torque).length() / units]
+    } else {
+        [0.0; 2]
+    }
+}
+
+fn check_step(h: f64, longest: f64, t: f64) -> Result<(), SimulationError> {
+    let smallest_s = SMALLEST_STEP_RELATIVE * longest;
+    if h > smallest_s { Ok(()) } else { Err(SimulationError::StepTooSmall { t, smallest_s }) }
+}

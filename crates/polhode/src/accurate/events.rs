@@ -1,0 +1,468 @@
+//! The instant of an event: whom it concerns, their states at that time, and how they go on.
+//!
+//! An event concerns the bodies it was found for and, from there, every body that moves or rests with one concerned (held
+//! contacts, forces that couple) or touches it at that time. Their islands end, at the states of that time; what happens is
+//! resolved (`resolve.rs`); and islands are formed anew of what holds then. All other bodies go on as if nothing had been.
+
+use super::agenda::Due;
+use super::engine::{Engine, Mode};
+use super::free_stepping::{FreeStep, free_end};
+use super::impact_search::Search;
+use super::instant::Instant;
+use super::island::{Island, Step};
+use super::pace::{NoAdvance, Pace, StepEnd};
+use crate::SimulationError;
+use crate::accounting::books::Balance;
+use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::core::Core;
+use crate::interaction::groups::coupled_groups;
+use polhode_contact::aabb_of;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What is counted where time steps stand in.
+const UNSOLVED: &str = "contact forces were not found: time steps carry the bodies on";
+
+impl Engine {
+    /// Resolves the event at `t` that was found for these bodies.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved, or time no longer advances.
+    pub(super) fn resolve_event(
+        &mut self,
+        core: &mut Core,
+        t: f64,
+        found_for: &[usize],
+    ) -> Result<(), SimulationError> {
+        let concerned = self.concerned(core, t, found_for)?;
+        let mut instant = self.end_islands(core, t, concerned)?;
+        if let Some(crowd) = self.stretch_of(&instant) {
+            for &body in &instant.bodies {
+                self.scratch[body] = self.states[body];
+            }
+            return self.crowd_step(core, instant, crowd);
+        }
+        match self.note_events(core, &instant, found_for)? {
+            Some(stuck) => {
+                for &body in &instant.bodies {
+                    self.scratch[body] = self.states[body];
+                }
+                self.begin_stretch(core, instant, stuck)
+            }
+            None => match self.resolve(core, &mut instant) {
+                Ok(()) => self.go_on(core, instant),
+                Err(error) => self.stretch_instead(core, instant, error),
+            },
+        }
+    }
+
+    /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
+    pub(super) fn stretch_instead(
+        &mut self,
+        core: &mut Core,
+        instant: Instant,
+        error: SimulationError,
+    ) -> Result<(), SimulationError> {
+        if !(matches!(error, SimulationError::ContactSolve { .. }) && core.settings.crowding.steps()) {
+            return Err(error);
+        }
+        core.accounts.tolerate(instant.t, UNSOLVED);
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
+    }
+
+    /// The forces of an island's contacts, or a step with them, cannot be found: time steps carry it on from `t`.
+    ///
+    /// # Errors
+    /// When a time step is not possible.
+    pub(super) fn stretch_of_island(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let instant = self.end_islands(core, t, bodies)?;
+        for &body in &instant.bodies {
+            self.scratch[body] = self.states[body];
+        }
+        core.accounts.tolerate(t, UNSOLVED);
+        self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
+    }
+
+    /// Movable bodies that an event at `t` concerns, ascending.
+    pub(super) fn concerned(
+        &mut self,
+        core: &Core,
+        t: f64,
+        found_for: &[usize],
+    ) -> Result<Vec<usize>, SimulationError> {
+        let mut concerned = BTreeSet::new();
+        let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.world.bodies[b].moves()).collect();
+        while let Some(body) = open.pop() {
+            if !concerned.insert(body) {
+                continue;
+            }
+            if let Some(island) = self.island_of(body) {
+                open.extend(island.bodies.iter().copied());
+            }
+            for together in core.world.couplings_of(body) {
+                open.extend(together.iter().copied());
+            }
+            let mut partners: Vec<usize> = self.near.partners(body).to_vec();
+            partners.extend(self.contacts.partners(body));
+            partners.sort_unstable();
+            partners.dedup();
+            for other in partners {
+                if !core.world.bodies[other].moves() || concerned.contains(&other) {
+                    continue;
+                }
+                let pair = (body.min(other), body.max(other));
+                if self.contacts.are_held(pair) || self.touch_at(core, pair, t)? {
+                    open.push(other);
+                }
+            }
+        }
+        Ok(concerned.into_iter().collect())
+    }
+
+    /// Whether two bodies touch at `t`.
+    pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
+        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(false) };
+        let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
+        let mut states = std::mem::take(&mut self.scratch);
+        (states[a], states[b]) = (state_a, state_b);
+        let reach = core.world.touch_distance(&states, a, b);
+        let boxes = aabb_of(shape_a, &state_a.pose).and_then(|aabb| aabb.inflated(reach));
+        // What cannot be bounded may be anywhere.
+        let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
+        let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
+        self.restore_scratch(core, states, &[a, b]);
+        Ok(touch)
+    }
+
+    /// Ends the islands of these bodies at `t`: their states are those of that time, and what went on is booked.
+    pub(super) fn end_islands(
+        &mut self,
+        core: &mut Core,
+        t: f64,
+        bodies: Vec<usize>,
+    ) -> Result<Instant, SimulationError> {
+        core.world.prescribe(t, &mut self.states);
+        let mut departing = BTreeSet::new();
+        let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
+        let mut ended = Vec::with_capacity(firsts.len());
+        for first in firsts {
+            let Some(mut island) = self.remove_island(first) else { continue };
+            // Contacts depart at the time that was found for them, not at an earlier event.
+            if island.changes && island.due <= t {
+                departing.extend(island.departing.iter().copied());
+            }
+            let balance = self.end_motion(core, &mut island, t)?;
+            ended.push((island, balance));
+        }
+        for &body in &bodies {
+            self.tracks[body].island = None;
+            if let Mode::Flight(flight) = &self.tracks[body].mode {
+                self.states[body] = flight.state(t);
+            }
+            self.book_rest(core, body, t);
+        }
+        // Now that all have come to `t`, none is pushed into another.
+        for (island, balance) in ended {
+            self.finish_step(core, &island, balance, t)?;
+        }
+        let mut pairs = BTreeSet::new();
+        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
+        for &body in &bodies {
+            let partners = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
+            pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
+        }
+        let known = pairs.iter().flat_map(|&pair| self.contacts.of_pair(pair)).copied();
+        let touches = known.filter_map(|touch| {
+            let kinematics = core.world.kinematics(&self.states, touch.id)?;
+            Some(Touch { kinematics, ..touch })
+        });
+        Ok(Instant {
+            t,
+            touches: touches.collect(),
+            pairs: pairs.into_iter().collect(),
+            departing,
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+            speed_scale: bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most)),
+            bodies,
+        })
+    }
+
+    /// Brings the bodies of an island to `t`, within its step or at its end; the smooth stage that ends there is booked.
+    /// The balance of its bodies there; none where time steps have moved them.
+    fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<Option<Balance>, SimulationError> {
+        let (states, received) = match &mut island.step {
+            Step::Constrained(step) => {
+                let end = self.constrained_end(core, step, t)?;
+                (end.states, end.received)
+            }
+            Step::Free(step) => {
+                let about = core.accounts.books.ledger.momentum.about;
+                free_end(&core.world, step, &island.bodies, &self.states, about, t)?
+            }
+            Step::Crowd(step) => {
+                let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                for (&body, state) in island.bodies.iter().zip(states) {
+                    self.states[body] = state;
+                }
+                core.accounts.note_time_step(&core.world, &self.states, &report);
+                return Ok(None);
+            }
+            Step::Waiting(_) => return Ok(None),
+        };
+        let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        for (&body, mut state) in island.bodies.iter().zip(states) {
+            core.world.keep_in_plane(body, &mut state);
+            self.states[body] = state;
+        }
+        let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        core.accounts.books.smooth_stage(before, integrated, received);
+        Ok(Some(integrated))
+    }
+
+    /// Puts together what an island holds, after its motion has ended at `t` (s), and checks its bodies.
+    fn finish_step(
+        &mut self,
+        core: &mut Core,
+        island: &Island,
+        ended: Option<Balance>,
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if let Some(balance) = ended {
+            self.put_together(core, &island.bodies, (&island.held, &island.held), t, balance)?;
+        }
+        self.check(core, &island.bodies, &island.held, t)
+    }
+
+    /// Checks that the bodies of an island are finite, and measures penetration and speed.
+    fn check(&mut self, core: &mut Core, bodies: &[usize], held: &[ContactId], t: f64) -> Result<(), SimulationError> {
+        for &body in bodies {
+            if !self.states[body].is_finite() {
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+            }
+            self.tracks[body].speed_scale = self.tracks[body].speed_scale.max(self.speed(core, body));
+        }
+        // The separation of a contact point measures penetration only while the point lies on its features, as that of
+        // held contacts does; others are measured when they are detected.
+        for &id in held {
+            if let Some(kinematics) = core.world.kinematics(&self.states, id) {
+                core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
+            }
+        }
+        Ok(())
+    }
+
+    /// Counts an event for all bodies it concerns; whether time no longer advances.
+    fn note_events(
+        &mut self,
+        core: &mut Core,
+        instant: &Instant,
+        found_for: &[usize],
+    ) -> Result<Option<NoAdvance>, SimulationError> {
+        let longest = core.settings.step_s;
+        let moving = instant.bodies.iter().copied().filter(|&body| !matches!(self.tracks[body].mode, Mode::Rest));
+        let moving: Vec<usize> = moving.collect();
+        let mut pace = self.pace_of(core, &moving);
+        let end = match found_for {
+            &[a, b] if core.world.scene.pair_material(a, b).restitution() >= 1.0 => StepEnd::AtElasticImpact,
+            _ => StepEnd::AtEvent,
+        };
+        let advance = pace.note_end(instant.t, end, longest);
+        if pace.begins_to_back_off() {
+            let what = "events undo each other at one instant: what is still wrong is tolerated for a moment";
+            core.accounts.warn_of_tolerated(instant.t, what);
+        }
+        for &body in &instant.bodies {
+            self.tracks[body].pace = pace;
+        }
+        let limit = core.settings.max_events_per_step;
+        if pace.events() > limit {
+            return Err(SimulationError::TooManyEvents { limit, t: instant.t });
+        }
+        Ok(advance.err())
+    }
+
+    /// Lets the bodies of a resolved instant go on.
+    pub(super) fn go_on(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
+        let (t, bodies) = (instant.t, instant.bodies.clone());
+        let firsts = self.form_islands(core, instant)?;
+        self.look_ahead(core, &bodies, &firsts, t)
+    }
+
+    /// Keeps the contacts of a resolved instant and forms the islands of its bodies; their first bodies.
+    pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
+        let Instant { t, bodies, pairs, touches, speed_scale, .. } = instant;
+        for pair in pairs {
+            self.contacts.set(pair, Vec::new());
+        }
+        for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
+            self.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+        }
+        for &body in &bodies {
+            self.scratch[body] = self.states[body];
+            self.tracks[body].speed_scale = speed_scale.max(self.speed(core, body));
+            if !self.states[body].is_finite() {
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+            }
+        }
+        let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {
+            bodies.iter().copied().filter(|&body| mode(&self.tracks[body].mode)).collect()
+        };
+        let (constrained, stepped) = (is(|m| matches!(m, Mode::Constrained)), is(|m| matches!(m, Mode::Stepped)));
+        let moved = |body: usize| constrained.binary_search(&body).is_ok();
+        let held = touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
+        let held = held.filter(|(_, touch)| moved(touch.id.a) || moved(touch.id.b));
+        let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        let mut firsts = Vec::new();
+        for group in coupled_groups(&core.world, held, &constrained) {
+            let ids = group.contacts.iter().map(|&i| touches[i].id).collect();
+            firsts.extend(self.begin_island(core, group.bodies, ids, t)?);
+        }
+        for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
+            firsts.extend(self.begin_island(core, group.bodies, Vec::new(), t)?);
+        }
+        Ok(firsts)
+    }
+
+    /// Makes an island and its first step; its first body.
+    fn begin_island(
+        &mut self,
+        core: &mut Core,
+        bodies: Vec<usize>,
+        held: Vec<ContactId>,
+        t: f64,
+    ) -> Result<Option<usize>, SimulationError> {
+        let pace = self.pace_of(core, &bodies);
+        for &body in &bodies {
+            self.tracks[body].pace = pace;
+        }
+        let step = self.first_step(core, &bodies, &held, t)?;
+        Ok(self.insert_island(Island::beginning(bodies, held, t, step)))
+    }
+
+    /// The first step of an island.
+    fn first_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        t: f64,
+    ) -> Result<Step, SimulationError> {
+        if core.is_end_of_run(t) && !self.goes_on {
+            return Ok(Step::Waiting(t));
+        }
+        if bodies.iter().all(|&body| matches!(self.tracks[body].mode, Mode::Stepped)) {
+            let first = FreeStep::first(core, bodies, &self.states, t);
+            return self.free_or_constrained(core, bodies, t, first);
+        }
+        match self.constrained_step(core, bodies, held, t) {
+            // The place of a contact turns or jumps faster than any step can follow.
+            Err(SimulationError::StepTooSmall { .. }) if !held.is_empty() && core.settings.crowding.steps() => {
+                Ok(Step::Waiting(t))
+            }
+            step => step.map(Step::Constrained),
+        }
+    }
+
+    /// Lets the islands that wait at the end of the run go on.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn go_on_after_the_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        self.goes_on = true;
+        for first in self.waiting_islands() {
+            let Some(island) = self.take_island(first) else { continue };
+            let (bodies, t) = (island.bodies.clone(), island.t);
+            core.world.prescribe(t, &mut self.states);
+            let step = self.first_step(core, &bodies, &island.held, t)?;
+            self.insert_island(Island { step, ..island });
+            self.look_ahead(core, &bodies, &[first], t)?;
+        }
+        Ok(())
+    }
+
+    /// The step of an island that no event has met ends at `t`, and the next one begins.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let Some(mut island) = self.remove_island(first) else { return Ok(()) };
+        core.world.prescribe(t, &mut self.states);
+        let balance = self.end_motion(core, &mut island, t)?;
+        self.finish_step(core, &island, balance, t)?;
+        let Island { bodies, held, step, .. } = island;
+        let mut pace = self.pace_of(core, &bodies);
+        let longest = core.settings.step_s;
+        let mut advance = pace.note_end(t, StepEnd::AsPlanned, longest);
+        if !held.is_empty() {
+            advance = advance.and(pace.note_mean_step(t, longest));
+        }
+        for &body in &bodies {
+            self.tracks[body].pace = pace;
+            self.scratch[body] = self.states[body];
+        }
+        if let Err(stuck) = advance {
+            let instant = self.end_islands(core, t, bodies)?;
+            return self.begin_stretch(core, instant, stuck);
+        }
+        let step = match step {
+            Step::Free(step) if !core.is_end_of_run(t) => {
+                let next = step.next(core);
+                self.free_or_constrained(core, &bodies, t, next)?
+            }
+            _ => self.first_step(core, &bodies, &held, t)?,
+        };
+        let of_island = bodies.clone();
+        let island = Island::beginning(bodies, held, t, step);
+        let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
+        self.look_ahead(core, &of_island, &firsts, t)
+    }
+
+    /// Finds what will happen to these bodies, of which these islands consist, after `t`.
+    pub(super) fn look_ahead(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        firsts: &[usize],
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if bodies.iter().any(|&body| matches!(self.tracks[body].mode, Mode::Flight(_))) {
+            self.begin_flight_boxes(core, t);
+        }
+        self.renew_boxes(core, bodies, t)?;
+        for &first in firsts {
+            let Some(mut island) = self.take_island(first) else { continue };
+            island.due = island.end();
+            if let Step::Waiting(_) = island.step {
+                // Before the end of the run none was found: time steps carry it on.
+                island.is_unsolved = self.goes_on || !core.is_end_of_run(t);
+                island.due = if island.is_unsolved { t } else { f64::INFINITY };
+            }
+            if let Step::Constrained(step) = &island.step {
+                let pace = self.pace_of(core, &island.bodies);
+                match self.locate_contact_change(core, step, step.end, &pace) {
+                    Ok(Some(change)) => {
+                        (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                    }
+                    Ok(None) => {}
+                    Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {
+                        (island.due, island.is_unsolved) = (t, true);
+                    }
+                    Err(error) => return Err(error),
+                }
+            }
+            self.agenda.add(island.due, Due::Island(first));
+            self.insert_island(island);
+        }
+        self.search_pairs(core, bodies, t, Search::All)
+    }
+
+    /// The pace of the slowest of some bodies; of immovable ones there is none.
+    pub(super) fn pace_of(&self, core: &Core, bodies: &[usize]) -> Pace {
+        let paces = bodies.iter().filter(|&&body| core.world.bodies[body].moves()).map(|&body| self.tracks[body].pace);
+        paces.reduce(Pace::slower).unwrap_or_default()
+    }
+}

@@ -1,0 +1,395 @@
+//! The search for impacts of the pairs of bodies that may meet.
+//!
+//! Every body that may collide has a box around its motion: over the present step of its island, or, in flight or on a
+//! prescribed path, up to the next renewal of all such boxes, which lies on a grid of time that no event shifts. Pairs whose
+//! boxes meet are searched for their impact by conservative advancement on their true motion, and the answer is kept until
+//! the motion of one of them changes. The impact found is never late, but for pairs that touch where the search begins: such
+//! a pair may part and meet again between the times at which the search looks whether it has parted. Pairs held together by
+//! a contact are watched by the location of contact changes; of those that are fast, the parts that are clear of each other
+//! are searched too: between two looks they could go through each other.
+
+use super::agenda::Due;
+use super::engine::{Engine, Mode};
+use super::island::Step;
+use super::locate::PENETRATION_CHECKS;
+use super::near_pairs::Watch;
+use super::penetration::PENETRATION_RELATIVE;
+use crate::SimulationError;
+use crate::collision::boxes::Boxes;
+use crate::core::Core;
+use polhode_contact::{Aabb, ImpactError, ImpactSearch, Shape, separation, time_of_further_impact, time_of_impact};
+use polhode_dynamics::Flight;
+use polhode_spatial::{Motion, Still};
+
+/// How far bodies that are held together may go between two looks at them, relative to the smaller of their sizes, before
+/// their other parts are searched.
+const FAST: f64 = 0.01;
+
+/// How often a search goes on from where its evaluations were used up: a pair that has come to within roundings of touch is
+/// approached by ever smaller steps, and is left by longer ones when a search begins there.
+const SEARCHES_FROM_TOUCH: u32 = 8;
+
+/// Bodies with new boxes from which on the broad phase finds the pairs of all at once.
+const MANY_NEW_BOXES: usize = 32;
+
+/// A pair in order.
+fn ordered(a: usize, b: usize) -> (usize, usize) {
+    (a.min(b), a.max(b))
+}
+
+/// Motion of a body until its step ends.
+pub(super) enum BodyMotion<'a> {
+    /// In flight.
+    Flight(&'a Flight),
+    /// Over a step of its island, or as prescribed.
+    Within(&'a dyn Motion),
+    /// At rest.
+    Still(Still),
+}
+
+impl BodyMotion<'_> {
+    pub(super) fn get(&self) -> &dyn Motion {
+        match self {
+            Self::Flight(flight) => *flight,
+            Self::Within(motion) => *motion,
+            Self::Still(still) => still,
+        }
+    }
+}
+
+impl Engine {
+    /// Motion of a body.
+    pub(super) fn motion<'a>(&'a self, core: &'a Core, body: usize) -> BodyMotion<'a> {
+        let still = || BodyMotion::Still(Still(self.states[body].pose));
+        match &self.tracks[body].mode {
+            Mode::Fixed | Mode::Rest => still(),
+            Mode::Prescribed => {
+                core.world.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
+            }
+            Mode::Flight(flight) => BodyMotion::Flight(flight),
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => match self.island_of(body).map(|own| &own.step) {
+                Some(Step::Constrained(step)) => {
+                    step.motion(body).map_or_else(still, |motion| BodyMotion::Within(motion))
+                }
+                Some(Step::Free(step)) => {
+                    step.body_motion(body).map_or_else(still, |motion| BodyMotion::Within(motion))
+                }
+                Some(Step::Crowd(step)) => {
+                    let place = self.island_of(body).and_then(|own| own.bodies.binary_search(&body).ok());
+                    place.and_then(|place| step.way(place)).map_or_else(still, |way| BodyMotion::Within(way))
+                }
+                Some(Step::Waiting(_)) | None => still(),
+            },
+        }
+    }
+
+    /// When the motion of a body that is known now ends, s.
+    fn known_until(&self, body: usize) -> f64 {
+        match &self.tracks[body].mode {
+            Mode::Fixed | Mode::Rest => f64::INFINITY,
+            Mode::Flight(_) | Mode::Prescribed => self.near.flight_end,
+            Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
+                self.island_of(body).map_or(f64::INFINITY, |island| island.due)
+            }
+        }
+    }
+
+    /// The first time on the grid of the flights' boxes at least half a step after `t`, s: a search over a shorter time would
+    /// soon be made again.
+    fn next_flight_end(core: &Core, t: f64) -> f64 {
+        let step = core.settings.step_s;
+        let next = ((t / step + 0.5).floor() + 1.0) * step;
+        // The quotient may round to the cell below.
+        if next > t { next } else { next + step }
+    }
+
+    /// Until when the boxes of kinematic bodies hold, s; infinite where there are none.
+    pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
+        let bounds = !core.world.prescribed().is_empty() && self.near.flight_end > t;
+        if bounds { self.near.flight_end } else { f64::INFINITY }
+    }
+
+    /// Sees to it that the boxes of flights and of kinematic bodies that begin at `t` have an end.
+    pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
+        if self.near.flight_end <= t && core.world.may_collide_at_all() {
+            self.near.flight_end = Self::next_flight_end(core, t);
+            self.agenda.add(self.near.flight_end, Due::FlightBoxes);
+        }
+    }
+
+    /// Renews the boxes of all bodies in flight and of kinematic bodies at `t`, the end of the ones before, and what follows from them.
+    ///
+    /// # Errors
+    /// When a search does not end.
+    pub(super) fn renew_flight_boxes(&mut self, core: &mut Core, t: f64) -> Result<(), SimulationError> {
+        let flies = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Flight(_) | Mode::Prescribed);
+        let collides = |body: usize| core.world.bodies[body].shape.is_some();
+        let flying: Vec<usize> = (0..self.tracks.len()).filter(|&body| collides(body) && flies(self, body)).collect();
+        if flying.is_empty() {
+            // The next flight that begins sets an end anew.
+            self.near.flight_end = f64::NEG_INFINITY;
+            return Ok(());
+        }
+        self.near.flight_end = Self::next_flight_end(core, t);
+        self.agenda.add(self.near.flight_end, Due::FlightBoxes);
+        self.renew_boxes(core, &flying, t)?;
+        self.search_pairs(core, &flying, t, Search::Ended)
+    }
+
+    /// Sets new boxes of these bodies, whose motions are known from `t` on, and finds the pairs that they make.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(super) fn renew_boxes(&mut self, core: &Core, bodies: &[usize], t: f64) -> Result<(), SimulationError> {
+        if !core.world.may_collide_at_all() {
+            return Ok(());
+        }
+        let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
+        // The boxes of a crowd are those that it was gathered with.
+        for &body in bodies.iter().filter(|&&body| !matches!(self.tracks[body].mode, Mode::Crowded(_))) {
+            let interval = match &self.tracks[body].mode {
+                Mode::Fixed | Mode::Rest => (t, t),
+                Mode::Flight(_) | Mode::Prescribed => (t, self.near.flight_end),
+                Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
+                    self.island_of(body).map_or((t, t), |own| (own.t, own.end()))
+                }
+            };
+            let margin = core.world.touch_distance(&self.states, body, body);
+            near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
+        }
+        // Each with its partner; those of one body ascending.
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        let moves = |body: usize| !matches!(self.tracks[body].mode, Mode::Fixed | Mode::Rest);
+        if bodies.len() < MANY_NEW_BOXES {
+            for &body in bodies {
+                let own = moves(body);
+                near.near(&core.world, body, |other| {
+                    if own || moves(other) {
+                        found.push((body, other));
+                    }
+                });
+            }
+        } else {
+            near.all_pairs(&core.world, |a, b| {
+                if moves(a) || moves(b) {
+                    let both = [(a, b), (b, a)].into_iter();
+                    found.extend(both.filter(|(body, _)| bodies.binary_search(body).is_ok()));
+                }
+            })?;
+        }
+        found.sort_unstable();
+        self.near.boxes = near;
+        for &body in bodies {
+            let start = found.partition_point(|&(first, _)| first < body);
+            let end = found.partition_point(|&(first, _)| first <= body);
+            let own = &found[start..end];
+            // Most of many bodies in flight have no partner, and had none.
+            if !(own.is_empty() && self.near.partners[body].is_empty()) {
+                self.replace_partners(body, own.iter().map(|&(_, other)| other).collect());
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives a body new partners; pairs that are no longer near are forgotten.
+    fn replace_partners(&mut self, body: usize, partners: Vec<usize>) {
+        let before = std::mem::replace(&mut self.near.partners[body], partners);
+        for other in before {
+            if self.near.partners[body].binary_search(&other).is_err() {
+                self.forget_watch(body, other);
+                if let Ok(place) = self.near.partners[other].binary_search(&body) {
+                    self.near.partners[other].remove(place);
+                }
+            }
+        }
+        for k in 0..self.near.partners[body].len() {
+            let other = self.near.partners[body][k];
+            if let Err(place) = self.near.partners[other].binary_search(&body) {
+                self.near.partners[other].insert(place, body);
+            }
+        }
+    }
+
+    /// Takes a body out of all pairs.
+    pub(super) fn remove_from_pairs(&mut self, body: usize) {
+        self.near.boxes.put(body, None);
+        self.replace_partners(body, Vec::new());
+    }
+
+    fn forget_watch(&mut self, a: usize, b: usize) {
+        let pair = ordered(a, b);
+        if let Some(watch) = self.near.watches.remove(&pair) {
+            self.agenda.remove(watch.impact, Due::Impact(pair.0, pair.1));
+        }
+    }
+
+    /// Searches the pairs of these bodies for impacts after `t`.
+    ///
+    /// # Errors
+    /// When a search does not end.
+    pub(super) fn search_pairs(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        t: f64,
+        search: Search,
+    ) -> Result<(), SimulationError> {
+        for &body in bodies {
+            for k in 0..self.near.partners[body].len() {
+                let other = self.near.partners[body][k];
+                // A pair of two of these bodies is searched once.
+                if other < body && bodies.binary_search(&other).is_ok() {
+                    continue;
+                }
+                let (a, b) = ordered(body, other);
+                if search == Search::Ended && self.near.watches.get(&(a, b)).is_some_and(|watch| watch.until > t) {
+                    continue;
+                }
+                self.search_pair(core, a, b, t)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Searches one pair for its impact after `t`.
+    fn search_pair(&mut self, core: &mut Core, a: usize, b: usize, t: f64) -> Result<(), SimulationError> {
+        self.forget_watch(a, b);
+        if self.is_within_crowd(core, a, b) {
+            return Ok(());
+        }
+        let until = self.known_until(a).min(self.known_until(b));
+        if until <= t || !until.is_finite() {
+            return Ok(());
+        }
+        if self.is_still(core, a, (t, until)) && self.is_still(core, b, (t, until)) {
+            self.near.watches.insert((a, b), Watch { until, impact: f64::INFINITY });
+            return Ok(());
+        }
+        let found = self.first_impact(core, (a, b), (t, until))?;
+        let (pace, longest) = (self.pace_of(core, &[a, b]), core.settings.step_s);
+        let impact = match found {
+            Some(found) => {
+                let retry = pace.retry_time(longest).min(until);
+                let is_put_off = pace.is_backing_off() && pace.is_stall(found, longest);
+                if is_put_off && !self.penetrates_at(core, (a, b), retry) {
+                    let names = core.world.pair_names(a, b);
+                    core.accounts.tolerate(found, format!("an impact of {names} was put off for a moment"));
+                    retry
+                } else {
+                    found
+                }
+            }
+            None => f64::INFINITY,
+        };
+        self.near.watches.insert((a, b), Watch { until, impact });
+        self.agenda.add(impact, Due::Impact(a, b));
+        Ok(())
+    }
+
+    /// Whether a pair meets within the time steps of one crowd.
+    fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
+        let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
+        let given = |body: usize| !core.world.bodies[body].moves();
+        match (crowded(a), crowded(b)) {
+            (true, true) => self.tracks[a].island == self.tracks[b].island,
+            (true, false) => given(b),
+            (false, true) => given(a),
+            (false, false) => false,
+        }
+    }
+
+    /// Sets the box of a body.
+    pub(super) fn set_box(&mut self, body: usize, aabb: Option<Aabb>) {
+        self.near.boxes.put(body, aabb);
+    }
+
+    /// Bodies whose boxes meet that of `body` and that may collide with it.
+    pub(super) fn near_boxes(&self, core: &Core, body: usize) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.near.boxes.near(&core.world, body, |other| found.push(other));
+        found
+    }
+
+    /// Whether a body stays where it is over an interval (s).
+    fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
+        match &self.tracks[body].mode {
+            Mode::Fixed | Mode::Rest => true,
+            Mode::Prescribed => core.world.stands_still(body, start, end),
+            Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
+        }
+    }
+
+    /// Whether two bodies that go on as they do now overlap visibly at `t` (s).
+    fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
+        let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
+        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATION_RELATIVE * core.world.pair_size(a, b)
+        })
+    }
+
+    /// The time of the first impact of a pair in `(start, end]`.
+    fn first_impact(
+        &self,
+        core: &Core,
+        (a, b): (usize, usize),
+        (start, end): (f64, f64),
+    ) -> Result<Option<f64>, SimulationError> {
+        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
+        let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
+        let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
+        let is_held = self.are_held(a, b);
+        let search = match is_held {
+            false => time_of_impact,
+            true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
+            true => return Ok(None),
+        };
+        let failed = |source| SimulationError::ImpactSearch {
+            t: start,
+            body_a: core.world.bodies[a].name.clone(),
+            body_b: core.world.bodies[b].name.clone(),
+            source,
+        };
+        let has_parts =
+            [shape_a, shape_b].iter().any(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)));
+        let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
+        loop {
+            match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
+                // Clear up to there, but so near that it takes ever smaller steps: from touch it takes longer ones. Of bodies
+                // of parts only the parts that were searched are clear, and one that is held is searched for all but touch.
+                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
+                    (from, left) = (t, left - 1);
+                }
+                found => return found.map_err(failed),
+            }
+        }
+    }
+
+    /// Whether a contact holds two bodies together.
+    fn are_held(&self, a: usize, b: usize) -> bool {
+        let island = self.island_of(a).or_else(|| self.island_of(b));
+        island.is_some_and(|island| {
+            let first = island.held.partition_point(|id| (id.a, id.b) < (a, b));
+            island.held.get(first).is_some_and(|id| (id.a, id.b) == (a, b))
+        })
+    }
+}
+
+/// Which pairs are searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Search {
+    /// All: the motion of their bodies is new.
+    All,
+    /// Those whose search has come to its end.
+    Ended,
+}
+
+/// Whether two bodies go so far between two of the looks by which their contacts are watched that they could go through
+/// each other.
+fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f64)) -> bool {
+    let speed = bodies.map(|(body, motion)| {
+        let bounds = motion.bounds(start, end);
+        bounds.speed + bounds.angular_speed * core.world.bodies[body].size
+    });
+    let between = (end - start) / f64::from(PENETRATION_CHECKS);
+    (speed[0] + speed[1]) * between > FAST * core.world.pair_size(bodies[0].0, bodies[1].0)
+}

@@ -1,0 +1,260 @@
+//! What the tier does when it is asked to: it advances to a time or to the first event before, and says how the bodies stand
+//! at the present.
+
+use super::engine::{Engine, Mode, Track, book_flight};
+use super::free_stepping::free_end;
+use super::hold::Forces;
+use super::island::{Island, Step};
+use crate::accounting::Accounts;
+use crate::accounting::books::Received;
+use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
+use crate::interaction::assembly::free_acceleration;
+use crate::observer::{BodySample, Observer};
+use crate::snapshot::content;
+use crate::tier::{Reached, Tier};
+use crate::{Acceleration, BodyId, Effects, SimulationError};
+use polhode_dynamics::BodyState;
+use polhode_response::ComplementaritySolver;
+use std::collections::BTreeMap;
+
+/// Samples between two looks of a caller at bodies that all fly in closed form and meet nothing.
+const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
+
+impl Tier for Engine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        if !self.begun {
+            self.looked.forget();
+            self.begin(core)?;
+        }
+        self.refresh_resting_forces(core)?;
+        if core.is_end_of_run(core.t) && limit_s > core.t {
+            self.go_on_after_the_run(core)?;
+        }
+        while let Some((t, due)) = self.agenda.first().filter(|&(t, _)| t <= limit_s) {
+            self.emit_samples(core, t, observer)?;
+            core.t = t;
+            self.agenda.remove(t, due);
+            let reached = self.process(core, t, due)?;
+            if reached == Reached::Event {
+                core.accounts.count_step();
+            }
+            self.observe(core)?;
+            let more = self.agenda.first().is_some_and(|(next, _)| next <= t);
+            // Islands whose steps end together are one step for those who watch.
+            if reached == Reached::Event || (reached == Reached::StepEnd && !more && t < limit_s) {
+                self.set_present(core)?;
+                core.accounts.emit_events(core.t, observer);
+                return Ok(reached);
+            }
+        }
+        self.emit_samples(core, limit_s, observer)?;
+        if self.islands.is_empty() {
+            core.accounts.count_step();
+        }
+        core.t = limit_s;
+        self.set_present(core)?;
+        core.accounts.emit_events(core.t, observer);
+        Ok(Reached::Limit)
+    }
+
+    /// Where no event can come, islands end their own steps, and motion in closed form needs none, but is stopped now and
+    /// then for those who watch it.
+    fn stride(&self, core: &Core) -> f64 {
+        let rests = |track: &Track| matches!(track.mode, Mode::Fixed | Mode::Rest);
+        if core.effects == Effects::All {
+            core.settings.step_s
+        } else if self.tracks.iter().all(rests) {
+            f64::INFINITY
+        } else if !core.world.may_collide_at_all() {
+            core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
+        } else {
+            core.settings.step_s
+        }
+    }
+
+    fn states(&self, core: &Core) -> Vec<BodyState> {
+        if let Some(states) = self.looked.at(core.t) {
+            return states.to_vec();
+        }
+        let mut states = Vec::with_capacity(self.states.len());
+        self.write_flying_states(core, core.t, &mut states);
+        for island in self.islands.values().filter(|island| island.t != core.t) {
+            match &island.step {
+                Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
+                Step::Free(step) => {
+                    for (&body, state) in island.bodies.iter().zip(step.present()) {
+                        states[body] = *state;
+                    }
+                }
+                Step::Crowd(step) => {
+                    for (&body, state) in island.bodies.iter().zip(step.states_at(core.t)) {
+                        states[body] = state;
+                    }
+                }
+                Step::Waiting(_) => {}
+            }
+        }
+        states
+    }
+
+    fn state(&self, core: &Core, body: usize) -> BodyState {
+        self.present_state(core, body)
+    }
+
+    fn sample(&self, core: &Core, body: usize) -> BodySample {
+        self.present_sample(core, body)
+    }
+
+    fn samples(&self, core: &Core) -> Vec<BodySample> {
+        let sample = |(body, state): (usize, &BodyState)| self.sample_in(core, body, state);
+        match self.looked.at(core.t) {
+            Some(states) => states.iter().enumerate().map(sample).collect(),
+            None => self.states(core).iter().enumerate().map(sample).collect(),
+        }
+    }
+
+    fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
+        let (world, t) = (&core.world, core.t);
+        let books = &mut accounts.books;
+        let mut states = self.states.clone();
+        for (body, track) in self.tracks.iter().enumerate() {
+            match &track.mode {
+                Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
+                Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
+                Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
+            }
+        }
+        let crowds: Vec<usize> =
+            self.islands.iter().filter(|(_, own)| own.is_crowd()).map(|(&first, _)| first).collect();
+        for first in crowds {
+            let Some(island) = self.islands.remove(&first) else { continue };
+            if let Step::Crowd(step) = &island.step
+                && island.t != t
+            {
+                let (_, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                books.enter(&report.books);
+            }
+            self.islands.insert(first, island);
+        }
+        let smooth = |island: &&mut Island| island.t != t && !island.is_crowd();
+        for island in self.islands.values_mut().filter(smooth) {
+            let before = books.balance(world, &states, &island.bodies);
+            let received = match &mut island.step {
+                Step::Constrained(step) => {
+                    step.states_at(world, t, &mut states);
+                    step.received_until(t)
+                }
+                Step::Free(step) => {
+                    let about = books.ledger.momentum.about;
+                    let (ends, received) = free_end(world, step, &island.bodies, &states, about, t)?;
+                    for (&body, state) in island.bodies.iter().zip(ends) {
+                        states[body] = state;
+                    }
+                    received
+                }
+                Step::Crowd(_) | Step::Waiting(_) => Received::default(),
+            };
+            let after = books.balance(world, &states, &island.bodies);
+            books.smooth_stage(before, after, received);
+        }
+        Ok(())
+    }
+
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        let states = self.states(core);
+        let world = &core.world;
+        let loads = world.loads(core.t, &states);
+        let mut out: Vec<_> = (0..world.bodies.len())
+            .map(|body| {
+                let (linear, angular) = if world.trajectory(body).is_some() {
+                    world.prescribed_acceleration(body, core.t)
+                } else {
+                    free_acceleration(world, &states, &loads, body)
+                };
+                world.reported_acceleration(body, &states[body], linear, angular)
+            })
+            .collect();
+        for (group, members) in self.present_groups(core, &states) {
+            let forces = Forces::solve(&core.world, core.t, &states, &group, &members, &mut core.solver)
+                .map_err(|source| Core::response_error(core.t, source))?;
+            core.accounts.note_solve(core.t, &forces.solution.report)?;
+            for (body, linear, angular) in forces.accelerations() {
+                out[body] = core.world.reported_acceleration(body, &states[body], linear, angular);
+            }
+        }
+        Ok(out)
+    }
+
+    fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut solver = ComplementaritySolver::default();
+        let mut forces_by_id = BTreeMap::new();
+        for (group, members) in self.present_groups(core, states) {
+            let solved = Forces::solve(&core.world, t, states, &group, &members, &mut solver);
+            let forces = solved.map_or_else(|_| vec![f64::NAN; members.len()], |solved| solved.solution.forces);
+            forces_by_id.extend(members.iter().map(|touch| touch.id).zip(forces));
+        }
+        let mut views = Vec::new();
+        for touch in self.present_contacts(core, states) {
+            let (id, geometry) = (touch.id, touch.kinematics.geometry);
+            let force = forces_by_id.get(&id).copied();
+            // A contact that has opened since its bodies were last looked at touches no more.
+            if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
+                continue;
+            }
+            core.world.view_contact(states, &touch, force.unwrap_or(0.0), &mut views);
+        }
+        views
+    }
+
+    fn pivots(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
+        self.pivot_views(core, t, states)
+    }
+
+    fn motions(&self, core: &Core) -> Vec<MotionKind> {
+        self.present_motions(core)
+    }
+
+    fn islands(&self, core: &Core) -> Vec<IslandView> {
+        let ids = |bodies: Vec<usize>| bodies.into_iter().map(BodyId::new).collect();
+        self.present_islands(core).into_iter().map(|bodies| IslandView { bodies: ids(bodies) }).collect()
+    }
+
+    fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
+        self.looked.forget();
+        self.interrupt_bodies(core, bodies)
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        self.looked.forget();
+        &mut self.states
+    }
+
+    fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
+        self.looked.forget();
+        self.resume_bodies(core, moved)
+    }
+
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.looked.forget();
+        self.make_room(core, state);
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.looked.forget();
+        self.forget_body(body);
+    }
+
+    fn touching_pairs(&self) -> usize {
+        self.contacts.pairs()
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Accurate(self.saved())
+    }
+}
