@@ -1,5 +1,5 @@
 //! A step of ten thousand free bodies, polhode beside rapier3d-f64 in one run, one after the other in turns:
-//! `cargo bench -p polhode --bench step_beside_rapier`.
+//! `cargo bench --manifest-path peers/Cargo.toml --bench step`.
 //!
 //! Both step by 1/60 s for one second, from the same start and under gravity; every body is asymmetric and tumbles. Printed are
 //! the least and the median time of a step over [`ROUNDS`] turns, and the ratios to rapier with one substep.

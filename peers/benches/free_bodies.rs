@@ -1,4 +1,4 @@
-//! Ten thousand free bodies: polhode beside rapier3d-f64, in one run. `cargo bench -p polhode --bench free_bodies`.
+//! Ten thousand free bodies: polhode beside rapier3d-f64, in one run. `cargo bench --manifest-path peers/Cargo.toml --bench free_bodies`.
 //!
 //! | name | what one step of 1/60 s is |
 //! |---|---|

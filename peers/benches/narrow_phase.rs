@@ -1,5 +1,5 @@
 //! Broad and narrow phase against rapier3d-f64's, in one run, on the same shapes, poses and reach.
-//! `cargo bench -p polhode-contact --bench peers`.
+//! `cargo bench --manifest-path peers/Cargo.toml --bench narrow_phase`.
 //!
 //! Every scene is a pile that rapier's own solver has settled (so that it is rapier that chose where the bodies lie). From
 //! there every body walks at random by the stated step (m, and rad per metre of size) for [`FRAMES`] frames, which are then
