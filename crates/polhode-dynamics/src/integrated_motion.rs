@@ -22,7 +22,7 @@
 //! The bounds are infinite when the interval leaves the step by more than [`OVERHANG`] of it, or when the quaternion
 //! may pass through zero within it, which no accepted step comes near.
 
-use crate::dense_step::{self, COEFFICIENTS, expand, fraction};
+use crate::dense_polynomial::{self, COEFFICIENTS, expand, fraction};
 use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
 use crate::{BodyState, RigidBody};
 use glam::{DQuat, DVec3};
@@ -70,7 +70,7 @@ impl IntegratedMotion {
     /// State at `t` (s), with the quaternion normalised.
     pub fn state(&self, t: f64) -> BodyState {
         let x = fraction(self.t0, self.h, t);
-        BodyState::from_array(&self.components.map(|f| dense_step::evaluate(&f, x)))
+        BodyState::from_array(&self.components.map(|f| dense_polynomial::evaluate(&f, x)))
     }
 
     /// Rate of change of the pose at `t` (s): what the interpolated position and attitude really do.

@@ -42,6 +42,7 @@
 //! ```
 
 pub mod carlson;
+mod dense_polynomial;
 pub mod dense_step;
 pub mod dop853;
 mod dop853_coefficients;

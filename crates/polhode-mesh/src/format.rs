@@ -1,70 +1,14 @@
 //! Formats of mesh files: which one a file is in, and reading and writing any of them.
 
+pub use crate::mesh_format::{Encoding, MeshFormat};
+pub use crate::write_error::WriteError;
+
 use crate::read_error::{Place, ReadError, ReadErrorKind};
 use crate::triangle_mesh::TriangleMesh;
 use crate::words::{Joining, Words};
 use crate::{obj, off, ply, stl};
-use glam::DVec3;
-use std::fmt;
-use std::path::Path;
-use thiserror::Error;
-
-/// A format of mesh files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum MeshFormat {
-    /// Wavefront OBJ: [`obj`](mod@crate::obj).
-    Obj,
-    /// STL, text or binary: [`stl`](mod@crate::stl).
-    Stl,
-    /// OFF: [`off`](mod@crate::off).
-    Off,
-    /// PLY, text or binary: [`ply`](mod@crate::ply).
-    Ply,
-}
-
-/// How a file is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Encoding {
-    /// Decimal numbers that read back as the same bits.
-    Text,
-    /// Bytes; of STL f32, of PLY f64. OBJ and OFF have none.
-    Binary,
-}
-
-/// Why a mesh cannot be written.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[non_exhaustive]
-pub enum WriteError {
-    /// A coordinate is too large for f32, which binary STL has.
-    #[error(
-        "vertex {vertex} is ({}, {}, {}), which f32 cannot hold: write STL as text, or another format",
-        .position.x, .position.y, .position.z
-    )]
-    BeyondF32 {
-        /// The vertex.
-        vertex: u32,
-        /// Its position, m.
-        position: DVec3,
-    },
-    /// The format is text.
-    #[error("{0} has no binary encoding: write text")]
-    NoBinary(MeshFormat),
-}
 
 impl MeshFormat {
-    /// All formats.
-    pub const ALL: [Self; 4] = [Self::Obj, Self::Stl, Self::Off, Self::Ply];
-
-    /// Their names in a sentence.
-    pub const LIST: &str = "OBJ, STL, OFF, PLY";
-
-    /// By the ending of a file's name, in either case.
-    pub fn of_path(path: &Path) -> Option<Self> {
-        let ending = path.extension()?;
-        Self::ALL.into_iter().find(|format| ending.eq_ignore_ascii_case(format.ending()))
-    }
-
     /// By what a file holds: `ply` in its first line, a header of OFF, the length of a binary STL or `solid`, or a
     /// statement of OBJ as the first.
     ///
@@ -85,36 +29,6 @@ impl MeshFormat {
             return Some(Self::Off);
         }
         (word == b"v" || word == b"f" || obj::IGNORED.contains(&word)).then_some(Self::Obj)
-    }
-
-    /// The ending of file names, without the dot.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Stl => "stl",
-            Self::Off => "off",
-            Self::Ply => "ply",
-        }
-    }
-
-    /// The encoding that keeps every bit of a mesh in the least room: binary for PLY, text for the others (binary STL
-    /// is f32).
-    pub const fn exact_encoding(self) -> Encoding {
-        match self {
-            Self::Ply => Encoding::Binary,
-            Self::Obj | Self::Stl | Self::Off => Encoding::Text,
-        }
-    }
-}
-
-impl fmt::Display for MeshFormat {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Obj => "OBJ",
-            Self::Stl => "STL",
-            Self::Off => "OFF",
-            Self::Ply => "PLY",
-        })
     }
 }
 

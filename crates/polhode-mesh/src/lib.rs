@@ -68,7 +68,11 @@ pub mod weld;
 pub mod winding_number;
 
 mod decimal;
+mod defect;
+mod mend;
 mod mesh_builder;
+mod mesh_error;
+mod mesh_format;
 mod moment_sums;
 mod nesting;
 mod polygon;
@@ -77,6 +81,7 @@ mod random;
 mod topology;
 mod triangle_tree;
 mod words;
+mod write_error;
 
 pub use convex_hull::{ConvexHull, HullError};
 pub use convex_solid::{ConvexSolid, NotConvexError};

@@ -1,6 +1,6 @@
 //! What can be wrong with a mesh file, and where.
 
-use crate::format::MeshFormat;
+use crate::mesh_format::MeshFormat;
 use crate::triangle_mesh::MeshError;
 use std::fmt;
 use thiserror::Error;

@@ -18,30 +18,15 @@
 mod degenerate;
 mod holes;
 mod orientation;
+mod report;
+
+pub use crate::mend::Repair;
+pub use report::{RepairReport, RepairStep};
 
 use crate::diagnosis::{DefectKind, Diagnosis, diagnose};
 use crate::solid_mesh::SolidMesh;
 use crate::triangle_mesh::{MeshError, TriangleMesh};
 use crate::weld::weld;
-use std::fmt;
-
-/// A mend.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Repair {
-    /// Merge vertices at the same place.
-    Weld,
-    /// Drop triangles that repeat an earlier one.
-    DropDuplicates,
-    /// Drop triangles without area, or swap their longest edge.
-    DropDegenerate,
-    /// Turn triangles round.
-    Flip,
-    /// Close holes.
-    FillHoles,
-    /// Drop vertices that no triangle uses.
-    DropUnused,
-}
 
 /// How far repair goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,75 +42,6 @@ pub struct RepairOptions {
 impl Default for RepairOptions {
     fn default() -> Self {
         Self { weld_tolerance: 0.0, largest_hole: 0.25 }
-    }
-}
-
-/// What one repair did.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RepairStep {
-    /// Which.
-    pub repair: Repair,
-    /// Vertices merged or dropped, triangles dropped, swapped or turned, holes filled.
-    pub count: usize,
-    /// Triangles added less triangles dropped.
-    pub triangles: isize,
-}
-
-/// What repair did and what is left.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RepairReport {
-    /// The repairs that changed something, in order.
-    pub steps: Vec<RepairStep>,
-    /// The defects before.
-    pub before: Diagnosis,
-    /// The defects left; those that [prevent](DefectKind::prevents_solid) a solid could not be mended.
-    pub after: Diagnosis,
-    /// Volume before, m^3, when the mesh bounded a solid.
-    pub volume_before: Option<f64>,
-    /// Volume after, m^3, when it does now.
-    pub volume_after: Option<f64>,
-}
-
-impl Repair {
-    /// A name for files and programs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Weld => "weld",
-            Self::DropDuplicates => "drop_duplicates",
-            Self::DropDegenerate => "drop_degenerate",
-            Self::Flip => "flip",
-            Self::FillHoles => "fill_holes",
-            Self::DropUnused => "drop_unused",
-        }
-    }
-
-    /// What was done how often, in a sentence.
-    const fn words(self) -> &'static str {
-        match self {
-            Self::Weld => "vertices merged with earlier ones",
-            Self::DropDuplicates => "repeated triangles dropped",
-            Self::DropDegenerate => "degenerate triangles dropped or swapped",
-            Self::Flip => "triangles turned round",
-            Self::FillHoles => "holes filled",
-            Self::DropUnused => "unused vertices dropped",
-        }
-    }
-}
-
-impl fmt::Display for Repair {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl fmt::Display for RepairStep {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {} {}", self.repair, self.count, self.repair.words())?;
-        match self.triangles {
-            0 => Ok(()),
-            added @ 1.. => write!(f, " ({added} triangles added)"),
-            dropped => write!(f, " ({} triangles fewer)", dropped.unsigned_abs()),
-        }
     }
 }
 

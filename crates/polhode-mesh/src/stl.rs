@@ -11,12 +11,12 @@
 //! Source: docs/REFERENCES.md, Burns 1993.
 
 mod binary;
+mod normal;
 mod text;
 
 use crate::read_error::ReadError;
 use crate::triangle_mesh::TriangleMesh;
 pub use binary::write as write_binary;
-use glam::DVec3;
 pub use text::write as write_text;
 
 /// Bytes in which a zero says that a file beginning with `solid` is binary.
@@ -48,9 +48,4 @@ fn begins_as_text(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(LOOKED_AT)];
     let start = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
     start.len() >= 5 && start[..5].eq_ignore_ascii_case(b"solid") && !head.contains(&0)
-}
-
-/// Unit normal of a triangle, 0 for one without area.
-fn unit_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
-    (b - a).cross(c - a).normalize_or_zero()
 }

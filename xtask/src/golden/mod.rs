@@ -4,49 +4,27 @@
 //! the final energies, the number of events of each kind, and a strict hash of all bits of all samples and events.
 //! Numbers are compared within the tolerance that stands, with its reason, in the description of the snapshot; the
 //! hash is compared exactly, so that a change of a single bit shows.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `trajectory` | a run as readable text |
+//! | `comparator` | two texts compared number by number |
+//! | `environment` | what insta is told by its environment |
 
 mod comparator;
+mod environment;
 mod trajectory;
+
+pub(crate) use environment::{in_snapshot_environment, without_snapshot_environment};
 
 use crate::cases::{CaseResult, Context, Run, guarded, strict_hash};
 use crate::row::{Row, Tolerance};
-use comparator::{Comparison, ToleranceComparator};
+use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
+use environment::ENVIRONMENT;
 use polhode::Effects;
 use std::error::Error;
 use std::path::Path;
-use std::process::{Command, ExitCode};
-
-/// What insta is told by its environment: never to stop the run, never to print, and when to write.
-const ENVIRONMENT: [&str; 3] = ["INSTA_UPDATE", "INSTA_FORCE_PASS", "INSTA_OUTPUT"];
-
-/// Tolerance and reason of a new snapshot; those of an old one are kept.
-const DEFAULT_DESCRIPTION: &str = "tolerance 1e-9 of max(1, |number|): a change of the order of operations moves the \
-last digits, and impacts and falls amplify that; anything larger is a change of the method";
-
-/// Runs this program again with the environment that insta needs, unless it is there already; returns the exit code
-/// of that run.
-///
-/// # Errors
-/// When the program cannot be started.
-pub(crate) fn in_snapshot_environment(bless: bool) -> Result<Option<ExitCode>, Box<dyn Error>> {
-    let values = [if bless { "force" } else { "no" }, "1", "none"];
-    if ENVIRONMENT.iter().zip(values).all(|(name, value)| std::env::var(name).is_ok_and(|found| found == value)) {
-        return Ok(None);
-    }
-    let status = Command::new(std::env::current_exe()?)
-        .args(std::env::args_os().skip(1))
-        .envs(ENVIRONMENT.into_iter().zip(values))
-        .status()?;
-    let code = status.code().and_then(|code| u8::try_from(code).ok());
-    Ok(Some(code.map_or(ExitCode::FAILURE, ExitCode::from)))
-}
-
-/// Takes insta's environment away from a child, whose own snapshots are its own business.
-pub(crate) fn without_snapshot_environment(command: &mut Command) {
-    for name in ENVIRONMENT {
-        command.env_remove(name);
-    }
-}
+use trajectory::hash_words;
 
 /// Name of the case for a scene.
 pub(crate) fn case_name(scene: &str) -> String {
@@ -113,8 +91,4 @@ fn snapshot(folder: &Path, scene: &str, text: &str) -> Result<Option<Comparison>
     settings.bind(|| insta::assert_snapshot!(scene, text));
     let found = result.lock().map_err(|_| "the comparison of the snapshot broke off")?.take();
     Ok(found)
-}
-
-fn hash_words(hash: u64) -> String {
-    format!("{hash:016x}")
 }

@@ -1,6 +1,5 @@
 //! A run as readable text.
 
-use super::hash_words;
 use crate::cases::Run;
 use polhode::{BodySample, EventKind};
 use std::fmt::Write as _;
@@ -80,6 +79,11 @@ fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let (plain, scientific) = (format!("{rounded}"), format!("{rounded:e}"));
     if plain.len() <= scientific.len() { plain } else { scientific }
+}
+
+/// A strict hash as it is written.
+pub(super) fn hash_words(hash: u64) -> String {
+    format!("{hash:016x}")
 }
 
 #[cfg(test)]

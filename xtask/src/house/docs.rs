@@ -1,7 +1,8 @@
 //! Rules about documents and manifests.
 
+use super::project_file::ProjectFile;
 use super::rust_source::RustSource;
-use super::{ProjectFile, Violation};
+use super::violation::Violation;
 use std::path::Path;
 
 /// Documents whose paths must exist.

@@ -1,7 +1,12 @@
 //! Arrows between crates: the only dependencies allowed, read from `cargo metadata`.
 
-use super::{Violation, metadata};
+use super::violation::Violation;
+use crate::commands;
 use std::path::Path;
+
+/// Crates of the core: no input, output, clock, thread or global.
+pub(super) const CORE: [&str; 6] =
+    ["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response", "polhode"];
 
 /// A crate and the crates of the workspace that it may depend on, whether for use, for building or for tests.
 #[derive(Debug)]
@@ -83,4 +88,14 @@ fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
         }
     }
     violations
+}
+
+/// What `cargo metadata` says about the workspace.
+fn metadata(root: &Path) -> Result<cargo_metadata::Metadata, String> {
+    let mut command = cargo_metadata::MetadataCommand::new();
+    command.current_dir(root).no_deps();
+    if let Some(program) = commands::cargo(root).get_program().to_str() {
+        command.cargo_path(program);
+    }
+    command.exec().map_err(|error| error.to_string())
 }

@@ -1,55 +1,32 @@
 //! Rules of the house: what docs/ARCHITECTURE.md promises and a compiler does not check.
 //!
 //! Each rule is one row, `0` violations being right; the violations themselves go to stderr with file and line.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `layers` | arrows between crates; which crates are the core |
+//! | `third_party` | libraries that stay in their private module |
+//! | `rules` | rules about one source file at a time |
+//! | `one_dependency` | the rule that an example names its own crate alone |
+//! | `docs` | rules about documents and manifests |
+//! | `rust_source` | a source file, with code told from comments and tests |
+//! | `project_file` | the files of the project |
+//! | `violation` | a place that breaks a rule |
 
 mod docs;
 mod layers;
 mod one_dependency;
+mod project_file;
 mod rules;
 mod rust_source;
 mod third_party;
+mod violation;
 
-use crate::commands;
 use crate::row::Row;
+use project_file::project_files;
 use rust_source::RustSource;
 use std::path::Path;
-
-/// A place that breaks a rule.
-#[derive(Debug, Clone, PartialEq, Eq)]
-struct Violation {
-    /// File, relative to the workspace, with the line where there is one.
-    place: String,
-    /// What is wrong and what to do.
-    what: String,
-}
-
-impl Violation {
-    fn at_line(source: &RustSource, line: usize, what: impl Into<String>) -> Self {
-        Self { place: format!("{}:{}", source.path(), line + 1), what: what.into() }
-    }
-
-    fn in_file(path: impl Into<String>, what: impl Into<String>) -> Self {
-        Self { place: path.into(), what: what.into() }
-    }
-}
-
-/// A file that belongs to the project.
-#[derive(Debug)]
-struct ProjectFile {
-    /// Path relative to the workspace, with forward slashes.
-    path: String,
-    text: String,
-}
-
-impl ProjectFile {
-    fn is_rust(&self) -> bool {
-        Path::new(&self.path).extension().is_some_and(|extension| extension == "rs")
-    }
-}
-
-/// Crates of the core: no input, output, clock, thread or global.
-const CORE: [&str; 6] =
-    ["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response", "polhode"];
+use violation::Violation;
 
 /// Checks every rule.
 pub(crate) fn check(root: &Path) -> Vec<Row> {
@@ -75,34 +52,6 @@ fn row(rule: &str, violations: &[Violation]) -> Row {
         eprintln!("\n  {}: {}", violation.place, violation.what);
     }
     Row::exact("house", rule, 0, violations.len() as u64)
-}
-
-/// All files that git knows or would add, with their text; files that are not text are left out.
-fn project_files(root: &Path) -> Result<Vec<ProjectFile>, String> {
-    let output = std::process::Command::new("git")
-        .args(["ls-files", "--cached", "--others", "--exclude-standard"])
-        .current_dir(root)
-        .output()
-        .map_err(|error| format!("git ls-files: {error}"))?;
-    if !output.status.success() {
-        return Err(format!("git ls-files: {}", String::from_utf8_lossy(&output.stderr).trim()));
-    }
-    let mut paths: Vec<String> = String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect();
-    paths.sort();
-    paths.dedup();
-    // A path that git knows and that is gone from the folder has been deleted and not yet been committed.
-    let read = |path: String| std::fs::read_to_string(root.join(&path)).ok().map(|text| ProjectFile { path, text });
-    Ok(paths.into_iter().filter_map(read).collect())
-}
-
-/// What `cargo metadata` says about the workspace.
-fn metadata(root: &Path) -> Result<cargo_metadata::Metadata, String> {
-    let mut command = cargo_metadata::MetadataCommand::new();
-    command.current_dir(root).no_deps();
-    if let Some(program) = commands::cargo(root).get_program().to_str() {
-        command.cargo_path(program);
-    }
-    command.exec().map_err(|error| error.to_string())
 }
 
 #[cfg(test)]

@@ -4,8 +4,9 @@
 //! example that needed a second crate would show that something is missing. An example that takes other files of the
 //! crate in by `#[path = ...]` is a tool of ours for measuring and no program of a user's.
 
+use super::layers::CORE;
 use super::rust_source::RustSource;
-use super::{CORE, Violation};
+use super::violation::Violation;
 
 /// Libraries that crates of the core depend on, by the names under which code speaks of them.
 const LIBRARIES: [&str; 7] = ["glam", "libm", "robust", "thiserror", "wide", "parry3d", "clarabel"];
@@ -77,7 +78,7 @@ fn is_crate(name: &str) -> bool {
 mod tests {
     //! A second crate is found in code and in documented programs, and nowhere else; the examples are there.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
-    use super::super::project_files;
+    use super::super::project_file::project_files;
     use super::*;
     use std::path::Path;
 

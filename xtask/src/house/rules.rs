@@ -1,7 +1,9 @@
 //! Rules about one source file at a time.
 
+use super::layers::CORE;
+use super::one_dependency;
 use super::rust_source::RustSource;
-use super::{CORE, Violation, one_dependency};
+use super::violation::Violation;
 
 /// Longest file, lines.
 const LONGEST_FILE: usize = 700;

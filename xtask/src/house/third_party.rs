@@ -1,7 +1,7 @@
 //! parry3d and clarabel: each named in one private module, and in no public signature of it.
 
-use super::Violation;
 use super::rust_source::RustSource;
+use super::violation::Violation;
 
 /// A library that one private module hides.
 #[derive(Debug)]

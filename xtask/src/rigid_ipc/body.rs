@@ -7,9 +7,8 @@
 use super::error::ImportError;
 use super::meshes::{Form, Meshes};
 use super::rotation;
-use super::scene::{BodyText, ForceKindText, ForceText, MeshText, PointsText, ShapeText};
+use super::scene::{BodyText, ForceKindText, ForceText, MATERIAL, MeshText, PointsText, ShapeText};
 use super::table::Table;
-use super::{HeldRotations, MATERIAL};
 use glam::DVec3;
 use polhode::mesh::{SolidMesh, TriangleMesh};
 use polhode_spatial::Pose;
@@ -20,6 +19,15 @@ const DEFAULT_DENSITY: f64 = 1000.0;
 
 /// rad per degree.
 const RADIANS: f64 = PI / 180.0;
+
+/// What happens to a body whose rotations alone are held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum HeldRotations {
+    /// The scene is refused.
+    Refused,
+    /// It turns freely, from rest.
+    Freed,
+}
 
 /// What of a body is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

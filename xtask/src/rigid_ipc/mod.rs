@@ -24,12 +24,13 @@ mod rotation;
 mod scene;
 mod table;
 
+pub(crate) use body::HeldRotations;
 pub(crate) use error::ImportError;
 
 use clap::Args;
 use glam::DVec3;
 use meshes::Meshes;
-use scene::{MaterialText, NoContactText, OutputText, SceneText};
+use scene::{MATERIAL, MaterialText, NoContactText, OutputText, SceneText};
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
@@ -41,8 +42,6 @@ use table::Table;
 const DEFAULT_DURATION_S: f64 = 10.0;
 /// The suite's time step when none is given, s.
 const DEFAULT_TIMESTEP_S: f64 = 0.01;
-/// Name of the material of all bodies.
-const MATERIAL: &str = "all";
 /// Keys of the document that steer the suite's solver, its files and its picture.
 const SOLVER_KEYS: [&str; 14] = [
     "solver",
@@ -75,15 +74,6 @@ pub(crate) struct Options {
     /// Free rotations that are held while translations are not, instead of refusing the scene.
     #[arg(long)]
     free_rotations: bool,
-}
-
-/// What happens to a body whose rotations alone are held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum HeldRotations {
-    /// The scene is refused.
-    Refused,
-    /// It turns freely, from rest.
-    Freed,
 }
 
 /// A scene taken over.

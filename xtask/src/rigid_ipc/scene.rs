@@ -3,6 +3,9 @@
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+/// Name of the material of all bodies.
+pub(super) const MATERIAL: &str = "all";
+
 /// A scene file.
 #[derive(Debug, Serialize)]
 pub(super) struct SceneText {

@@ -98,8 +98,8 @@ mod tests {
     //! Every row has every column, failures too, and what needs quotes has them.
     use super::super::candidate::{Candidate, change};
     use super::super::error::Errors;
+    use super::super::options::Counting;
     use super::super::runs::Solver;
-    use super::super::study::Counting;
     use super::super::timing::Timing;
     use super::*;
     use polhode::scene::Integrator;

@@ -1,7 +1,8 @@
 //! Everything as one JSON object.
 
+use super::options::Counting;
 use super::reference::Reference;
-use super::study::{Counting, Entry, Study};
+use super::study::{Entry, Study};
 use polhode_scene::Override;
 use serde_json::{Map, Value, json};
 

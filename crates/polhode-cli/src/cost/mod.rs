@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `candidate` | a candidate; combinations of `--vary` |
 //! | `ladder` | the candidates when none are asked for |
+//! | `options` | what is asked of a study |
 //! | `source` | the scene, loaded with changes and run |
 //! | `reference` | the exact or the finest solution, and how well it is known |
 //! | `error` | how far a run is from the reference |
@@ -29,6 +30,7 @@ mod html;
 mod instructions;
 mod json;
 mod ladder;
+mod options;
 mod progress;
 mod reference;
 mod runs;
@@ -44,11 +46,12 @@ use crate::failure::{self, Failure};
 use crate::stdout;
 use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
+use options::{Counting, Options};
 use polhode_scene::{AtomicFile, Override};
 use source::Source;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use study::{Counting, Options, Study};
+use study::Study;
 use timing::Effort;
 
 /// Rounds of timing that `polhode run --accuracy` makes: enough to choose between methods.

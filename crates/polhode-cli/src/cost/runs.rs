@@ -3,10 +3,10 @@
 use super::candidate::Candidate;
 use super::error::{Errors, energy_error};
 use super::instructions;
+use super::options::{Counting, Options};
 use super::progress::Progress;
 use super::reference::{self, Reference};
 use super::source::{Completed, Source};
-use super::study::{Counting, Options};
 use super::timing::{self, Effort, Timing};
 use polhode::scene::Integrator;
 use polhode::{Decision, Effect, EffectDecision, Plan, Scene};

@@ -3,11 +3,12 @@
 use super::candidate::Candidate;
 use super::error::Errors;
 use super::front::{self, Point};
+use super::options::{Counting, Options};
 use super::progress::Progress;
 use super::reference::{self, Reference};
 use super::runs::{Compared, Difference, Runs, Solver};
 use super::source::Source;
-use super::timing::{Effort, Timing};
+use super::timing::Timing;
 use super::{candidate::Axis, ladder};
 use crate::failure::Failure;
 use polhode::scene::Integrator;
@@ -15,28 +16,6 @@ use polhode_scene::names;
 
 /// Ratios of time that are closer than this cannot be told apart from run to run (relative).
 const TIME_RESOLUTION: f64 = 0.1;
-
-/// What is asked of a study.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Options {
-    /// Samples that errors are taken from.
-    pub(crate) samples: u32,
-    /// How long each candidate is timed.
-    pub(crate) effort: Effort,
-    /// Time that the default candidates may take together, about, s.
-    pub(crate) budget_s: f64,
-    /// Whether cost is counted in instructions too.
-    pub(crate) counting: Counting,
-}
-
-/// What cost is measured in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Counting {
-    /// Time as a ratio.
-    Time,
-    /// Instructions; time is given beside.
-    Instructions,
-}
 
 /// What was measured.
 #[derive(Debug)]

@@ -1,8 +1,9 @@
 //! The table for people.
 
 use super::candidate::Candidate;
+use super::options::Counting;
 use super::reference::{Kind, Reference};
-use super::study::{Counting, Entry, Measured, Study};
+use super::study::{Entry, Measured, Study};
 use crate::text::{Table, number};
 use std::fmt::Write as _;
 

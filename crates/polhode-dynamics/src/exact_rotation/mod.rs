@@ -27,15 +27,13 @@ mod complete_integral;
 mod elliptic;
 mod taylor;
 
+pub use taylor::TAYLOR_REACH;
+
 use canonical::Canonical;
 use elliptic::Elliptic;
 use glam::{DQuat, DVec3};
 use polhode_spatial::Rotation;
 use taylor::Taylor;
-
-/// Largest phase (rad) for which the power series is taken: `lambda h/2`, by the faster of the two rates of the momentum's
-/// Jacobi functions, of which a quarter period is pi/2 at least. There it costs as much as the elliptic functions.
-pub const TAYLOR_REACH: f64 = 0.35;
 
 /// Relative rounding of a bound's own evaluation and of the velocities it is held against, so that it is never too
 /// small: a few dozen operations, each good to 1.1e-16.

@@ -27,10 +27,13 @@
 //! docs/REFERENCES.md, Jorba and Zou 2005, for the recurrences; the form of the quaternion is that of the discrete
 //! mechanics of Moser and Veselov 1991.
 
-use super::TAYLOR_REACH;
 use super::canonical::Canonical;
 use crate::lanes::Lanes;
 use glam::DQuat;
+
+/// Largest phase (rad) for which the power series is taken: `lambda h/2`, by the faster of the two rates of the momentum's
+/// Jacobi functions, of which a quarter period is pi/2 at least. There it costs as much as the elliptic functions.
+pub const TAYLOR_REACH: f64 = 0.35;
 
 /// Room for the terms; within the reach 14 are the most that are used.
 const MAX_TERMS: usize = 16;

@@ -7,8 +7,10 @@
 //! | hollow wall, `h / (h + 2 r)` of the mass | `m r^2` | `m (r^2 / 2 + h^2 / 12)` |
 //! | hollow caps, the rest | `2/3 m r^2` | `m (2/3 r^2 + 1/2 h r + h^2 / 4)` |
 
+use super::error::{checked_height, checked_radius};
 use super::revolution::{Profile, arc, revolve};
-use super::{PrimitiveError, Refinement, Uniform, across_and_along, checked_height, checked_radius};
+use super::uniform::{Uniform, across_and_along};
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use polhode_spatial::MassProperties;
 use std::f64::consts::PI;

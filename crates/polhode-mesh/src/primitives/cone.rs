@@ -8,8 +8,10 @@
 //!
 //! with the slant height `s = sqrt(r^2 + h^2)`.
 
+use super::error::{checked_height, checked_radius};
 use super::revolution::{Profile, revolve};
-use super::{PrimitiveError, Refinement, Uniform, across_and_along, checked_height, checked_radius};
+use super::uniform::{Uniform, across_and_along};
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use polhode_spatial::MassProperties;
 use std::f64::consts::PI;

@@ -7,7 +7,8 @@
 //!
 //! A hollow box is its six faces: two across x at no distance along y and z, two across y at b/2, two across z at c/2.
 
-use super::{PrimitiveError, Refinement, Uniform};
+use super::uniform::Uniform;
+use super::{PrimitiveError, Refinement};
 use crate::triangle_mesh::TriangleMesh;
 use crate::{Amount, SolidMesh};
 use glam::DVec3;

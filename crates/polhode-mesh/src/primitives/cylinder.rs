@@ -6,8 +6,10 @@
 //! | hollow wall, `h / (h + r)` of the mass | `m r^2` | `m (r^2 / 2 + h^2 / 12)` |
 //! | hollow ends, `r / (h + r)` of the mass | `m r^2 / 2` | `m (r^2 / 4 + h^2 / 4)` |
 
+use super::error::{checked_height, checked_radius};
 use super::revolution::{Profile, revolve};
-use super::{PrimitiveError, Refinement, Uniform, across_and_along, checked_height, checked_radius};
+use super::uniform::{Uniform, across_and_along};
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use polhode_spatial::MassProperties;
 use std::f64::consts::PI;

@@ -7,7 +7,8 @@
 
 use super::icosphere::icosphere;
 use super::surface_moments::surface_moments;
-use super::{PrimitiveError, Refinement, Uniform};
+use super::uniform::Uniform;
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use glam::DVec3;
 use polhode_spatial::MassProperties;

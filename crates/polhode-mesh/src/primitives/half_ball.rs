@@ -6,8 +6,10 @@
 //! | hollow, flat face included | `1/3 r` | `11/18 m r^2` | `5/12 m r^2` |
 //! | dome alone | `1/2 r` | `2/3 m r^2` | `5/12 m r^2` |
 
+use super::error::checked_radius;
 use super::revolution::{Profile, arc, revolve};
-use super::{PrimitiveError, Refinement, Uniform, across_and_along, checked_radius};
+use super::uniform::{Uniform, across_and_along};
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use polhode_spatial::MassProperties;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! How fine the mesh of a curved primitive is.
 
-use super::PrimitiveError;
+use super::error::{MOST_HALVINGS, PrimitiveError};
 
 /// How often the edges of a primitive's coarsest mesh are halved: each time the triangles are four times as many and
 /// the errors of volume and inertia a quarter.
@@ -13,7 +13,7 @@ impl Refinement {
     /// Circles of 8 segments.
     pub const COARSEST: Self = Self(0);
     /// Largest level: a torus then has 17 million triangles, about a gigabyte while its mesh is made.
-    pub const FINEST: u32 = 8;
+    pub const FINEST: u32 = MOST_HALVINGS;
 
     /// With edges halved `level` times.
     ///

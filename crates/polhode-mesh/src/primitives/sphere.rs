@@ -1,7 +1,9 @@
 //! Spheres: moments `2/5 m r^2` (solid) and `2/3 m r^2` (hollow) about any axis through the centre.
 
+use super::error::checked_radius;
 use super::icosphere::icosphere;
-use super::{PrimitiveError, Refinement, Uniform, checked_radius};
+use super::uniform::Uniform;
+use super::{PrimitiveError, Refinement};
 use crate::{Amount, SolidMesh};
 use glam::DVec3;
 use polhode_spatial::MassProperties;

@@ -5,7 +5,9 @@
 //! | solid | `2 pi^2 R r^2` | `m (R^2 + 3/4 r^2)` | `m (R^2 / 2 + 5/8 r^2)` |
 //! | hollow | `4 pi^2 R r` | `m (R^2 + 3/2 r^2)` | `m (R^2 / 2 + 5/4 r^2)` |
 
-use super::{PrimitiveError, Refinement, Uniform, across_and_along, checked_radius};
+use super::error::checked_radius;
+use super::uniform::{Uniform, across_and_along};
+use super::{PrimitiveError, Refinement};
 use crate::triangle_mesh::TriangleMesh;
 use crate::{Amount, SolidMesh};
 use glam::DVec3;

@@ -1,12 +1,12 @@
 //! Binary STL: 80 bytes that mean nothing, the number of triangles as u32, and for each its normal and corners as twelve
 //! f32 and two bytes that mean nothing; little endian.
 
-use super::unit_normal;
-use crate::format::WriteError;
+use super::normal::unit_normal;
 use crate::mesh_builder::MeshBuilder;
 use crate::read_error::{Place, ReadError, ReadErrorKind};
 use crate::triangle_mesh::TriangleMesh;
 use crate::weld::merged_exactly;
+use crate::write_error::WriteError;
 use glam::DVec3;
 
 /// Bytes before the first triangle.

@@ -2,7 +2,7 @@
 //!
 //! Keywords in any case and line ends anywhere; several solids in one file are one mesh.
 
-use super::unit_normal;
+use super::normal::unit_normal;
 use crate::mesh_builder::MeshBuilder;
 use crate::read_error::{Place, ReadError, ReadErrorKind};
 use crate::triangle_mesh::TriangleMesh;

@@ -1,9 +1,11 @@
-//! What all impact laws share: inelastic solves, the end of an impact, its energy.
+//! What all impact laws share: the check of their arguments, inelastic solves, the end of an impact, its energy.
 
-use super::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
+use super::outcome::{Application, ImpactOutcome, ImpactStatus};
+use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
 use crate::dense::kernels::{axpy, compensated_dot, largest};
+use crate::error::{ResponseError, check_finite, check_length};
 use crate::minimum_norm::least_norm;
 use crate::precise;
 use crate::problem::ContactProblem;
@@ -38,6 +40,33 @@ pub(super) struct Impulses {
     /// `G p + b`: exactly 0 on held rows.
     pub(super) w: Vec<f64>,
     pub(super) held: Vec<bool>,
+}
+
+/// Checks the arguments of an impact law and returns the largest speed of approach (at bilateral rows, of either sign),
+/// m/s.
+pub(super) fn check(
+    problem: &ContactProblem,
+    delassus: &Delassus,
+    u_before: &[f64],
+    restitution: &[f64],
+    settings: &ImpactSettings,
+) -> Result<f64, ResponseError> {
+    let rows = problem.len();
+    check_length("Delassus matrix", rows, delassus.len())?;
+    check_length("row velocities", rows, u_before.len())?;
+    check_length("restitution", rows, restitution.len())?;
+    check_finite("row velocities", u_before)?;
+    delassus.check_finite()?;
+    settings.solver.check()?;
+    if !(0.0..1.0).contains(&settings.threshold) {
+        let (field, accepted) = ("threshold", "at least 0 and below 1");
+        return Err(ResponseError::Setting { field, accepted, value: settings.threshold });
+    }
+    if let Some((row, &value)) = restitution.iter().enumerate().find(|(_, e)| !(0.0..=1.0).contains(*e)) {
+        return Err(ResponseError::Restitution { row, value });
+    }
+    let speed = |(row, u): (usize, &f64)| if problem.is_bilateral(row) { u.abs() } else { -u };
+    Ok(u_before.iter().enumerate().map(speed).fold(0.0, f64::max))
 }
 
 impl Impact<'_> {

@@ -7,8 +7,10 @@
 //! may be infinite (thesis, Appendix C; errata E20 to E22: a stick with `e <= tan^2(pi/4 - theta/2)` never leaves), so
 //! it is cut off below a threshold relative to the first approach, and what is left is removed by one inelastic solve.
 
-use super::finish::Impact;
-use super::{Application, ImpactOutcome, ImpactSettings, ImpactStatus, check, single_contact_impulse};
+use super::finish::{Impact, check};
+use super::outcome::{Application, ImpactOutcome, ImpactStatus};
+use super::settings::ImpactSettings;
+use super::single_contact_impulse;
 use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;

@@ -14,8 +14,9 @@
 //!
 //! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
 
-use super::finish::{Impact, gains_energy};
-use super::{ImpactOutcome, ImpactSettings, ImpactStatus, check};
+use super::finish::{Impact, check, gains_energy};
+use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;

@@ -9,8 +9,9 @@
 //!
 //! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
 
-use super::finish::{Impact, gains_energy};
-use super::{ImpactOutcome, ImpactSettings, ImpactStatus, check};
+use super::finish::{Impact, check, gains_energy};
+use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;

@@ -1,6 +1,6 @@
 //! Bodies by name, for what refers to them.
 
-use super::Fault;
+use super::fault::Fault;
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use polhode::Body;

@@ -1,9 +1,10 @@
 //! A body: its pose, motion, shape and mass.
 
+use super::fault::{Fault, vector};
 use super::materials::Materials;
 use super::matter::Matter;
 use super::shape::{self, Form, Mobility};
-use super::{Fault, mass, motion, pivot, placement, vector};
+use super::{mass, motion, pivot, placement};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly};

@@ -3,7 +3,8 @@
 //! One entry makes one force of the engine, except drag, which makes one for each of its bodies.
 
 use super::bodies::Bodies;
-use super::{Fault, not_negative, signal, spring, vector};
+use super::fault::{Fault, not_negative, vector};
+use super::{signal, spring};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{DragEntry, DragLawName, Exactly, ForceKind, FrameName, SceneFile};

@@ -4,7 +4,7 @@
 //! axes, replaces the inertia of the shape. Points and bodies without a shape have no volume to fill: they need mass
 //! and inertia, and their centre of mass is their origin.
 
-use super::Fault;
+use super::fault::Fault;
 use super::matter::{Filling, Matter};
 use crate::document::KeyPath;
 use crate::error::Refusal;

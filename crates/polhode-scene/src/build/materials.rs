@@ -1,6 +1,6 @@
 //! Materials and rules for pairs of them.
 
-use super::Fault;
+use super::fault::Fault;
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{MaterialEntry, PairEntry};

@@ -1,6 +1,6 @@
 //! Tier and knobs.
 
-use super::{Fault, positive};
+use super::fault::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{

@@ -1,6 +1,6 @@
 //! Prescribed motions.
 
-use super::{Fault, finite, vector};
+use super::fault::{Fault, finite, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BodyEntry, ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry, Vector};

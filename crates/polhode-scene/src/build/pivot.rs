@@ -4,7 +4,7 @@
 //! file must be that one, zero included; the engine, which takes zero for "not given", is then told none and computes
 //! it.
 
-use super::Fault;
+use super::fault::Fault;
 use crate::document::KeyPath;
 use glam::DVec3;
 use polhode::{Body, SceneError};

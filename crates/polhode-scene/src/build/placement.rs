@@ -1,6 +1,6 @@
 //! Where a body or a part of one stands.
 
-use super::{Fault, vector};
+use super::fault::{Fault, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{Exactly, Vector};

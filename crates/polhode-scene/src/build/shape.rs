@@ -1,7 +1,8 @@
 //! Shapes, and the meshes they are read from.
 
+use super::fault::{Fault, positive, vector};
 use super::matter::Matter;
-use super::{Fault, placement, positive, vector};
+use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{CompoundEntry, FileEntry, PartEntry, RadiusHeightEntry, ShapeEntry};

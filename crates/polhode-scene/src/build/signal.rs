@@ -1,6 +1,6 @@
 //! Signals.
 
-use super::{Fault, finite};
+use super::fault::{Fault, finite};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::SignalEntry;

@@ -1,7 +1,7 @@
 //! Springs: between two bodies, or a body and the world.
 
 use super::bodies::Bodies;
-use super::{Fault, not_negative, vector};
+use super::fault::{Fault, not_negative, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{Exactly, SpringEntry};

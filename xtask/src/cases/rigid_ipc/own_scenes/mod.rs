@@ -1,7 +1,7 @@
 //! Scenes written after the descriptions of the suite's scenes, in its own format, with meshes made here: they need no
 //! data of others and go the same way as the suite's files do. SI units, degrees, y up.
 //!
-//! | module | scenes |
+//! | module | holds |
 //! |---|---|
 //! | `units` | unit tests: features, what Erleben finds hard, tunnels, planes, stacks, rotations |
 //! | `chains` | chains, a wrecking ball, a net |
@@ -10,6 +10,7 @@
 //! | `screw` | a screw in a nut |
 //! | `planar` | the suite's scenes in the plane, as prisms |
 //! | `unheld` | scenes that friction holds there, and that nothing holds here; piles |
+//! | `own_scene` | a scene in the suite's format |
 //! | `meshes` | the meshes of all |
 //! | `outlines` | those of `planar` |
 //! | `round` | those of `unheld` |
@@ -19,46 +20,17 @@ mod clouds;
 mod machines;
 mod meshes;
 mod outlines;
+mod own_scene;
 mod planar;
 mod round;
 mod screw;
 mod unheld;
 mod units;
 
+pub(super) use own_scene::OwnScene;
+
 use polhode::mesh::TriangleMesh;
-use serde_json::{Value, json};
 use std::error::Error;
-
-/// A scene in the suite's format.
-pub(super) struct OwnScene {
-    pub(super) name: &'static str,
-    pub(super) document: Value,
-}
-
-impl OwnScene {
-    /// With samples every 0.01 s, and without restitution.
-    fn new(name: &'static str, duration_s: f64, gravity: f64, bodies: &Value) -> Self {
-        let document = json!({
-            "scene_type": "distance_barrier_rb_problem",
-            "timestep": 0.01,
-            "max_time": duration_s,
-            "rigid_body_problem": { "coefficient_restitution": -1, "gravity": [0, -gravity, 0], "rigid_bodies": bodies }
-        });
-        Self { name, document }
-    }
-
-    /// With samples this often, s: where bodies are fast or turn fast, the way between two samples is not straight.
-    fn with_samples_every(mut self, interval_s: f64) -> Self {
-        self.document["timestep"] = json!(interval_s);
-        self
-    }
-
-    /// With this restitution of all contacts.
-    fn with_restitution(mut self, restitution: f64) -> Self {
-        self.document["rigid_body_problem"]["coefficient_restitution"] = json!(restitution);
-        self
-    }
-}
 
 /// The mesh files that the scenes name.
 pub(super) fn mesh_files() -> Result<Vec<(&'static str, TriangleMesh)>, Box<dyn Error>> {

@@ -1,0 +1,44 @@
+//! What a value is refused for and where it stands, and the checks of numbers that entries of every kind share.
+
+use crate::document::KeyPath;
+use crate::error::Refusal;
+use crate::format::Exactly;
+use glam::DVec3;
+
+/// A refusal and the path of the key it is about.
+pub(crate) type Fault = (KeyPath, Refusal);
+
+/// `value`, when it is positive and finite.
+pub(super) fn positive(value: f64, path: &KeyPath) -> Result<f64, Fault> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err((path.clone(), Refusal::Number { value, accepted: "a positive, finite number" }))
+    }
+}
+
+/// `value`, when it is finite and not negative.
+pub(super) fn not_negative(value: f64, path: &KeyPath) -> Result<f64, Fault> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err((path.clone(), Refusal::Number { value, accepted: "a finite number of at least 0" }))
+    }
+}
+
+/// `value`, when it is finite.
+pub(super) fn finite(value: f64, path: &KeyPath) -> Result<f64, Fault> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err((path.clone(), Refusal::Number { value, accepted: "a finite number" }))
+    }
+}
+
+/// Three numbers, when all are finite.
+pub(super) fn vector(value: &Exactly<f64, 3>, path: &KeyPath) -> Result<DVec3, Fault> {
+    for (index, &component) in value.0.iter().enumerate() {
+        finite(component, &path.index(index))?;
+    }
+    Ok(DVec3::from_array(value.0))
+}

@@ -1,0 +1,109 @@
+//! All cases in the order in which they run.
+
+use super::case::Case;
+use super::{
+    convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
+    free_rotation, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
+    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
+    rigid_ipc, snapshots, speed, stackings, stacks, table_edge, thesis_tier, tunnelling, valleys,
+};
+
+/// All cases, the quick ones first.
+pub(crate) const ALL: &[Case] = &[
+    Case { name: "MP-01", rows: mass_properties::mp_01 },
+    Case { name: "MP-02", rows: mass_properties::mp_02 },
+    Case { name: "MP-03", rows: mass_properties::mp_03 },
+    Case { name: "MP-04", rows: mass_properties::mp_04 },
+    Case { name: "MP-05", rows: mass_properties::mp_05 },
+    Case { name: "MP-06", rows: mass_properties::mp_06 },
+    Case { name: "MP-07", rows: curved_bodies::mp_07 },
+    Case { name: "MP-08", rows: curved_bodies::mp_08 },
+    Case { name: "MP-09", rows: curved_bodies::mp_09 },
+    Case { name: "MP-10", rows: curved_bodies::mp_10 },
+    Case { name: "MP-11", rows: curved_bodies::mp_11 },
+    Case { name: "MP-12", rows: mass_properties::mp_12 },
+    Case { name: "meshes of primitives", rows: curved_bodies::orders },
+    Case { name: "mesh decomposition", rows: decomposition::convex_parts },
+    Case { name: "moved meshes", rows: random_solids::moved },
+    Case { name: "random solids", rows: random_solids::laws },
+    Case { name: "convex pairs", rows: convex_pairs::random },
+    Case { name: "stackings", rows: stackings::symmetric },
+    Case { name: "tunnelling", rows: tunnelling::shots },
+    Case { name: "FR-01", rows: free_rotation::fr_01 },
+    Case { name: "FR-02", rows: free_rotation::fr_02 },
+    Case { name: "FR-03", rows: polhode_times::fr_03 },
+    Case { name: "FR-04", rows: free_rotation::fr_04 },
+    Case { name: "FR-05", rows: polhode_times::fr_05 },
+    Case { name: "FR-06", rows: free_rotation::fr_06 },
+    Case { name: "FR-07", rows: free_rotation::fr_07 },
+    Case { name: "exact drift: hard cases", rows: exact_drift::hard_cases },
+    Case { name: "exact drift: samples", rows: exact_drift::samples },
+    Case { name: "NESC-2", rows: published_rotations::tumbling_brick },
+    Case { name: "OSRF-boxes", rows: published_rotations::osrf_boxes },
+    Case { name: "Orekit", rows: published_rotations::orekit },
+    Case { name: "Basilisk", rows: published_rotations::basilisk },
+    Case { name: "Bruels-top", rows: published_rotations::bruels_top },
+    Case { name: "HT-01", rows: heavy_tops::ht_01 },
+    Case { name: "HT-02", rows: heavy_tops::ht_02 },
+    Case { name: "HT-03", rows: heavy_tops::ht_03 },
+    Case { name: "HT-04", rows: heavy_tops::ht_04 },
+    Case { name: "HT-05", rows: heavy_tops::ht_05 },
+    Case { name: "convergence", rows: convergence::orders },
+    Case { name: "work-precision", rows: convergence::work_precision },
+    Case { name: "peers", rows: peers::free_rotation },
+    Case { name: "IM-01", rows: impacts::im_01 },
+    Case { name: "IM-02", rows: impact_chains::im_02 },
+    Case { name: "IM-03", rows: impact_chains::im_03 },
+    Case { name: "IM-04", rows: impact_chains::im_04 },
+    Case { name: "IM-05", rows: impacts::im_05 },
+    Case { name: "IM-06", rows: pi_machine::im_06 },
+    Case { name: "IM-12", rows: impacts::im_12 },
+    Case { name: "IM-13", rows: impacts::im_13 },
+    Case { name: "IM-14", rows: impacts::im_14 },
+    Case { name: "RC-02", rows: diamonds::rc_02 },
+    Case { name: "RC-03", rows: diamonds::rc_03 },
+    Case { name: "RC-05", rows: stacks::rc_05 },
+    Case { name: "RC-06", rows: stacks::rc_06 },
+    Case { name: "RC-07", rows: resting_contact::rc_07 },
+    Case { name: "RC-08", rows: resting_contact::rc_08 },
+    Case { name: "RC-09", rows: resting_contact::rc_09 },
+    Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "falling shapes", rows: falling_shapes::times },
+    Case { name: "resting shapes", rows: falling_shapes::rest },
+    Case { name: "round bodies in valleys", rows: valleys::rows },
+    Case { name: "least-force bound", rows: resting_contact::least_force_bound },
+    Case { name: "diamonds stand", rows: diamonds::stand },
+    Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },
+    Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
+    Case { name: "tier thesis", rows: thesis_tier::diamonds },
+    Case { name: "ledger", rows: ledger::shipped_scenes },
+    Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
+    Case { name: "one dependency", rows: one_dependency::examples },
+    Case { name: "numerical loss", rows: numerical_loss::conservative_scenes },
+    Case { name: "reductions", rows: reductions::found_where_they_are },
+    Case { name: "CD-02", rows: invariances::cd_02 },
+    Case { name: "CD-03", rows: invariances::cd_03 },
+    Case { name: "CD-04", rows: invariances::cd_04 },
+    Case { name: "CD-05", rows: long_runs::cd_05 },
+    Case { name: "CD-06", rows: invariances::cd_06 },
+    Case { name: "Rigid IPC scenes", rows: rigid_ipc::own },
+    Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
+    Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "snapshots", rows: snapshots::continued_runs },
+    Case { name: "speed", rows: speed::diamond_4 },
+    Case { name: "memory", rows: speed::peak_memory },
+];
+
+#[cfg(test)]
+mod tests {
+    //! `--only` selects by name, so names differ.
+    use super::*;
+
+    #[test]
+    fn names_differ() {
+        let mut names: Vec<&str> = ALL.iter().map(|case| case.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ALL.len());
+    }
+}
