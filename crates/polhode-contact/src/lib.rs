@@ -55,6 +55,7 @@ pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{
     ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_further_impact, time_of_impact,
 };
+pub use narrow_phase::axis::separating_axis::Workspace;
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential, tangential};
@@ -62,7 +63,6 @@ pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with, near_ma
 pub use narrow_phase::persistent::{
     ContactChange, NarrowPhase, NarrowPhaseError, PairContacts, PairMemory, near_manifold_with,
 };
-pub use narrow_phase::separating_axis::Workspace;
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
 pub use query::{

@@ -7,8 +7,8 @@
 //! is none for a ball on a floor through the origin, and that of the time.
 
 use crate::Shape;
-use crate::narrow_phase::evaluate::kinematics;
-use crate::narrow_phase::manifold::manifold;
+use crate::narrow_phase::dispatch::manifold::manifold;
+use crate::narrow_phase::terms::evaluate::kinematics;
 use polhode_spatial::Motion;
 
 /// Newton steps at most: each squares the relative error of a time that is right to some 1e-13 of itself already.

@@ -25,7 +25,7 @@
 
 use crate::clearance::PARALLEL_SINE;
 use crate::impact::quadratic_bound::{Quadratic, open_until};
-use crate::narrow_phase::crossed_edges::CrossedEdges;
+use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::Hull;
 use crate::{ConvexPolyhedron, Side};
 use glam::DVec3;

@@ -14,7 +14,7 @@
 
 use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
-use crate::narrow_phase::round::ring::Ring;
+use crate::narrow_phase::axis::ring::Ring;
 use crate::shape::round::{Circles, Hull, HullPoints};
 use crate::{Shape, Side};
 use glam::DVec3;

@@ -5,7 +5,7 @@
 //! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
 //! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
 //! The time found, of motions in closed form finer than poses are rounded (`fine_time.rs`), is never late but for the rounding, and no touch is missed, however fast the bodies spin.
-//! Of a torus the distance is as `round/ring.rs` finds it.
+//! Of a torus the distance is as `narrow_phase/axis/ring.rs` finds it.
 //! Compounds and meshes go part by part (`composite_impact.rs`).
 //!
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
@@ -24,15 +24,15 @@ use crate::impact::impact_bounds::Window;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
 use crate::impact::root_bracket::{Sample, last_open};
-use crate::narrow_phase::composite::is_composite;
-use crate::narrow_phase::crossed_edges::CrossedEdges;
-use crate::narrow_phase::nearest_feature;
-use crate::narrow_phase::round::element::{Element, Locus};
-use crate::narrow_phase::round::gap::{self, Gap};
-use crate::narrow_phase::round::pairs::nearest_on;
-use crate::narrow_phase::round::ring;
-use crate::narrow_phase::separating_axis::{Axes, Workspace};
-use crate::narrow_phase::separation::{search_axes, separation_with};
+use crate::narrow_phase::axis::gap::{self, Gap};
+use crate::narrow_phase::axis::ring;
+use crate::narrow_phase::axis::separating_axis::{Axes, Workspace};
+use crate::narrow_phase::common_normal::places::nearest_on;
+use crate::narrow_phase::dispatch::separation::{search_axes, separation_with};
+use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::parts::composite::is_composite;
+use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
 use glam::DVec3;

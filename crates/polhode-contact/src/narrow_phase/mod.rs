@@ -1,32 +1,28 @@
 //! Narrow phase: whether, where and how two shapes touch.
+//!
+//! The folders are layers: each uses those below it in this table and none above.
+//!
+//! | folder | holds |
+//! |---|---|
+//! | `dispatch` | the entry points, which choose by the kinds of the shapes, and what is kept from step to step |
+//! | `parts` | compounds and triangle meshes: what pairs of their parts give, put together |
+//! | `pair` | two shapes without parts: their separation and their contacts |
+//! | `region` | the region in which two bodies touch: faces on each other, the neighbourhood of a common normal |
+//! | `axis` | the axis along which two bodies separate best |
+//! | `terms` | one contact of named features: its geometry and the time derivatives of its separation |
+//! | `common_normal` | the places at which one line is normal to two elements |
+//! | `feature` | features of shapes: elements, borders, numbers of parts, the one nearest to a point |
 
-mod closest_feature;
-mod coherence;
-pub(crate) mod composite;
-mod compound_surface;
-pub mod convex_method;
-pub mod counterpart;
-pub(crate) mod crossed_edges;
-mod edge_axes;
-pub(crate) mod epa;
-pub mod evaluate;
-pub(crate) mod face_contacts;
-pub(crate) mod face_pair;
-pub(crate) mod gjk;
-pub mod manifold;
-mod mesh_contacts;
-mod mesh_feature;
-pub(crate) mod mesh_pair;
-pub(crate) mod part_feature;
-pub mod persistent;
-mod region_coherence;
-pub(crate) mod ridge_ends;
-pub(crate) mod round;
-pub mod separating_axis;
-pub mod separation;
-pub(crate) mod simplex;
-pub mod tangential;
-mod tied_faces;
-mod triangle_axes;
+pub(crate) mod axis;
+pub(crate) mod common_normal;
+pub(crate) mod dispatch;
+pub(crate) mod feature;
+pub(crate) mod pair;
+pub(crate) mod parts;
+pub(crate) mod region;
+pub(crate) mod terms;
 
-pub(crate) use closest_feature::nearest_feature;
+pub use dispatch::{manifold, persistent, separation};
+pub use feature::counterpart;
+pub use pair::convex_method;
+pub use terms::{evaluate, tangential};

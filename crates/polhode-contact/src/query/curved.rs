@@ -9,9 +9,9 @@
 use super::element::{Core, Element};
 use super::penetration::{Found, face_normals};
 use super::signed_distance::{signed, signed_distance};
-use crate::narrow_phase::epa::epa;
-use crate::narrow_phase::gjk::{GjkStatus, gjk};
-use crate::narrow_phase::round::gap::between;
+use crate::narrow_phase::axis::gap::between;
+use crate::query::epa::epa;
+use crate::query::gjk::{GjkStatus, gjk};
 use crate::shape::topology::flat_triangle;
 use crate::shape::triangle::area_vector;
 use crate::{Capsule, Shape};

@@ -1,7 +1,7 @@
 //! Two segments: their nearest places in closed form.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::narrow_phase::simplex::unit;
+use crate::query::simplex::unit;
 use crate::shape::nearer_place::is_nearer;
 use crate::shape::support::farthest;
 use crate::shape::triangle::on_segment;

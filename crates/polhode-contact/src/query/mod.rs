@@ -16,6 +16,8 @@ pub mod closest_point;
 mod curved;
 pub mod distance;
 mod element;
+mod epa;
+mod gjk;
 mod lines;
 mod nearest_pair;
 pub mod overlap;
@@ -26,6 +28,7 @@ mod quartic;
 pub mod ray_cast;
 pub mod scene;
 mod signed_distance;
+pub(crate) mod simplex;
 mod sweep;
 
 pub use closest_point::{SurfacePoint, closest_point, contains};

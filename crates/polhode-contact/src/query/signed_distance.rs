@@ -6,7 +6,7 @@
 
 use super::FeatureKind;
 use super::element::{Core, Element};
-use crate::narrow_phase::nearest_feature;
+use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::shape::support::across;
 use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};

@@ -17,7 +17,7 @@
 
 use super::support::across;
 use crate::Shape;
-use crate::narrow_phase::simplex::unit;
+use crate::query::simplex::unit;
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::FRAC_1_SQRT_2;

@@ -1,0 +1,343 @@
+//! The pair of edges of two convex polyhedra whose common perpendicular separates them best.
+//!
+//! Only pairs whose arcs cross on the Gauss map count (`separating_axis.rs`), and most edges are left out before: when a
+//! point `q` of the other body lies below the planes of both faces of an edge by more than `t > 0`, the separation along
+//! every direction of the edge's arc is below `-t`. The directions `u` with `u . (q - p) < -t` (`p` a vertex of the edge)
+//! form a cap smaller than a hemisphere, which contains the whole arc when it contains its ends, and no direction separates
+//! better than its height over one point. Such an edge cannot beat a face that separates by `-t` or more.
+//!
+//! The edges of the deciding face itself drop out when the lowest point `q` above it, at height `s`, stands over the face.
+//! On the arc from its normal `n` to that of a neighbour, `u = n cos phi + t sin phi` with `t` the outward side of the edge,
+//! and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when `t . (q - p) <= 0`; for `s < 0`
+//! it is when `q` is no higher above the neighbour than above the face, again because of the cap.
+
+use crate::clearance::PARALLEL_SINE;
+use crate::narrow_phase::axis::separating_axis::{Axes, EdgeAxis, FaceAxis, Workspace, plane_of_b};
+use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Rounding of the separation along an edge axis, in units of epsilon times the lever over the sine of the angle
+/// between the edges: the direction of their cross product is uncertain by that much.
+pub(crate) const AXIS_ULPS: f64 = 8.0;
+
+/// Up to this sine of their angle edges are nearly parallel: the rounding of the separation along their common perpendicular
+/// is no longer small against the depth that counts as penetration (no unit).
+const NEARLY_PARALLEL_SINE: f64 = 0.03;
+
+/// The sine of the angle between edges up to which their cross product is nothing but rounding.
+const ROUNDING_SINE: f64 = 16.0 * f64::EPSILON;
+
+/// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
+/// are only just not parallel ([`PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
+pub(crate) const AXIS_SLACK: f64 = 1e-8;
+
+/// Rounding of a square of a sum of products, relative to it, with room.
+pub(crate) const SQUARE_SLACK: f64 = 1e-9;
+
+/// What the search for edges keeps from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EdgeBuffers {
+    /// `normal . vertex` of every vertex of the other body for each face of A, then of B, m.
+    pub(crate) heights_a: Vec<f64>,
+    pub(crate) heights_b: Vec<f64>,
+    /// The edges that are searched, ascending.
+    pub(crate) of_a: Vec<u32>,
+    pub(crate) of_b: Vec<u32>,
+}
+
+impl Axes {
+    /// Pairs of edges that separate by no more than this need not be found: faces do as well to rounding, or the bodies
+    /// touch anyway.
+    pub(crate) fn edge_threshold(&self, stop: f64) -> f64 {
+        (self.face_separation() + self.rounding).min(0.0).min(stop)
+    }
+
+    /// Separations below which edges of A and of B are left out, m: those of the best face, or touch, less a margin.
+    pub(crate) fn edge_limits(
+        &self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        margins: [f64; 2],
+    ) -> [f64; 2] {
+        let best = self.face_separation().min(0.0) - axis_slack(a, b, x_ab);
+        margins.map(|margin| best - margin)
+    }
+}
+
+/// Rounding of a separation along any axis of the pair, m.
+pub(crate) fn axis_slack(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> f64 {
+    AXIS_SLACK * (a.size + b.size + x_ab.translation.length())
+}
+
+impl Workspace {
+    /// Chooses the edges whose arcs may hold a direction that separates by at least the limit of their body (negative).
+    /// The faces must have been searched.
+    pub(crate) fn select_edges(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        [limit_a, limit_b]: [f64; 2],
+    ) {
+        let EdgeBuffers { heights_a, heights_b, of_a, of_b, .. } = &mut self.edges;
+        let normals = &self.normals;
+        let row = |face: usize| heights_a.chunks_exact(b.vertices.len()).nth(face).unwrap_or(&[]);
+        select(of_a, &a.edges, limit_a, &self.along_faces_a, |face| (row(face), a.faces[face].offset));
+        let row = |face: usize| heights_b.chunks_exact(a.vertices.len()).nth(face).unwrap_or(&[]);
+        let plane = |face: usize| plane_of_b(b, face, normals[face], x_ab);
+        select(of_b, &b.edges, limit_b, &self.along_faces_b, |face| (row(face), plane(face)));
+    }
+
+    /// Finds the pair of chosen edges that separates better than the faces do, if there is one, and how far apart all vertices
+    /// are along the perpendiculars of nearly parallel edges.
+    pub(crate) fn deciding_edges(
+        &mut self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        x_ab: &Pose,
+        axes: &mut Axes,
+        stop: f64,
+    ) {
+        let over = OverBestFaces::new(self, a, x_ab, axes);
+        self.edges.of_a.retain(|&i| !over.leaves_a(a, i));
+        if self.edges.of_a.is_empty() {
+            return;
+        }
+        let mut of_b = std::mem::take(&mut self.edges.of_b);
+        of_b.retain(|&j| !over.leaves_b(self, b, j));
+        self.edges.of_b = of_b;
+        self.best_edges(a, b, axes, stop);
+    }
+
+    /// Finds the pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
+    /// than the threshold of the faces may be left out.
+    pub(crate) fn best_edges(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, axes: &mut Axes, stop: f64) {
+        let (edges, threshold) = (&self.edges, axes.edge_threshold(stop));
+        axes.edges = None;
+        for &i in &edges.of_a {
+            let edge_a = &a.edges[i as usize];
+            let of_a = edge_a.faces.map(|f| a.faces[f as usize].normal);
+            for &j in &edges.of_b {
+                let edge_b = &b.edges[j as usize];
+                // With B's normals turned round, the arcs (n1, n2) and (-m1, -m2) cross when m1 and m2 lie on opposite
+                // sides of A's arc, n1 and n2 on opposite sides of B's, and both arcs on one hemisphere.
+                let [x, y] = edge_b.faces.map(|f| self.normals[f as usize].dot(edge_a.direction));
+                if x * y >= 0.0 {
+                    continue;
+                }
+                let direction = self.directions[j as usize];
+                let [z, w] = of_a.map(|normal| -normal.dot(direction));
+                if z * w >= 0.0 || x * w <= 0.0 {
+                    continue;
+                }
+                let pair = [i as usize, j as usize];
+                let Some(along) = self.along_edges(a, b, pair, threshold) else { continue };
+                let is_nearly_parallel = along.sine <= NEARLY_PARALLEL_SINE;
+                if is_nearly_parallel && along.separation > axes.face_separation() + axes.rounding {
+                    let v = self.perpendicular(a, pair);
+                    let [highest, lowest] = self.outermost(a, b, v);
+                    if lowest - highest > axes.along_nearly_parallel.0 {
+                        axes.along_nearly_parallel = (lowest - highest, v);
+                    }
+                }
+                if along.sine <= PARALLEL_SINE {
+                    continue;
+                }
+                let separation = along.separation - along.rounding;
+                if axes.edges.is_none_or(|best| separation > best.separation) {
+                    if !self.are_outermost(a, b, pair, axes.tolerance) {
+                        continue;
+                    }
+                    axes.edges = Some(EdgeAxis { separation, edge_a: i, edge_b: j });
+                }
+                if separation > stop {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The common perpendicular of two edges, unit, out of A. Rounding turns the cross product of edges that are nearly
+    /// parallel towards them, and across: the first is taken out again, the second hardly shows along the edges.
+    fn perpendicular(&self, a: &ConvexPolyhedron, [i, j]: [usize; 2]) -> DVec3 {
+        let edge_a = &a.edges[i];
+        let cross = edge_a.direction.cross(self.directions[j]).normalize();
+        let across = (cross - edge_a.direction * cross.dot(edge_a.direction)).normalize();
+        if across.dot(edge_a.outward) >= 0.0 { across } else { -across }
+    }
+
+    /// Heights, along a direction out of A, of A's highest vertex and of B's lowest, m.
+    fn outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, v: DVec3) -> [f64; 2] {
+        debug_assert_eq!(self.vertices.len(), b.vertices.len());
+        let highest = a.vertices.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p.dot(v)));
+        [highest, self.vertices.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(v)))]
+    }
+
+    /// Whether two edges are the outermost of their bodies along their common perpendicular. Where an edge of one body is
+    /// parallel to a face of the other, rounding decides the signs by which arcs cross, and an edge on the far side of a
+    /// body could pass for one that faces the other body.
+    fn are_outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, [i, j]: [usize; 2], tolerance: f64) -> bool {
+        let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
+        let v = self.perpendicular(a, [i, j]);
+        let highest = a.vertices[edge_a.vertices[0] as usize].dot(v) + tolerance;
+        let lowest = self.vertices[edge_b.vertices[0] as usize].dot(v) - tolerance;
+        a.vertices.iter().all(|p| p.dot(v) <= highest) && self.vertices.iter().all(|p| p.dot(v) >= lowest)
+    }
+
+    /// Separation along the common perpendicular of two edges; nothing when they are parallel to rounding, and often when it is no more
+    /// than `threshold` (at most 0).
+    fn along_edges(
+        &self,
+        a: &ConvexPolyhedron,
+        b: &ConvexPolyhedron,
+        [i, j]: [usize; 2],
+        threshold: f64,
+    ) -> Option<Along> {
+        let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
+        let cross = edge_a.direction.cross(self.directions[j]);
+        let between = self.vertices[edge_b.vertices[0] as usize] - a.vertices[edge_a.vertices[0] as usize];
+        let rounding_at = |sine: f64| AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
+        if cross.length_squared() <= NEARLY_PARALLEL_SINE * NEARLY_PARALLEL_SINE {
+            let sine = cross.length();
+            if sine <= ROUNDING_SINE {
+                return None;
+            }
+            let separation = between.dot(self.perpendicular(a, [i, j]));
+            return (separation > threshold).then(|| Along { separation, rounding: rounding_at(sine), sine });
+        }
+        let upward = cross.dot(edge_a.outward) >= 0.0;
+        // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.
+        let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
+        if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SQUARE_SLACK) {
+            return None;
+        }
+        let sine = cross.length();
+        (!sine.is_nan()).then(|| Along { separation: lever / sine, rounding: rounding_at(sine), sine })
+    }
+}
+
+/// A separation along the common perpendicular of two edges.
+struct Along {
+    /// m.
+    separation: f64,
+    /// What the uncertainty of the direction may add, m.
+    rounding: f64,
+    /// Sine of the angle between the edges.
+    sine: f64,
+}
+
+/// The lowest vertices above the best face of each body, which shut out edges of that face inside which they stand: none of
+/// these separates better than the face.
+struct OverBestFaces {
+    tolerance: f64,
+    a: OverFace,
+    b: OverFace,
+    /// From A's origin to B's, A's frame.
+    translation: DVec3,
+}
+
+/// The lowest vertex above a face.
+struct OverFace {
+    face: usize,
+    normal: DVec3,
+    separation: f64,
+    point: DVec3,
+}
+
+impl OverBestFaces {
+    fn new(workspace: &Workspace, a: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) -> Self {
+        let over = |FaceAxis { separation, face }: FaceAxis, normal: DVec3, points: &[DVec3]| OverFace {
+            face: face as usize,
+            normal,
+            separation,
+            point: lowest_point(points, normal),
+        };
+        let normal_a = a.faces[axes.face_a.face as usize].normal;
+        let normal_b = workspace.normals[axes.face_b.face as usize];
+        Self {
+            tolerance: axes.tolerance,
+            a: over(axes.face_a, normal_a, &workspace.vertices),
+            b: over(axes.face_b, normal_b, &a.vertices),
+            translation: x_ab.translation,
+        }
+    }
+
+    fn leaves_a(&self, a: &ConvexPolyhedron, edge: u32) -> bool {
+        let edge = &a.edges[edge as usize];
+        self.a.leaves(edge, edge.direction, a.vertices[edge.vertices[0] as usize], self.tolerance, |face, point| {
+            a.faces[face].normal.dot(point) - a.faces[face].offset
+        })
+    }
+
+    fn leaves_b(&self, workspace: &Workspace, b: &ConvexPolyhedron, index: u32) -> bool {
+        let edge = &b.edges[index as usize];
+        let (direction, from) = (workspace.directions[index as usize], workspace.vertices[edge.vertices[0] as usize]);
+        self.b.leaves(edge, direction, from, self.tolerance, |face, point| {
+            let normal = workspace.normals[face];
+            normal.dot(point) - (normal.dot(self.translation) + b.faces[face].offset)
+        })
+    }
+}
+
+impl OverFace {
+    /// `height` is that of a point above a face of the same body.
+    fn leaves(
+        &self,
+        edge: &Edge,
+        direction: DVec3,
+        from: DVec3,
+        tolerance: f64,
+        height: impl Fn(usize, DVec3) -> f64,
+    ) -> bool {
+        let Some((turn, beside)) = sides_of(edge, self.face) else { return false };
+        let outside = (direction.cross(self.normal) * turn).dot(self.point - from);
+        is_over(outside, || height(beside, self.point), self.separation, tolerance)
+    }
+}
+
+/// Whether a point at a signed distance outside an edge of a face, and heights above the neighbour across the edge and
+/// above the face itself (`separation`), is clearly over the face, m.
+fn is_over(outside: f64, height: impl FnOnce() -> f64, separation: f64, tolerance: f64) -> bool {
+    outside <= -tolerance && (separation >= 0.0 || height() <= separation - tolerance)
+}
+
+/// Of an edge of a face: 1 when the face's loop runs along it and -1 when against it, and the face across it.
+fn sides_of(edge: &Edge, face: usize) -> Option<(f64, usize)> {
+    let [first, second] = edge.faces.map(|f| f as usize);
+    if first == face { Some((1.0, second)) } else { (second == face).then_some((-1.0, first)) }
+}
+
+/// The first of the lowest points along a direction; the origin when there is none.
+fn lowest_point(points: &[DVec3], direction: DVec3) -> DVec3 {
+    let mut best = (f64::INFINITY, 0);
+    for (index, point) in points.iter().enumerate() {
+        let height = point.dot(direction);
+        best = if height < best.0 { (height, index) } else { best };
+    }
+    points.get(best.1).copied().unwrap_or_default()
+}
+
+/// The edges that no point of the other body lies below both of whose faces by more than the limit. `heights_over` gives
+/// the coordinates of these points along a face's normal, and the offset of its plane.
+fn select<'a>(
+    chosen: &mut Vec<u32>,
+    edges: &[Edge],
+    limit: f64,
+    along_faces: &[f64],
+    heights_over: impl Fn(usize) -> (&'a [f64], f64),
+) {
+    chosen.clear();
+    for (index, edge) in edges.iter().enumerate() {
+        let [left, right] = edge.faces.map(|face| face as usize);
+        let below = along_faces[left] < limit && along_faces[right] < limit && {
+            let ((over_left, plane_left), (over_right, plane_right)) = (heights_over(left), heights_over(right));
+            let mut points = over_left.iter().zip(over_right);
+            points.any(|(l, r)| l - plane_left < limit && r - plane_right < limit)
+        };
+        if !below {
+            chosen.push(index as u32);
+        }
+    }
+}

@@ -1,0 +1,353 @@
+//! The axis along which two convex bodies, at least one of them round, separate best.
+//!
+//! Along any unit vector `n` from B to A the bodies are apart by at least `s(n) = -h_A(-n) - h_B(n)` (`h` the support
+//! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of penetration
+//! when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other elements
+//! (`places.rs`), since it is smooth elsewhere. All of these are tried; whatever a candidate is, the true `s` along it is
+//! a lower bound, so that a candidate too many does no harm. A tie goes to faces and discs.
+
+use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
+use crate::narrow_phase::axis::sieve::{Pass, Sieve, is_worse};
+use crate::narrow_phase::common_normal::places::{Place, places};
+use crate::narrow_phase::dispatch::separation::separation;
+use crate::narrow_phase::feature::element::{Border, Element, Locus};
+use crate::shape::round::{support, support_point};
+use crate::{Shape, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// A convex body in the frame of the search: a shape at a pose, or one point of a cloud.
+#[derive(Clone, Copy)]
+pub(crate) struct Body<'a> {
+    pub(crate) shape: &'a Shape,
+    pub(crate) pose: Pose,
+    /// The point, when the body is one point (of a cloud: its index there).
+    pub(crate) point: Option<(u32, DVec3)>,
+}
+
+/// The best axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gap {
+    /// Signed separation, m.
+    pub(crate) separation: f64,
+    /// Unit vector from B to A in the frame of the search.
+    pub(crate) normal: DVec3,
+    /// The elements that decide.
+    pub(crate) a: SurfaceFeature,
+    pub(crate) b: SurfaceFeature,
+    /// Distance up to which features are in one place, m.
+    pub(crate) tolerance: f64,
+}
+
+impl<'a> Body<'a> {
+    pub(crate) const fn whole(shape: &'a Shape, pose: Pose) -> Self {
+        Self { shape, pose, point: None }
+    }
+
+    /// A point of the frame; `shape` is not looked at.
+    pub(crate) const fn at_point(shape: &'a Shape, point: DVec3) -> Self {
+        Self { shape, pose: Pose::IDENTITY, point: Some((0, point)) }
+    }
+
+    /// Largest coordinate along a unit vector, m.
+    pub(crate) fn support(&self, n: DVec3) -> f64 {
+        let local = self.pose.rotation.inverse_rotate(n);
+        let own = match self.point {
+            Some((_, point)) => local.dot(point),
+            None => support(self.shape, local),
+        };
+        own + n.dot(self.pose.translation)
+    }
+
+    /// A point of the body that reaches as far; the frame's origin for a direction of no length and for a body without points.
+    pub(crate) fn support_point(&self, n: DVec3) -> DVec3 {
+        let local = self.pose.rotation.inverse_rotate(n);
+        let own = match self.point {
+            Some((_, point)) => point,
+            None => support_point(self.shape, local),
+        };
+        self.pose.transform_point(own)
+    }
+
+    pub(crate) fn element(&self, feature: SurfaceFeature) -> Option<Element<'a>> {
+        if let Some((_, point)) = self.point {
+            return Some(Element::new(Locus::Point(self.pose.transform_point(point)), 0.0, Border::Open));
+        }
+        Element::of(self.shape, feature, &self.pose)
+    }
+
+    fn size(&self) -> f64 {
+        if self.point.is_some() { 0.0 } else { self.shape.size() }
+    }
+
+    /// Calls `visit` with the faces and discs.
+    pub(crate) fn each_plane(&self, mut visit: impl FnMut(SurfaceFeature)) {
+        let count = match self.shape {
+            _ if self.point.is_some() => 0,
+            Shape::Convex(polyhedron) => polyhedron.face_count() as u32,
+            Shape::Cylinder(_) => 2,
+            Shape::Cone(_) => 1,
+            _ => 0,
+        };
+        (0..count).map(SurfaceFeature::Face).for_each(&mut visit);
+    }
+
+    /// Calls `visit` with all other elements.
+    pub(crate) fn each_other(&self, mut visit: impl FnMut(SurfaceFeature)) {
+        use SurfaceFeature::{Cap, Edge, Rim, Side, Sphere, Vertex};
+        let mut list = |features: &[SurfaceFeature]| features.iter().copied().for_each(&mut visit);
+        if let Some((index, _)) = self.point {
+            return list(&[Vertex(index)]);
+        }
+        match self.shape {
+            Shape::Capsule(_) => list(&[Side(0), Cap(0), Cap(1)]),
+            Shape::Cylinder(_) => list(&[Side(0), Rim(0), Rim(1)]),
+            Shape::Cone(_) => list(&[Side(0), Rim(0), Vertex(0)]),
+            Shape::Sphere(_) => list(&[Sphere]),
+            // Only its lowest place above a half-space is asked for.
+            Shape::Torus(_) => list(&[Rim(0)]),
+            Shape::Convex(polyhedron) => {
+                (0..polyhedron.edges.len() as u32).map(Edge).for_each(&mut visit);
+                (0..polyhedron.vertices.len() as u32).map(Vertex).for_each(&mut visit);
+            }
+            _ => {}
+        }
+    }
+
+    /// The element that reaches farthest along a unit vector; the first of equal ones.
+    pub(crate) fn farthest(&self, n: DVec3) -> SurfaceFeature {
+        let mut best = (f64::NEG_INFINITY, SurfaceFeature::Vertex(0));
+        self.each_other(|feature| {
+            let Some(element) = self.element(feature) else { return };
+            let reach = match element.locus {
+                Locus::Point(point) => n.dot(point),
+                Locus::Circle(circle) => circle.support(n),
+                _ => return,
+            } + element.ball;
+            if reach > best.0 {
+                best = (reach, feature);
+            }
+        });
+        best.1
+    }
+}
+
+/// The best axis; the search ends early, with what it has, when a face or disc separates by more than `stop` (m).
+pub(crate) fn search(a: Body<'_>, b: Body<'_>, stop: f64) -> Gap {
+    let between = a.pose.translation - b.pose.translation;
+    let (size_a, size_b) = (a.size(), b.size());
+    let smaller = if size_a == 0.0 || size_b == 0.0 { size_a.max(size_b) } else { size_a.min(size_b) };
+    let tolerance = place_tolerance(smaller, size_a.max(size_b), between);
+    let start = SurfaceFeature::Vertex(0);
+    let mut flat = Gap { separation: f64::NEG_INFINITY, normal: DVec3::Z, a: start, b: start, tolerance };
+    a.each_plane(|feature| {
+        let Some((separation, outward)) = above_plane(&a, feature, &b) else { return };
+        if separation > flat.separation {
+            flat = Gap { separation, normal: -outward, a: feature, b: start, tolerance };
+        }
+    });
+    // Of two planes that separate equally well, the first body's is kept whichever body is called first: both lead to
+    // the same region of contact.
+    b.each_plane(|feature| {
+        let Some((separation, normal)) = above_plane(&b, feature, &a) else { return };
+        if separation > flat.separation {
+            flat = Gap { separation, normal, a: start, b: feature, tolerance };
+        }
+    });
+    if let SurfaceFeature::Face(_) = flat.a {
+        flat.b = b.farthest(flat.normal);
+    } else if let SurfaceFeature::Face(_) = flat.b {
+        flat.a = a.farthest(-flat.normal);
+    }
+    if flat.separation > stop || is_certain(&a, &b, &flat) {
+        return flat;
+    }
+    best_of_elements(&a, &b, flat)
+}
+
+/// Whether a plane that separates is certainly the best: the other body's nearest point stands over its face, so that the
+/// bodies are apart by just that.
+fn is_certain(a: &Body<'_>, b: &Body<'_>, flat: &Gap) -> bool {
+    let over = |owner: &Body<'_>, face: SurfaceFeature, outward: DVec3, lowest: DVec3| {
+        owner.element(face).is_some_and(|element| element.margin(lowest, outward, 0.0) >= 0.0)
+    };
+    flat.separation > flat.tolerance
+        && match (flat.a, flat.b) {
+            (SurfaceFeature::Face(_), _) => over(a, flat.a, -flat.normal, b.support_point(flat.normal)),
+            (_, SurfaceFeature::Face(_)) => over(b, flat.b, flat.normal, a.support_point(-flat.normal)),
+            _ => false,
+        }
+}
+
+/// Separation of a body from a face or disc of another along its normal, and that outward normal.
+fn above_plane(owner: &Body<'_>, face: SurfaceFeature, other: &Body<'_>) -> Option<(f64, DVec3)> {
+    let Locus::Plane(through, normal) = owner.element(face)?.locus else { return None };
+    Some((-other.support(-normal) - normal.dot(through), normal))
+}
+
+/// The best common normal of two elements that are not planes, when it separates better than the planes do. Of equal ones
+/// a pair goes first whose elements are where the bodies are nearest: of a ball and a row of corners at one height, say,
+/// the corner under it.
+fn best_of_elements(a: &Body<'_>, b: &Body<'_>, flat: Gap) -> Gap {
+    let between = a.pose.translation - b.pose.translation;
+    let rounding = RESOLUTION_ULPS * f64::EPSILON * (a.size() + b.size() + between.length());
+    let best = Gap { separation: flat.separation + flat.tolerance, ..flat };
+    let mut search = Search { a, b, rounding, best, found: false, touching: true, certain: false };
+    let sieve = Sieve::new(a, b, flat.separation, flat.tolerance);
+    for pass in [Pass::Near, Pass::All] {
+        b.each_other(|feature_b| {
+            let skipped = search.certain || !sieve.keeps_of_b(b, feature_b, pass);
+            if skipped || is_worse(b, feature_b, a, search.best.separation - rounding) {
+                return;
+            }
+            let Some(element_b) = b.element(feature_b) else { return };
+            a.each_other(|feature_a| {
+                let skipped = search.certain || !sieve.keeps_of_a(a, feature_a, pass);
+                if skipped || is_worse(a, feature_a, b, search.best.separation - rounding) {
+                    return;
+                }
+                let Some(element_a) = a.element(feature_a) else { return };
+                search.offer((feature_a, &element_a), (feature_b, &element_b));
+            });
+        });
+        if search.certain || sieve.is_empty() {
+            break;
+        }
+    }
+    if search.found { search.best } else { flat }
+}
+
+/// The best pair so far.
+struct Search<'s, 'a> {
+    a: &'s Body<'a>,
+    b: &'s Body<'a>,
+    /// Rounding of a separation, m.
+    rounding: f64,
+    best: Gap,
+    found: bool,
+    /// Whether the best pair's elements are where the bodies are nearest.
+    touching: bool,
+    /// Whether nothing can be better: two points of the bodies are as near as the axis says the bodies are.
+    certain: bool,
+}
+
+impl Search<'_, '_> {
+    fn offer(
+        &mut self,
+        (feature_a, element_a): (SurfaceFeature, &Element<'_>),
+        (feature_b, element_b): (SurfaceFeature, &Element<'_>),
+    ) {
+        for place in places(element_a, element_b).iter() {
+            for place in orientations(*place, element_a, element_b).into_iter().flatten() {
+                let claimed = place.separation(element_a, element_b);
+                // The elements are parts of the bodies, so that the bodies are apart by no more than they are.
+                let least = if self.touching { self.best.separation } else { self.best.separation - self.rounding };
+                if claimed.is_nan() || claimed <= least {
+                    continue;
+                }
+                let normal = place.normal;
+                let bodies = -self.a.support(-normal) - self.b.support(normal);
+                let touches = bodies >= claimed - self.rounding;
+                let separation = if touches { claimed } else { bodies };
+                let better = match (touches, self.touching) {
+                    (true, false) => separation > self.best.separation - self.rounding,
+                    (false, true) => separation > self.best.separation + self.rounding,
+                    _ => separation > self.best.separation,
+                };
+                if better {
+                    (self.found, self.touching) = (true, touches);
+                    self.best = Gap { separation, normal, a: feature_a, b: feature_b, ..self.best };
+                    let reach = place.on_a.distance(place.on_b);
+                    let within = element_a.margin(place.on_a, -normal, reach) >= 0.0
+                        && element_b.margin(place.on_b, normal, reach) >= 0.0;
+                    self.certain = touches && within && separation > self.best.tolerance;
+                }
+            }
+        }
+    }
+}
+
+/// A place, and where two curves meet, also with its normal turned round: they may have passed each other.
+fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
+    let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
+    let open = curve(a.locus) && curve(b.locus);
+    [Some(place), open.then(|| place.turned_round())]
+}
+
+/// The bodies of a pair in the frame of the polyhedron, or of A when there is none, and that frame's pose in the world.
+pub(crate) fn framed<'a>(
+    shape_a: &'a Shape,
+    pose_a: &Pose,
+    shape_b: &'a Shape,
+    pose_b: &Pose,
+) -> (Body<'a>, Body<'a>, Pose) {
+    if matches!(shape_b, Shape::Convex(_)) {
+        (Body::whole(shape_a, pose_b.relative(pose_a)), Body::whole(shape_b, Pose::IDENTITY), *pose_b)
+    } else {
+        (Body::whole(shape_a, Pose::IDENTITY), Body::whole(shape_b, pose_a.relative(pose_b)), *pose_a)
+    }
+}
+
+/// The best axis of a pair of which at least one is round; of a cloud that of its nearest point. The normal is in the
+/// world. Nothing for pairs of other kinds.
+pub(crate) fn between(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, stop: f64) -> Option<Gap> {
+    let mut least: Option<Gap> = None;
+    each(shape_a, pose_a, shape_b, pose_b, stop, |gap| {
+        if least.is_none_or(|least| gap.separation < least.separation) {
+            least = Some(gap);
+        }
+    });
+    least
+}
+
+/// Calls `visit` with the best axis of a pair, or of each point of a cloud with the other body.
+pub(crate) fn each(
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    stop: f64,
+    mut visit: impl FnMut(Gap),
+) {
+    let convex = |shape: &Shape| {
+        crate::shape::round::is_round(shape) || matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_))
+    };
+    if !(convex(shape_a) && convex(shape_b)) {
+        return;
+    }
+    let (a, b, frame) = framed(shape_a, pose_a, shape_b, pose_b);
+    let mut report = |a: Body<'_>, b: Body<'_>| {
+        let gap = search(a, b, stop);
+        visit(Gap { normal: frame.rotation.rotate(gap.normal), ..gap });
+    };
+    match (shape_a, shape_b) {
+        (Shape::Points(cloud), _) => {
+            (0..).zip(&cloud.points).for_each(|(k, &p)| report(Body { point: Some((k, p)), ..a }, b));
+        }
+        (_, Shape::Points(cloud)) => {
+            (0..).zip(&cloud.points).for_each(|(k, &p)| report(a, Body { point: Some((k, p)), ..b }));
+        }
+        _ => report(a, b),
+    }
+}
+
+/// The one axis of a half-space and a round shape.
+pub(crate) fn above_half_space((shape_a, pose_a): (&Shape, &Pose), (shape_b, pose_b): (&Shape, &Pose)) -> Gap {
+    let on_a = matches!(shape_a, Shape::HalfSpace(_));
+    let (plane, plane_pose, shape, pose) =
+        if on_a { (shape_a, pose_a, shape_b, pose_b) } else { (shape_b, pose_b, shape_a, pose_a) };
+    let up = match plane {
+        Shape::HalfSpace(half_space) => plane_pose.rotation.rotate(half_space.normal),
+        _ => DVec3::Z,
+    };
+    let between = pose.translation - plane_pose.translation;
+    let lowest = Body::whole(shape, *pose).farthest(-up);
+    let face = SurfaceFeature::Face(0);
+    Gap {
+        separation: separation(shape_a, pose_a, shape_b, pose_b),
+        normal: if on_a { -up } else { up },
+        a: if on_a { face } else { lowest },
+        b: if on_a { lowest } else { face },
+        tolerance: place_tolerance(shape.size(), shape.size(), between),
+    }
+}

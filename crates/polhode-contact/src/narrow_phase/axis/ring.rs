@@ -1,0 +1,459 @@
+//! Tori: the distance of a circle from another body, less the radius of the tube.
+//!
+//! A ring is not convex and may touch a body at several places: at every minimum of the distance along its middle line.
+//! Outside a convex body that distance is continuously differentiable, so that each minimum is a common normal of the middle
+//! line and the element of the body that is nearest there (`places.rs`). All elements are asked that come near enough, and of
+//! their common normals those count at which the element is the nearest: none is overlooked, also not one beside a lower one;
+//! only of several over the rim of one disc some may have no name that tells them from the others (`branch.rs`).
+//!
+//! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
+//! lower bound of how far the ring would have to be moved. There the distance has corners, where the nearest element
+//! changes. Unless a plane along the deciding normal keeps the middle line off the body, the signed distance is sampled for
+//! them (`ring_samples.rs`, which says what samples may miss), and each is found by a golden-section search.
+
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::axis::gap::{self, Body, Gap};
+use crate::narrow_phase::axis::ring_samples::{Sample, Wanted, each_minimum};
+use crate::narrow_phase::common_normal::branch::{Branch, is_one_place, is_told};
+use crate::narrow_phase::common_normal::places::{Place, Places, lowest_of, nearest_on, places};
+use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::terms::stationary::chosen;
+use crate::shape::round::{Circle, circles, support};
+use crate::shape::support::across;
+use crate::{Shape, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Steps of the golden-section search: each keeps 0.618 of the interval, and this many bring an angle to its square root
+/// of rounding.
+const GOLDEN_STEPS: usize = 44;
+
+/// `(sqrt(5) - 1)/2`.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A place found on the circle and one sampled are the same minimum within this many times the way to the next sample.
+const NEAR_SAMPLES: f64 = 1.5;
+
+/// Least angle, rad, within which places are the same minimum: the lowest of samples is no nearer to it than the square root
+/// of rounding.
+const LOCATED: f64 = 1e-6;
+
+/// The distance at a polished place is that of the nearest element within this, relative to the ring's radius, or within
+/// the rounding of places.
+const CONSISTENT: f64 = 1e-10;
+
+/// Distance of a point from a body: the nearest element, and the unit vector from there to the point.
+pub(crate) struct FromPoint {
+    distance: f64,
+    feature: SurfaceFeature,
+    pub(crate) normal: DVec3,
+}
+
+impl FromPoint {
+    /// The direction in which the nearest element of the body is straight, if it is.
+    pub(crate) fn along(&self, body: &Shape) -> Option<DVec3> {
+        match Element::of(body, self.feature, &Pose::IDENTITY)?.locus {
+            Locus::Line(_, along) => Some(along),
+            Locus::Cone(side) => Some(side.axis - self.normal * self.normal.dot(side.axis)),
+            _ => None,
+        }
+    }
+}
+
+/// Parts of an edge by which it is judged whether it comes near enough.
+const LINE_PARTS: f64 = 4.0;
+
+/// What minima are asked for, and what is known of the least one.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    /// Of the middle line, m.
+    reach: f64,
+    /// The distance of the middle line is no more than this, m: with the rounding of places.
+    least: f64,
+    /// The normal there.
+    above: Option<DVec3>,
+}
+
+impl Nearest {
+    /// Distances of the middle line above this are not asked for, m.
+    const fn limit(&self) -> f64 {
+        self.least.max(self.reach)
+    }
+}
+
+/// A ring in the frame of another body.
+pub(crate) struct Ring<'a> {
+    circle: Circle,
+    tube: f64,
+    east: DVec3,
+    north: DVec3,
+    other: &'a Shape,
+    tolerance: f64,
+}
+
+/// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach` (m);
+/// normals in the world. Of those at which the middle line runs inside the other body, beside a lower one, some may be
+/// missing. Nothing for a half-space, and when neither shape is a ring.
+pub(crate) fn each(
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    reach: f64,
+    mut visit: impl FnMut(Gap),
+) {
+    match (shape_a, shape_b) {
+        (Shape::Torus(_), other) => of_ring((shape_a, pose_a), (other, pose_b), reach, visit),
+        (other, Shape::Torus(_)) => of_ring((shape_b, pose_b), (other, pose_a), reach, |gap| {
+            visit(Gap { normal: -gap.normal, a: gap.b, b: gap.a, ..gap });
+        }),
+        _ => {}
+    }
+}
+
+/// As [`each`], for the least one.
+pub(crate) fn least(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> Option<Gap> {
+    let mut least: Option<Gap> = None;
+    each(shape_a, pose_a, shape_b, pose_b, f64::NEG_INFINITY, |gap| {
+        if least.is_none_or(|least| gap.separation < least.separation) {
+            least = Some(gap);
+        }
+    });
+    least
+}
+
+fn of_ring(
+    (shape, pose): (&Shape, &Pose),
+    (other, other_pose): (&Shape, &Pose),
+    reach: f64,
+    mut visit: impl FnMut(Gap),
+) {
+    let x = other_pose.relative(pose);
+    if !x.is_finite() {
+        return;
+    }
+    let Some(ring) = Ring::new(shape, &x, other) else { return };
+    let mut report = |gap: Gap| visit(Gap { normal: other_pose.rotation.rotate(gap.normal), ..gap });
+    match other {
+        Shape::Points(cloud) => {
+            for (index, &point) in cloud.points.iter().enumerate() {
+                report(ring.to_point(point, 0.0, SurfaceFeature::Vertex(index as u32)));
+            }
+        }
+        Shape::Sphere(sphere) => report(ring.to_point(sphere.center, sphere.radius, SurfaceFeature::Sphere)),
+        Shape::HalfSpace(_) | Shape::TriangleMesh(_) | Shape::Compound(_) => {}
+        _ => ring.each_minimum(&x, shape, reach, report),
+    }
+}
+
+impl<'a> Ring<'a> {
+    /// A torus at a pose in the frame of the other shape; nothing for other shapes.
+    pub(crate) fn new(shape: &Shape, x: &Pose, other: &'a Shape) -> Option<Self> {
+        let (Shape::Torus(torus), Some(own)) = (shape, circles(shape).first().copied()) else { return None };
+        let circle = own.placed(x);
+        let east = circle.axis.any_orthonormal_vector();
+        let sizes = if other.size() > 0.0 { shape.size().min(other.size()) } else { shape.size() };
+        let tolerance = place_tolerance(sizes, shape.size().max(other.size()), x.translation);
+        Some(Self { circle, tube: torus.minor, east, north: circle.axis.cross(east), other, tolerance })
+    }
+
+    /// The corners of a triangle that holds the arc of the middle line between two angles, less than half a turn apart: its
+    /// ends, and where the tangents there meet.
+    pub(crate) fn corners(&self, from: f64, to: f64) -> [DVec3; 3] {
+        let middle = self.place(0.5 * (from + to)) - self.circle.center;
+        let tip = self.circle.center + middle / libm::cos(0.5 * (to - from));
+        [self.place(from), tip, self.place(to)]
+    }
+
+    pub(crate) fn place(&self, angle: f64) -> DVec3 {
+        let (sine, cosine) = libm::sincos(angle);
+        self.circle.center + (self.east * cosine + self.north * sine) * self.circle.radius
+    }
+
+    /// The angle of the place that is nearest to a point; some angle on the axis.
+    pub(crate) fn angle_of(&self, point: DVec3) -> f64 {
+        let arm = point - self.circle.center;
+        libm::atan2(self.north.dot(arm), self.east.dot(arm))
+    }
+
+    /// The unit tangent at an angle.
+    pub(crate) fn tangent(&self, angle: f64) -> DVec3 {
+        let (sine, cosine) = libm::sincos(angle);
+        self.north * cosine - self.east * sine
+    }
+
+    /// Of the middle line.
+    pub(crate) const fn center(&self) -> DVec3 {
+        self.circle.center
+    }
+
+    /// Of the middle line, m.
+    pub(crate) const fn radius(&self) -> f64 {
+        self.circle.radius
+    }
+
+    /// The one contact with a ball.
+    fn to_point(&self, point: DVec3, radius: f64, b: SurfaceFeature) -> Gap {
+        let f = nearest_on(&self.circle, point) - point;
+        let distance = f.length();
+        let normal = if distance > 0.0 { f / distance } else { self.circle.axis };
+        let separation = distance - radius - self.tube;
+        Gap { separation, normal, a: SurfaceFeature::Rim(0), b, tolerance: self.tolerance }
+    }
+
+    pub(crate) fn nearest(&self, p: DVec3) -> FromPoint {
+        match self.other {
+            Shape::Convex(polyhedron) => {
+                let nearest = nearest_feature(polyhedron, p, self.tolerance);
+                FromPoint { distance: nearest.distance, feature: nearest.feature, normal: nearest.direction }
+            }
+            Shape::Torus(torus) => {
+                let ring = Circle { center: torus.center, axis: torus.axis, radius: torus.major };
+                let f = p - nearest_on(&ring, p);
+                let distance = f.length();
+                let normal = if distance > 0.0 { f / distance } else { ring.axis };
+                FromPoint { distance: distance - torus.minor, feature: SurfaceFeature::Rim(0), normal }
+            }
+            other => {
+                let point = Body::at_point(other, p);
+                let gap = gap::search(point, Body::whole(other, Pose::IDENTITY), f64::INFINITY);
+                FromPoint { distance: gap.separation, feature: gap.b, normal: gap.normal }
+            }
+        }
+    }
+
+    fn each_minimum(&self, x: &Pose, shape: &Shape, reach: f64, mut report: impl FnMut(Gap)) {
+        if let Shape::Torus(_) = self.other {
+            let mut found = false;
+            let rims = (
+                Element::of(shape, SurfaceFeature::Rim(0), x),
+                Element::of(self.other, SurfaceFeature::Rim(0), &Pose::IDENTITY),
+            );
+            if let (Some(own), Some(other)) = rims {
+                self.each_common_normal(&own, &other, SurfaceFeature::Rim(0), f64::INFINITY, |_, gap| {
+                    found = true;
+                    report(gap);
+                });
+            }
+            // Where the middle lines are one they have no common normal, and all places are as near.
+            if !found {
+                report(self.corner(0.0));
+            }
+            return;
+        }
+        let Some(rim) = Element::of(shape, SurfaceFeature::Rim(0), x) else { return };
+        let least = self.nearest(self.place(0.0)).distance + self.tolerance;
+        let wanted = Nearest { reach: reach + self.tube, least, above: None };
+        let wanted = self.each_of_elements(&rim, wanted, &mut report);
+        // Of places over a rim some have no name of their own (`branch.rs`): then the samples say how near they are.
+        let all_named = circles(self.other).is_empty();
+        if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
+            self.each_corner(&rim, wanted, report);
+        }
+    }
+
+    /// Reports the common normals with all elements of the other body that come near enough to the middle line.
+    fn each_of_elements(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) -> Nearest {
+        let (mut now, mut parallel) = (wanted, false);
+        let body = Body::whole(self.other, Pose::IDENTITY);
+        body.each_other(|feature| now.least = now.least.min(self.between(feature).1));
+        let mut visit = |feature: SurfaceFeature| {
+            let asked = self.comes_within(feature, now.limit());
+            let Some(element) = body.element(feature).filter(|_| asked) else { return };
+            if let Locus::Plane(_, normal) = element.locus {
+                parallel |= lowest_of(&self.circle, normal).is_none();
+            }
+            let limit = now.limit();
+            self.each_common_normal(rim, &element, feature, limit, |_, gap| {
+                let distance = gap.separation + self.tube;
+                if now.above.is_none() || distance + self.tolerance < now.least {
+                    now.above = Some(gap.normal);
+                }
+                now.least = now.least.min(distance + self.tolerance);
+                report(gap);
+            });
+        };
+        body.each_plane(&mut visit);
+        body.each_other(&mut visit);
+        // Over a face that the ring lies along all places are as near, and none is found by its slope.
+        if parallel { Nearest { above: None, ..now } } else { now }
+    }
+
+    /// Whether an element may be what is nearest to some place of the middle line, and no farther than this, m.
+    fn comes_within(&self, feature: SurfaceFeature, limit: f64) -> bool {
+        self.may_be_nearest_along(feature) && self.between(feature).0 <= limit
+    }
+
+    /// What the middle line is at least away from a vertex or an edge of a polyhedron, and at most from the polyhedron, m.
+    /// Nothing is known of other elements.
+    fn between(&self, feature: SurfaceFeature) -> (f64, f64) {
+        let Shape::Convex(polyhedron) = self.other else { return (f64::NEG_INFINITY, f64::INFINITY) };
+        let distance = |point: DVec3| {
+            let from = point - self.circle.center;
+            let height = self.circle.axis.dot(from);
+            let beside = (from - self.circle.axis * height).length() - self.circle.radius;
+            (beside * beside + height * height).sqrt()
+        };
+        let (nearest, reach) = match feature {
+            SurfaceFeature::Vertex(index) => (distance(polyhedron.vertices[index as usize]), 0.0),
+            // The distance changes no faster than the place moves.
+            SurfaceFeature::Edge(index) => {
+                let edge = &polyhedron.edges[index as usize];
+                let (from, reach) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
+                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (reach * f64::from(2 * k + 1)));
+                (places.map(distance).fold(f64::INFINITY, f64::min), reach)
+            }
+            _ => return (f64::NEG_INFINITY, f64::INFINITY),
+        };
+        (nearest - reach - self.tolerance, nearest + self.tolerance)
+    }
+
+    /// Whether an edge of a polyhedron may be what is nearest to some place of the middle line: that place lies beyond each of
+    /// its two faces, as seen along the other one's normal. Of other elements nothing is known.
+    fn may_be_nearest_along(&self, feature: SurfaceFeature) -> bool {
+        let (Shape::Convex(polyhedron), SurfaceFeature::Edge(index)) = (self.other, feature) else { return true };
+        let edge = &polyhedron.edges[index as usize];
+        let [first, second] = edge.faces.map(|face| polyhedron.faces[face as usize].normal);
+        let from = self.circle.center - polyhedron.vertices[edge.vertices[0] as usize];
+        let beyond = |own: DVec3, other: DVec3| {
+            let outward = across(other, own);
+            outward.dot(from) + self.circle.radius * across(outward, self.circle.axis).length() >= -self.tolerance
+        };
+        beyond(first, second) && beyond(second, first)
+    }
+
+    /// A lower bound of the distance of a place: of a polyhedron its height over the highest face.
+    fn above_faces(&self, place: DVec3) -> f64 {
+        let Shape::Convex(polyhedron) = self.other else { return f64::NEG_INFINITY };
+        polyhedron.faces().map(|face| face.normal.dot(place) - face.offset).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether a plane with this unit normal keeps all of the middle line off the other body.
+    fn is_above(&self, normal: DVec3) -> bool {
+        -self.circle.support(-normal) > support(self.other, normal) + self.tolerance
+    }
+
+    /// Reports the minima at which the nearest element changes.
+    fn each_corner(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) {
+        let sample = |angle: f64| {
+            let place = self.place(angle);
+            let FromPoint { distance, feature, normal } = self.nearest(place);
+            Sample { angle, arm: place - self.circle.center, distance, normal, feature }
+        };
+        let mut best = wanted.least;
+        let limits = Wanted { reach: wanted.reach, least: wanted.least, tolerance: self.tolerance };
+        each_minimum(&self.circle, sample, limits, |lowest: &Sample, width: f64, least: f64| {
+            best = best.min(least);
+            // The distance changes no faster than the place moves.
+            if lowest.distance - self.circle.radius * width > best.max(wanted.reach) {
+                return;
+            }
+            if let Some(corner) = self.corner_near(rim, (lowest.angle, width), wanted.limit()) {
+                best = best.min(corner.separation + self.tube);
+                report(corner);
+            }
+        });
+    }
+
+    /// The minimum at a sampled angle, no farther from it than the next samples, unless it is a common normal that is known
+    /// within a limit (m).
+    fn corner_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
+        let sampled = self.place(angle);
+        let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
+        let is_common_normal = |feature: SurfaceFeature| {
+            let mut found = false;
+            let element = Element::of(self.other, feature, &Pose::IDENTITY);
+            if let Some(element) = element.filter(|_| self.comes_within(feature, limit)) {
+                self.each_common_normal(rim, &element, feature, limit, |place, _| {
+                    found |= place.on_a.distance(sampled) <= close;
+                });
+            }
+            found
+        };
+        // First with the element that is nearest at the sample, then, further down, at the minimum.
+        if is_common_normal(self.nearest(sampled).feature) {
+            return None;
+        }
+        let lowest = self.golden(angle, step);
+        let known = is_common_normal(self.nearest(self.place(lowest)).feature);
+        (!known).then(|| self.corner(lowest))
+    }
+
+    /// The contact at an angle that is no common normal.
+    fn corner(&self, angle: f64) -> Gap {
+        let from = self.nearest(self.place(angle));
+        let separation = from.distance - self.tube;
+        Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }
+    }
+
+    /// Calls `visit` with the common normals of the middle line and an element of the other body that are no longer than
+    /// `limit` (m) and where that is the nearest, each named so that it is told from others of the two.
+    fn each_common_normal(
+        &self,
+        rim: &Element<'_>,
+        element: &Element<'_>,
+        feature: SurfaceFeature,
+        limit: f64,
+        mut visit: impl FnMut(&Place, Gap),
+    ) {
+        use Branch::{Entry, Exit, Nearest};
+        let all = places(rim, element);
+        // The element is the nearest at its place, and on the side that the place says.
+        let tolerance = self.tolerance.max(CONSISTENT * self.circle.radius);
+        let possible = |place: &Place| {
+            let claimed = place.separation(rim, element) + self.tube;
+            claimed <= limit && self.above_faces(place.on_a) <= claimed + tolerance
+        };
+        if !all.iter().any(possible) {
+            return;
+        }
+        let consistent = |place: &Place| {
+            let there = self.nearest(place.on_a).distance - self.tube;
+            (place.separation(rim, element) - there).abs() <= tolerance
+        };
+        let round = matches!(feature, SurfaceFeature::Rim(_));
+        let names = [[Exit, Nearest], [Entry, Nearest], [Exit, Entry], [Entry, Exit], [Nearest; 2]];
+        let mut known = Places::none();
+        for [own, other] in names.into_iter().filter(|&[_, other]| round || other == Nearest) {
+            let (rim, element) = (Element { branch: own, ..*rim }, Element { branch: other, ..*element });
+            let told = chosen(&all, &rim, &element).filter(|place| is_told(place, &all, &rim, &element));
+            let Some(place) = told else { continue };
+            if place.separation(&rim, &element) + self.tube > limit
+                || known.iter().any(|known| is_one_place(known, &place, self.circle.radius))
+                || !consistent(&place)
+            {
+                continue;
+            }
+            known.push(place);
+            let gap = Gap {
+                separation: place.separation(&rim, &element),
+                normal: place.normal,
+                a: own.of_rim(0),
+                b: if let SurfaceFeature::Rim(index) = feature { other.of_rim(index) } else { feature },
+                tolerance: self.tolerance,
+            };
+            visit(&place, gap);
+        }
+    }
+
+    /// Golden-section search for a least distance no farther than `step` from an angle, and no higher than there.
+    fn golden(&self, angle: f64, step: f64) -> f64 {
+        let value = |angle: f64| self.nearest(self.place(angle)).distance;
+        let [mut left, mut lowest, mut right] = [angle - step, angle, angle + step];
+        let mut least = value(lowest);
+        for _ in 0..GOLDEN_STEPS {
+            let farther = if right - lowest > lowest - left { right } else { left };
+            let new = lowest + (1.0 - GOLDEN) * (farther - lowest);
+            let found = value(new);
+            let (kept, bound) = if found < least { (new, lowest) } else { (lowest, new) };
+            if bound < kept {
+                left = bound;
+            } else {
+                right = bound;
+            }
+            (lowest, least) = (kept, least.min(found));
+        }
+        lowest
+    }
+}

@@ -1,0 +1,135 @@
+//! Which elements of a polyhedron can decide the separation of a pair: most cannot, and each costs a search.
+//!
+//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) walks through points `z` of the difference A - B towards the origin:
+//! `U = |z|` is no less than the distance of the bodies. At the deciding place the two elements are at most `U` apart when
+//! the bodies are apart, and when they overlap no farther than the overlap that is known from another axis; so only elements
+//! that come that near to the other body's box count.
+//! When the bodies are apart, those that reach far towards the other body are tried first.
+
+use crate::narrow_phase::axis::gap::Body;
+use crate::{Shape, SurfaceFeature};
+use glam::DVec3;
+
+/// Steps of Gilbert's method: the bound need not be sharp.
+const STEPS: usize = 16;
+
+/// Part of a polyhedron's size, measured back from its farthest place towards the other body, that is tried first.
+const NEAR_PART: f64 = 0.05;
+
+/// Which elements are tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Pass {
+    /// Those that reach far towards the other body.
+    Near,
+    /// All that may count.
+    All,
+}
+
+/// The other body's box about a polyhedron's frame, blown up by the bound of the distance.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    low: DVec3,
+    high: DVec3,
+    /// Direction towards the other body, and the least height along it that is near.
+    toward: DVec3,
+    near: f64,
+}
+
+/// What is known before the search of elements.
+pub(crate) struct Sieve {
+    a: Option<Bounds>,
+    b: Option<Bounds>,
+}
+
+impl Sieve {
+    /// `known` is a separation that some axis gives, `slack` covers rounding (m).
+    pub(crate) fn new(a: &Body<'_>, b: &Body<'_>, known: f64, slack: f64) -> Self {
+        let is_polyhedron = |body: &Body<'_>| body.point.is_none() && matches!(body.shape, Shape::Convex(_));
+        if !(is_polyhedron(a) || is_polyhedron(b)) {
+            return Self { a: None, b: None };
+        }
+        let z = nearest_difference(a, b);
+        let reach = z.length().max(-known) + slack;
+        let of = |body: &Body<'_>, other: &Body<'_>, toward: DVec3| {
+            is_polyhedron(body).then(|| {
+                let high = DVec3::new(other.support(DVec3::X), other.support(DVec3::Y), other.support(DVec3::Z));
+                let low =
+                    DVec3::new(other.support(DVec3::NEG_X), other.support(DVec3::NEG_Y), other.support(DVec3::NEG_Z));
+                let near = body.support(toward) - NEAR_PART * body.shape.size();
+                Bounds { low: -low - reach, high: high + reach, toward, near }
+            })
+        };
+        let direction = z.try_normalize().unwrap_or(DVec3::Z);
+        Self { a: of(a, b, -direction), b: of(b, a, direction) }
+    }
+
+    /// Whether it lets everything through, so that one pass is enough.
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.a.is_none() && self.b.is_none()
+    }
+
+    pub(crate) fn keeps_of_a(&self, body: &Body<'_>, feature: SurfaceFeature, pass: Pass) -> bool {
+        self.a.is_none_or(|bounds| bounds.keeps(body, feature, pass))
+    }
+
+    pub(crate) fn keeps_of_b(&self, body: &Body<'_>, feature: SurfaceFeature, pass: Pass) -> bool {
+        self.b.is_none_or(|bounds| bounds.keeps(body, feature, pass))
+    }
+}
+
+impl Bounds {
+    fn keeps(&self, body: &Body<'_>, feature: SurfaceFeature, pass: Pass) -> bool {
+        let Shape::Convex(polyhedron) = body.shape else { return true };
+        let ends = match feature {
+            SurfaceFeature::Vertex(vertex) => [vertex; 2],
+            SurfaceFeature::Edge(edge) => match polyhedron.edges.get(edge as usize) {
+                Some(edge) => edge.vertices,
+                None => return false,
+            },
+            _ => return true,
+        };
+        let [p, q] = ends.map(|v| body.pose.transform_point(polyhedron.vertices[v as usize]));
+        let near = pass == Pass::All || self.toward.dot(p).max(self.toward.dot(q)) >= self.near;
+        near && p.min(q).cmple(self.high).all() && p.max(q).cmpge(self.low).all()
+    }
+}
+
+/// Whether an element of a polyhedron certainly separates worse than `best` (m), which holds for all normals `o` between
+/// those of its faces, `o = sum alpha_i n_i`: for any point `q` of the other body the separation is at most
+/// `o.(q - p) = sum alpha_i n_i.(q - p)`, and `sum alpha_i >= 1`, so that it is at most the largest `n_i.(q - p)` when that
+/// is negative. `q` is the other body's lowest point over one of the faces.
+pub(crate) fn is_worse(body: &Body<'_>, feature: SurfaceFeature, other: &Body<'_>, best: f64) -> bool {
+    let Shape::Convex(polyhedron) = body.shape else { return false };
+    let (point, faces): (u32, &[u32]) = match feature {
+        SurfaceFeature::Vertex(vertex) => (vertex, polyhedron.faces_at.of(vertex as usize)),
+        SurfaceFeature::Edge(edge) => match polyhedron.edges.get(edge as usize) {
+            Some(edge) => (edge.vertices[0], &edge.faces),
+            None => return true,
+        },
+        _ => return false,
+    };
+    let normal = |face: u32| body.pose.rotation.rotate(polyhedron.faces[face as usize].normal);
+    let point = body.pose.transform_point(polyhedron.vertices[point as usize]);
+    let least = faces.iter().take(2).map(|&lowest_over| {
+        let from = other.support_point(-normal(lowest_over)) - point;
+        faces.iter().map(|&face| normal(face).dot(from)).fold(f64::NEG_INFINITY, f64::max)
+    });
+    least.fold(f64::INFINITY, f64::min) < best.min(0.0)
+}
+
+/// A point of the difference of two bodies near to the origin.
+fn nearest_difference(a: &Body<'_>, b: &Body<'_>) -> DVec3 {
+    let difference = |n: DVec3| a.support_point(-n) - b.support_point(n);
+    let mut z = difference(a.pose.translation - b.pose.translation);
+    for _ in 0..STEPS {
+        let Some(n) = z.try_normalize() else { break };
+        let step = difference(n) - z;
+        let along = -z.dot(step) / step.length_squared();
+        // Not a number when the step is zero: z is the nearest.
+        if along.is_nan() || along <= 0.0 {
+            break;
+        }
+        z += step * along.min(1.0);
+    }
+    z
+}

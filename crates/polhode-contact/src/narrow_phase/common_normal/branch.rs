@@ -1,0 +1,155 @@
+//! Which of two places of a circle is meant, where its distance from a line, a cone or another circle is least twice.
+//!
+//! A circle has one place nearest to a point and one lowest over a plane. What else it may touch, it touches at up to two
+//! places, and a contact must stay at its own while the bodies move. A signed length tells them apart, the *offset* of
+//! the place from the border between two halves of the circle (`x` places, `c` centres, `a` axes, `R` the radius):
+//!
+//! | other locus | offset, m | at most one place each side |
+//! |---|---|---|
+//! | line along e | `e.(x - c)` | always: seen along the line, the halves of an ellipse on either side of its long axis |
+//! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (test `a_circle_has_at_most_one_dip_on_either_half`); not proved |
+//! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | where the circles cross |
+//! | of two rings, both and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | where the circles cross |
+//! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | where their planes do |
+//!
+//! Circle 1 is the one that is named; of two the rim of a disc before a ring, whose axis has no outer end, and else the
+//! first. Rims that touch have opposite axes, `a_1 = -n`, and like two rings the same offset whichever is first. Only two
+//! different branches may mean another place when the bodies change names: no such pair of names stays with the one place
+//! of two equal rings that a half turn about its normal exchanges. No length tells the places of two circles apart in
+//! every configuration: where they are tilted about one centre the third line fails, in one plane the fifth. A contact of
+//! a ring takes the first that does ([`is_told`]), and its [`margin`] ends where its own or the other place crosses the
+//! border.
+
+use crate::SurfaceFeature;
+use crate::narrow_phase::common_normal::places::Place;
+use crate::narrow_phase::feature::element::{Element, Locus};
+
+/// Which of two places of a circle is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Branch {
+    /// The nearest.
+    Nearest,
+    /// Where the other curve leaves the disc.
+    Exit,
+    /// Where it enters it.
+    Entry,
+}
+
+impl Branch {
+    /// The name of the place on a rim.
+    pub(crate) const fn of_rim(self, index: u32) -> SurfaceFeature {
+        match self {
+            Self::Nearest => SurfaceFeature::Rim(index),
+            Self::Exit => SurfaceFeature::RimExit(index),
+            Self::Entry => SurfaceFeature::RimEntry(index),
+        }
+    }
+}
+
+/// Offsets of a ring below this part of its radius have no sign: to either side places stand for each other. Bodies about
+/// one axis with a ring have such offsets all round; the distances of two such places differ by `1e-14` of the radius.
+const NEUTRAL: f64 = 1e-7;
+
+/// A place that is held as the nearest one alone is named anew at this many times the neutral part.
+const LEFT_NEUTRAL: f64 = 2.0;
+
+/// Two places of a circle nearer to each other than this part of the radius are one.
+const ONE_PLACE: f64 = 1e-6;
+
+/// The offset of a place, and the radius of the circle that is named.
+#[derive(Debug, Clone, Copy)]
+struct Offset {
+    value: f64,
+    radius: f64,
+}
+
+impl Offset {
+    /// Nothing for loci that have one place only, or when no branch of two circles is named.
+    fn of(place: &Place, a: &Element<'_>, b: &Element<'_>) -> Option<Self> {
+        use Branch::Nearest;
+        let (value, radius) = match (a.locus, b.locus) {
+            (Locus::Circle(first), Locus::Circle(second)) => {
+                let (arm_a, arm_b) = (place.on_a - first.center, place.on_b - second.center);
+                let of_first = (first.axis.cross(arm_a).dot(arm_b) / second.radius, first.radius);
+                let of_second = (second.axis.cross(arm_b).dot(arm_a) / first.radius, second.radius);
+                match (a.branch, b.branch) {
+                    (Nearest, Nearest) => return None,
+                    (Nearest, _) => of_second,
+                    (_, Nearest) => of_first,
+                    (own, other) if own != other => (arm_a.dot(first.axis.cross(second.axis)), first.radius),
+                    _ if a.is_ring() && b.is_ring() => {
+                        let (shorter, longer) = (first.radius.min(second.radius), first.radius.max(second.radius));
+                        (place.normal.dot(arm_b.cross(arm_a)) / longer, shorter)
+                    }
+                    _ if a.is_ring() => of_second,
+                    _ => of_first,
+                }
+            }
+            (Locus::Circle(circle), Locus::Line(_, along)) => (along.dot(place.on_a - circle.center), circle.radius),
+            (Locus::Line(_, along), Locus::Circle(circle)) => (along.dot(place.on_b - circle.center), circle.radius),
+            (Locus::Circle(circle), Locus::Cone(side)) => (side.axis.dot(place.on_a - circle.center), circle.radius),
+            (Locus::Cone(side), Locus::Circle(circle)) => (side.axis.dot(place.on_b - circle.center), circle.radius),
+            _ => return None,
+        };
+        Some(Self { value, radius })
+    }
+
+    /// Into the half that is named, m.
+    fn within(self, named: Branch) -> f64 {
+        if named == Branch::Entry { -self.value } else { self.value }
+    }
+}
+
+fn named(a: &Element<'_>, b: &Element<'_>) -> Branch {
+    if a.branch == Branch::Nearest { b.branch } else { a.branch }
+}
+
+fn of_ring(a: &Element<'_>, b: &Element<'_>) -> bool {
+    a.is_ring() || b.is_ring()
+}
+
+/// Whether a place lies on the branch that the elements name.
+pub(crate) fn is_named(place: &Place, a: &Element<'_>, b: &Element<'_>) -> bool {
+    let Some(offset) = Offset::of(place, a, b) else { return true };
+    let neutral = if of_ring(a, b) { NEUTRAL * offset.radius } else { 0.0 };
+    match named(a, b) {
+        Branch::Nearest => true,
+        Branch::Exit => offset.value >= -neutral,
+        Branch::Entry => offset.value < neutral,
+    }
+}
+
+/// Whether two places of a circle of this radius (m) are the same.
+pub(crate) fn is_one_place(place: &Place, other: &Place, radius: f64) -> bool {
+    place.on_a.distance(other.on_a) <= ONE_PLACE * radius
+}
+
+/// The offsets of the other places of two circles. Lines and cones have but one minimum on either side.
+fn others(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> impl Iterator<Item = Offset> {
+    let circles = matches!((a.locus, b.locus), (Locus::Circle(_), Locus::Circle(_)));
+    all.iter().filter(move |_| circles).filter_map(move |other| {
+        let offset = Offset::of(other, a, b)?;
+        (!is_one_place(place, other, offset.radius)).then_some(offset)
+    })
+}
+
+/// Whether the names of the elements tell a place of a ring from all others of the two.
+pub(crate) fn is_told(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> bool {
+    let branch = named(a, b);
+    let Some(offset) = Offset::of(place, a, b).filter(|_| branch != Branch::Nearest) else {
+        return branch == Branch::Nearest;
+    };
+    let neutral = NEUTRAL * offset.radius;
+    offset.within(branch) > neutral && others(place, all, a, b).all(|other| other.within(branch) <= neutral)
+}
+
+/// How far the names of a ring's place are from failing, m: infinite for what is no ring.
+pub(crate) fn margin(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> f64 {
+    let Some(own) = Offset::of(place, a, b).filter(|_| of_ring(a, b)) else { return f64::INFINITY };
+    let branch = named(a, b);
+    if branch == Branch::Nearest {
+        return LEFT_NEUTRAL * NEUTRAL * own.radius - own.value.abs();
+    }
+    let outside = others(place, all, a, b).map(|other| -other.within(branch)).filter(|&outside| outside > 0.0);
+    outside.fold(own.within(branch), f64::min)
+}

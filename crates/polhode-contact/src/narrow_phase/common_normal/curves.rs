@@ -1,0 +1,201 @@
+//! Common normals of a circle and a line, and of two circles, at which their distance is least.
+//!
+//! Seen along the line, the circle is an ellipse with half axes `R` and `b = R |a.e|` and the line a point `(p, q)`:
+//! `G(u) = |(R cos u, b sin u) - (p, q)|^2/2` has at most one minimum on either side of the long axis. For a disc that lies
+//! almost flat along the line (small `b`) these two are the places where the line crosses the rim; they stay distinct
+//! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
+//!
+//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever
+//! `c sin^3 u > -b q`: all along when the line is on this side of the long axis (`q >= 0`), so that there is one minimum; else
+//! between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1` alone, so that there is one when `G'(u_1) <= 0 < G'(pi - u_1)`, and none
+//! otherwise. A minimum that has just come apart from a maximum lies as near to it as one likes, so that samples of `G'` alone
+//! would miss it.
+//!
+//! Two circles: to a place of one the other's nearest is a closed form, and all places where that distance is least are
+//! found (`minima.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
+//! crossings.
+
+use crate::narrow_phase::common_normal::minima::{Height, falling_root};
+use crate::narrow_phase::common_normal::places::{Place, Places, nearest_on};
+use crate::shape::round::Circle;
+use crate::shape::support::across;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// Parts into which each half of the circle is divided to find the minima of its distance from a line.
+const LINE_SAMPLES: usize = 16;
+
+/// How far each half reaches beyond the end of the long axis, rad: far above rounding, far below a sample.
+const OVERLAP: f64 = 1e-6;
+
+/// Newton's steps for two circles; from a least place of the closed form a few are enough.
+const NEWTON_STEPS: usize = 30;
+
+/// Newton's method ends when both angles change by less than this, rad: the square of it is far below rounding.
+const ANGLE_CONVERGED: f64 = 1e-14;
+
+/// Largest change of an angle in one step, rad.
+const LONGEST_TURN: f64 = 0.3;
+
+/// Sine of the angle between a line and a circle's axis below which they are parallel: seen along the line the ellipse is
+/// then a circle to rounding, and any axis of it the long one.
+const PARALLEL_PART: f64 = 1e-9;
+
+/// A line (point and direction) as A and a circle as B.
+pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Places {
+    let Circle { center, axis, radius } = *circle;
+    let long = axis.cross(along);
+    let sine = long.length();
+    let long = if sine > PARALLEL_PART { long / sine } else { axis.any_orthonormal_vector() };
+    let short = axis.cross(long);
+    // Components along the line do not count.
+    let [line, long_seen, short_seen] = [point - center, long, short].map(|v| across(v, along));
+    let slope_at = |(sine, cosine): (f64, f64)| {
+        let to = long_seen * (radius * cosine) + short_seen * (radius * sine) - line;
+        to.dot(short_seen * cosine - long_seen * sine)
+    };
+    let slope = |u: f64| slope_at(libm::sincos(u));
+    // Where a line just dips into a thin ellipse its two places lie close together about an end of the long axis: samples
+    // between them and that end keep them apart.
+    let tip = libm::acos((line.dot(long) / radius).clamp(-1.0, 1.0));
+    let step = PI / LINE_SAMPLES as f64;
+    let mut found = Places::none();
+    for half in [1.0, -1.0] {
+        let directed = |u: f64| half * slope(half * u);
+        let mut last = 0.0;
+        let mut before = directed(0.0);
+        let mut seen = false;
+        let mut visit = |u: f64| {
+            let value = directed(u);
+            // A minimum: the slope rises through zero.
+            if before <= 0.0 && value > 0.0 {
+                let angle = -falling_root(-u, -last, |u| directed(-u));
+                push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
+                seen = true;
+            }
+            (last, before) = (u, value);
+        };
+        if tip < step {
+            visit(0.5 * tip);
+        }
+        (1..LINE_SAMPLES).for_each(|k| visit(step * k as f64));
+        if PI - tip < step {
+            visit(PI - 0.5 * (PI - tip));
+        }
+        // A little farther than the other end, so that a minimum right there lies between two samples.
+        visit(PI + OVERLAP);
+        // On the far side of the long axis the samples may have stepped over a minimum and the maximum beside it.
+        if !seen && let Some((from, to)) = rising_stretch(radius, half * line.dot(short_seen), sine) {
+            let rises = directed(from) <= 0.0 && directed(to) > 0.0;
+            if rises {
+                let angle = -falling_root(-to, -from, |u| directed(-u));
+                push_crossing(&mut found, (point, along), circle, half * angle, (long, short));
+            }
+        }
+    }
+    // A slope that is zero to rounding all round belongs to a line through the centre along the axis: any place is nearest.
+    if found.is_empty() {
+        push_crossing(&mut found, (point, along), circle, 0.0, (long, short));
+    }
+    found
+}
+
+/// Where on the half `0 < u < pi` of a circle of this radius (m) the slope over `sin u` rises, for a line beyond the long axis:
+/// `across = b q/R` (m) is below zero there; `sine` is that of the angle between the line and the circle's axis. Nothing when
+/// it rises nowhere, or when the line is on this side.
+fn rising_stretch(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
+    let part = -across / (radius * sine * sine);
+    let least = libm::asin(libm::cbrt(part));
+    (part > 0.0 && part < 1.0).then_some((least, PI - least))
+}
+
+fn push_crossing(
+    found: &mut Places,
+    (point, along): (DVec3, DVec3),
+    circle: &Circle,
+    angle: f64,
+    (long, short): (DVec3, DVec3),
+) {
+    let (sine, cosine) = libm::sincos(angle);
+    let on_b = circle.center + (long * cosine + short * sine) * circle.radius;
+    let tangent = short * cosine - long * sine;
+    let on_a = point + along * along.dot(on_b - point);
+    found.push(Place { normal: common_normal(on_a - on_b, along, tangent, circle.radius), on_a, on_b });
+}
+
+/// The unit vector along `f` that is perpendicular to two tangents: from their cross product or from `f`, whichever is
+/// known better; it points along `f`. `scale` is the length whose rounding `f` bears, m.
+fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
+    let cross = first.cross(second);
+    let (sine, length) = (cross.length(), f.length());
+    if sine * (scale + length) >= length {
+        let normal = cross / sine;
+        return if normal.dot(f) < 0.0 { -normal } else { normal };
+    }
+    f / length
+}
+
+/// Two circles: along the first, half the square of the distance from the second, which is nearest at a closed form.
+pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
+    let [east, north] = radii(first);
+    let between = first.center - second.center;
+    let linear = [east, north].map(|radius| between.dot(radius));
+    let seen = [between, east, north].map(|v| across(v, second.axis));
+    let mut found = Places::none();
+    Height::new(linear, second.radius, seen).each_least(|angle| {
+        let (sine, cosine) = libm::sincos(angle);
+        let on_first = first.center + east * cosine + north * sine;
+        if let Some(place) = polished(first, second, on_first, nearest_on(second, on_first)) {
+            found.push(place);
+        }
+    });
+    found
+}
+
+/// Two radii of a circle at right angles, the second one anticlockwise from the first.
+pub(crate) fn radii(circle: &Circle) -> [DVec3; 2] {
+    let east = circle.axis.any_orthonormal_vector() * circle.radius;
+    [east, circle.axis.cross(east)]
+}
+
+/// Newton's method on `|F|^2/2` in the two angles.
+fn polished(first: &Circle, second: &Circle, on_a: DVec3, on_b: DVec3) -> Option<Place> {
+    let (mut on_a, mut on_b) = (on_a, on_b);
+    for _ in 0..NEWTON_STEPS {
+        let (radial_a, radial_b) = (on_a - first.center, on_b - second.center);
+        let (tangent_a, tangent_b) = (first.axis.cross(radial_a), second.axis.cross(radial_b));
+        let f = on_a - on_b;
+        let (g_a, g_b) = (f.dot(tangent_a), -f.dot(tangent_b));
+        let mut h_aa = tangent_a.length_squared() - f.dot(radial_a);
+        let mut h_bb = tangent_b.length_squared() + f.dot(radial_b);
+        let h_ab = -tangent_a.dot(tangent_b);
+        // Away from a minimum the curvature is made positive, so that the step goes downhill.
+        if h_aa <= 0.0 || h_aa * h_bb - h_ab * h_ab <= 0.0 {
+            h_aa = h_aa.abs() + h_ab.abs() + tangent_a.length_squared();
+            h_bb = h_bb.abs() + h_ab.abs() + tangent_b.length_squared();
+        }
+        let determinant = h_aa * h_bb - h_ab * h_ab;
+        let turn_a = ((h_ab * g_b - h_bb * g_a) / determinant).clamp(-LONGEST_TURN, LONGEST_TURN);
+        let turn_b = ((h_ab * g_a - h_aa * g_b) / determinant).clamp(-LONGEST_TURN, LONGEST_TURN);
+        if !(turn_a.is_finite() && turn_b.is_finite()) {
+            return None;
+        }
+        on_a = turned(first, radial_a, tangent_a, turn_a);
+        on_b = turned(second, radial_b, tangent_b, turn_b);
+        if turn_a.abs().max(turn_b.abs()) <= ANGLE_CONVERGED {
+            break;
+        }
+    }
+    let tangent_a = first.axis.cross(on_a - first.center) / first.radius;
+    let tangent_b = second.axis.cross(on_b - second.center) / second.radius;
+    let normal = common_normal(on_a - on_b, tangent_a, tangent_b, first.radius.min(second.radius));
+    Some(Place { normal, on_a, on_b })
+}
+
+/// The point of a circle an angle further on.
+fn turned(circle: &Circle, radial: DVec3, tangent: DVec3, angle: f64) -> DVec3 {
+    let (sine, cosine) = libm::sincos(angle);
+    let radial = radial * cosine + tangent * sine;
+    let radial = radial - circle.axis * circle.axis.dot(radial);
+    circle.center + radial * (circle.radius / radial.length())
+}

@@ -1,0 +1,73 @@
+//! The feature of a convex polyhedron that is nearest to a point.
+
+use crate::SurfaceFeature;
+use crate::narrow_phase::terms::evaluate::face_margin;
+use crate::shape::nearer_place::is_nearer;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::support::farthest;
+use glam::DVec3;
+
+/// A feature and its signed distance from the point, m; negative inside the polyhedron.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Nearest {
+    pub(crate) feature: SurfaceFeature,
+    pub(crate) distance: f64,
+    /// Unit vector from the polyhedron to the point, its frame.
+    pub(crate) direction: DVec3,
+}
+
+/// The nearest feature. Inside, and up to `tolerance` (m) outside all planes, the face whose plane is nearest decides;
+/// so it does wherever the point stands over a face. Of equally near faces the one with the lowest index is taken.
+pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> Nearest {
+    let mut plane = Nearest { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, direction: DVec3::ZERO };
+    let mut over: Option<Nearest> = None;
+    for (index, face) in polyhedron.faces().enumerate() {
+        let distance = face.normal.dot(point) - face.offset;
+        let nearest = Nearest { feature: SurfaceFeature::Face(index as u32), distance, direction: face.normal };
+        if distance > plane.distance {
+            plane = nearest;
+        }
+        if distance > tolerance && over.is_none() && face_margin(polyhedron, &face, point) >= 0.0 {
+            over = Some(nearest);
+        }
+    }
+    // A triangle as a flat polyhedron has two faces and is not bounded by their planes.
+    let flat = polyhedron.faces.len() == 2;
+    let inside = |nearest: &Nearest| match nearest.feature {
+        SurfaceFeature::Face(face) if flat => {
+            polyhedron.face(face as usize).is_some_and(|face| face_margin(polyhedron, &face, point) >= 0.0)
+        }
+        _ => true,
+    };
+    if plane.distance <= tolerance && inside(&plane) {
+        return plane;
+    }
+    // Over a face that the point sees, no other feature of a convex body is nearer.
+    over.or_else(|| nearest_edge_or_vertex(polyhedron, point)).unwrap_or(plane)
+}
+
+fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<Nearest> {
+    let mut best: Option<Nearest> = None;
+    let lengths = polyhedron.size() + point.abs().max_element();
+    let reach = |direction| farthest(&polyhedron.vertices, direction).dot(direction) - point.dot(direction);
+    let mut offer = |feature, w: DVec3| {
+        let distance = w.length();
+        let new = Nearest { feature, distance, direction: w / distance };
+        let way = |nearest: &Nearest| (nearest.distance, nearest.direction);
+        if best.is_none_or(|best| feature != best.feature && is_nearer(way(&new), way(&best), lengths, reach)) {
+            best = Some(new);
+        }
+    };
+    for (index, edge) in polyhedron.edges.iter().enumerate() {
+        let w = point - polyhedron.vertices[edge.vertices[0] as usize];
+        let along = edge.direction.dot(w);
+        if along <= 0.0 {
+            offer(SurfaceFeature::Vertex(edge.vertices[0]), w);
+        } else if along >= edge.length {
+            offer(SurfaceFeature::Vertex(edge.vertices[1]), point - polyhedron.vertices[edge.vertices[1] as usize]);
+        } else {
+            offer(SurfaceFeature::Edge(index as u32), w - edge.direction * along);
+        }
+    }
+    best
+}

@@ -1,0 +1,257 @@
+//! Elements: the parts of surfaces that can touch, placed in a common frame.
+//!
+//! Every feature of a convex shape is one of five loci blown up by a ball: a point (vertex, apex, centre), a line (edge,
+//! axis of a capsule or cylinder), a circle (rim, ring), the lateral side of a cone, a plane (face, disc). Their outward
+//! normals `o` satisfy `o.e = 0` on a line along `e`, `o.a = sin(alpha)` on a cone with axis `a` towards its apex and half
+//! angle `alpha`, and are fixed on a plane.
+
+use crate::narrow_phase::common_normal::branch::Branch;
+use crate::narrow_phase::feature::mesh_feature::patch_margin;
+use crate::narrow_phase::terms::evaluate::face_margin;
+use crate::shape::TriangleMesh;
+use crate::shape::round::{Circle, circles, fixed_point};
+use crate::{ConvexPolyhedron, Shape, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Sine of the angle by which a normal may leave the normals of a rim, cap, apex or corner before the contact has left it
+/// (0.01 rad): both ends of a body that lies on its side and rocks stay contacts.
+pub(crate) const ALIKE_SINE: f64 = 0.01;
+
+/// Where the axes' points of an element lie.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Locus {
+    Point(DVec3),
+    /// Through a point, along a unit vector.
+    Line(DVec3, DVec3),
+    Circle(Circle),
+    Cone(ConeSide),
+    /// Through a point, with its outward normal.
+    Plane(DVec3, DVec3),
+}
+
+/// The lateral side of a cone: apex, axis towards it, sine and cosine of the half angle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ConeSide {
+    pub(crate) apex: DVec3,
+    pub(crate) axis: DVec3,
+    pub(crate) sine: f64,
+    pub(crate) cosine: f64,
+}
+
+/// What an element ends at.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Border<'a> {
+    /// Nothing.
+    Open,
+    /// A line, this far from its point, m.
+    Ends(f64),
+    /// A cone's generator of this length, m.
+    Generator(f64),
+    /// A disc of this radius, m.
+    Disc(f64),
+    /// A rim: the unit vector in which the side runs into it is `radial` times the radial direction plus `axial` times the
+    /// disc's outward normal.
+    Rim { radial: f64, axial: f64 },
+    /// A cap: beyond the plane perpendicular to this unit vector.
+    Cap(DVec3),
+    /// An apex.
+    Apex(ConeSide),
+    /// A face of a polyhedron at a pose.
+    Polygon(&'a ConvexPolyhedron, u32, Pose),
+    /// A face of a triangle mesh at a pose.
+    Patch(&'a TriangleMesh, u32, Pose),
+    /// A vertex of a polyhedron at a pose.
+    Corner(&'a ConvexPolyhedron, u32, Pose),
+}
+
+/// A part of a surface in the common frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Element<'a> {
+    pub(crate) locus: Locus,
+    /// Radius of the ball, m.
+    pub(crate) ball: f64,
+    pub(crate) branch: Branch,
+    /// A direction out of the body at an edge; zero where there is none.
+    pub(crate) outward: DVec3,
+    pub(crate) border: Border<'a>,
+}
+
+impl<'a> Element<'a> {
+    pub(crate) const fn new(locus: Locus, ball: f64, border: Border<'a>) -> Self {
+        Self { locus, ball, branch: Branch::Nearest, outward: DVec3::ZERO, border }
+    }
+
+    /// Whether it is the middle line of a ring.
+    pub(crate) const fn is_ring(&self) -> bool {
+        self.ball > 0.0 && matches!(self.locus, Locus::Circle(_))
+    }
+
+    /// The element of a shape at a pose; nothing when the shape has no such feature.
+    pub(crate) fn of(shape: &'a Shape, feature: SurfaceFeature, pose: &Pose) -> Option<Self> {
+        match feature {
+            SurfaceFeature::Face(index) => face(shape, index, pose),
+            SurfaceFeature::Edge(index) => edge(shape, index, pose),
+            SurfaceFeature::Vertex(index) => vertex(shape, index, pose),
+            SurfaceFeature::Sphere => {
+                let Shape::Sphere(s) = shape else { return None };
+                Some(Self::new(Locus::Point(pose.transform_point(s.center)), s.radius, Border::Open))
+            }
+            SurfaceFeature::Cap(index) => {
+                let Shape::Capsule(c) = shape else { return None };
+                let (end, other) = (*c.ends.get(index as usize)?, c.ends[1 - index as usize]);
+                let outward = pose.rotation.rotate((end - other) / end.distance(other));
+                Some(Self::new(Locus::Point(pose.transform_point(end)), c.radius, Border::Cap(outward)))
+            }
+            SurfaceFeature::Side(0) => side(shape, pose),
+            SurfaceFeature::Side(_) => None,
+            SurfaceFeature::Rim(index) => rim(shape, index, pose, Branch::Nearest),
+            SurfaceFeature::RimExit(index) => rim(shape, index, pose, Branch::Exit),
+            SurfaceFeature::RimEntry(index) => rim(shape, index, pose, Branch::Entry),
+        }
+    }
+
+    /// Radius by which the surface stands off a place of the locus along the outward normal, m: the ball's, and at a
+    /// place on a cone's axis the length of the normal from there to the side.
+    pub(crate) fn radius_at(&self, place: DVec3) -> f64 {
+        match self.locus {
+            Locus::Cone(side) => self.ball + side.sine * side.axis.dot(side.apex - place),
+            _ => self.ball,
+        }
+    }
+
+    /// Signed distance from the border, m. `place` lies on the locus, `outward` is the unit normal there, `reach` the
+    /// distance of the two loci.
+    pub(crate) fn margin(&self, place: DVec3, outward: DVec3, reach: f64) -> f64 {
+        match (self.border, self.locus) {
+            (Border::Ends(half), Locus::Line(middle, along)) => half - along.dot(place - middle).abs(),
+            (Border::Generator(length), Locus::Cone(side)) => {
+                let down = side.cosine * side.axis.dot(side.apex - place);
+                down.min(length - down)
+            }
+            (Border::Disc(radius), Locus::Plane(center, normal)) => {
+                let from = place - center;
+                radius - (from - normal * normal.dot(from)).length()
+            }
+            (Border::Rim { radial, axial }, Locus::Circle(circle)) => {
+                let out = (place - circle.center) / circle.radius;
+                let from_side = outward.dot(out) * radial + outward.dot(circle.axis) * axial;
+                circle.radius * (outward.dot(out).min(from_side) + ALIKE_SINE)
+            }
+            (Border::Cap(away), _) => reach * (away.dot(outward) + ALIKE_SINE),
+            (Border::Apex(side), _) => {
+                let along = outward.dot(side.axis);
+                let across = (outward - side.axis * along).length();
+                reach * (along * side.cosine - across * side.sine + ALIKE_SINE)
+            }
+            (Border::Polygon(polyhedron, index, pose), _) => {
+                let place = pose.inverse_transform_point(place);
+                polyhedron.face(index as usize).map_or(f64::INFINITY, |face| face_margin(polyhedron, &face, place))
+            }
+            (Border::Patch(mesh, face, pose), _) => patch_margin(mesh, face, pose.inverse_transform_point(place)),
+            (Border::Corner(polyhedron, index, pose), _) => {
+                let outward = pose.rotation.inverse_rotate(outward);
+                let beyond = |&e: &u32| {
+                    let edge = &polyhedron.edges[e as usize];
+                    if edge.vertices[0] == index { -edge.direction.dot(outward) } else { edge.direction.dot(outward) }
+                };
+                let least = polyhedron.edges_at.of(index as usize).iter().map(beyond).fold(f64::INFINITY, f64::min);
+                reach * (least + ALIKE_SINE)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+fn face<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
+    let plane =
+        |through: DVec3, normal: DVec3| Locus::Plane(pose.transform_point(through), pose.rotation.rotate(normal));
+    match shape {
+        Shape::HalfSpace(h) => {
+            (index == 0).then(|| Element::new(plane(h.normal * h.offset, h.normal), 0.0, Border::Open))
+        }
+        Shape::Convex(p) => {
+            let face = p.face(index as usize)?;
+            let through = *p.vertices.get(*face.vertices.first()? as usize)?;
+            // The plane's own offset, which halves the spread of its vertices.
+            let through = through + face.normal * (face.offset - face.normal.dot(through));
+            Some(Element::new(plane(through, face.normal), 0.0, Border::Polygon(p, index, *pose)))
+        }
+        Shape::TriangleMesh(m) => {
+            let patch = m.face_plane(index)?;
+            let locus = plane(patch.normal * patch.offset, patch.normal);
+            Some(Element::new(locus, 0.0, Border::Patch(m, index, *pose)))
+        }
+        Shape::Cylinder(_) | Shape::Cone(_) => {
+            let rims = circles(shape);
+            let rim = rims.get(index as usize)?;
+            Some(Element::new(plane(rim.center, rim.axis), 0.0, Border::Disc(rim.radius)))
+        }
+        _ => None,
+    }
+}
+
+fn edge<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
+    let edge = shape.edge_line(index)?;
+    let middle = 0.5 * (edge.ends[0] + edge.ends[1]);
+    let line = Locus::Line(pose.transform_point(middle), pose.rotation.rotate(edge.direction));
+    let mut element = Element::new(line, 0.0, Border::Ends(0.5 * edge.length));
+    element.outward = pose.rotation.rotate(edge.outward);
+    Some(element)
+}
+
+fn vertex<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
+    let (point, ball) = fixed_point(shape, index)?;
+    let border = match shape {
+        Shape::Convex(p) => Border::Corner(p, index, *pose),
+        Shape::Cone(_) if index == 0 => match side(shape, pose)?.locus {
+            Locus::Cone(side) => Border::Apex(side),
+            _ => Border::Open,
+        },
+        _ => Border::Open,
+    };
+    Some(Element::new(Locus::Point(pose.transform_point(point)), ball, border))
+}
+
+fn side<'a>(shape: &'a Shape, pose: &Pose) -> Option<Element<'a>> {
+    match shape {
+        Shape::Capsule(c) => {
+            // In the capsule's own frame its ends do not fall together, however short it is.
+            let [from, to] = c.ends;
+            let length = from.distance(to);
+            let axis = pose.rotation.rotate((to - from) / length);
+            let locus = Locus::Line(pose.transform_point(0.5 * (from + to)), axis);
+            Some(Element::new(locus, c.radius, Border::Ends(0.5 * length)))
+        }
+        Shape::Cylinder(c) => {
+            let locus = Locus::Line(pose.transform_point(c.center), pose.rotation.rotate(c.axis));
+            Some(Element::new(locus, c.radius, Border::Ends(c.half_height)))
+        }
+        Shape::Cone(c) => {
+            let length = libm::hypot(c.radius, c.height);
+            let side = ConeSide {
+                apex: pose.transform_point(c.apex()),
+                axis: pose.rotation.rotate(c.axis),
+                sine: c.radius / length,
+                cosine: c.height / length,
+            };
+            Some(Element::new(Locus::Cone(side), 0.0, Border::Generator(length)))
+        }
+        _ => None,
+    }
+}
+
+fn rim<'a>(shape: &'a Shape, index: u32, pose: &Pose, branch: Branch) -> Option<Element<'a>> {
+    let circle = circles(shape).get(index as usize)?.placed(pose);
+    let (ball, border) = match shape {
+        Shape::Torus(t) => (t.minor, Border::Open),
+        Shape::Cone(c) => {
+            let length = libm::hypot(c.radius, c.height);
+            (0.0, Border::Rim { radial: c.radius / length, axial: c.height / length })
+        }
+        _ => (0.0, Border::Rim { radial: 0.0, axial: 1.0 }),
+    };
+    // On a disc that lies flat the normal is the disc's, at the border of those of the rim.
+    let border = if branch == Branch::Nearest { border } else { Border::Open };
+    Some(Element { branch, ..Element::new(Locus::Circle(circle), ball, border) })
+}

@@ -1,0 +1,205 @@
+//! Faces, edges and vertices of a triangle mesh: their distance from a place, and the normals they may have.
+//!
+//! A face has the normal of its patch. An edge or a vertex has those normals `v` across whose plane all its triangles
+//! fall away, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
+//! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
+
+use crate::SurfaceFeature;
+use crate::bounding::Bounds;
+use crate::clearance::COINCIDENCE;
+use crate::narrow_phase::terms::evaluate::{Distance, from_plane, from_point};
+use crate::shape::TriangleMesh;
+use crate::shape::triangle::{Part, from_triangle};
+use glam::DVec3;
+
+/// Distance of a place from a feature of the mesh, in the mesh's frame.
+pub(crate) fn distance_of(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<Distance> {
+    match feature {
+        SurfaceFeature::Face(face) => {
+            let plane = mesh.face_plane(face)?;
+            let value = plane.normal.dot(y) - plane.offset;
+            Some(from_plane(plane.normal, value, patch_margin(mesh, face, y - plane.normal * value)))
+        }
+        SurfaceFeature::Edge(edge) => {
+            let line = mesh.edges.get(edge as usize)?;
+            let from = mesh.vertices[line.vertices[0] as usize];
+            let w = y - from;
+            let along = line.direction.dot(w);
+            let mut found = from_point(w - line.direction * along, COINCIDENCE * line.length, f64::INFINITY)?;
+            found.along = line.direction;
+            let ends = along.min(line.length - along);
+            found.margin = mesh.sides_at_edge(edge).map(|side| side.dot(w)).fold(ends, f64::min);
+            Some(found)
+        }
+        SurfaceFeature::Vertex(vertex) => {
+            let x = *mesh.vertices.get(vertex as usize)?;
+            let w = y - x;
+            let beyond = |corner: DVec3| (x - corner).dot(w) / (x - corner).length();
+            let margin = mesh.neighbours(vertex).map(beyond).fold(f64::INFINITY, f64::min);
+            from_point(w, COINCIDENCE * mesh.face_size(vertex), margin)
+        }
+        _ => None,
+    }
+}
+
+/// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
+/// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
+/// which the surface rises it is zero: what has sunk in there lies under both faces, and both bear it.
+pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
+    let patch = face / 2;
+    let slack = COINCIDENCE * mesh.bounds_size();
+    let mut inside: Option<f64> = None;
+    mesh.tree.overlaps(&Bounds { min: y, max: y }.inflated(4.0 * slack), &mut |triangle| {
+        if mesh.patch_of[triangle as usize] != patch {
+            return;
+        }
+        let mut margin = f64::INFINITY;
+        for (k, corner) in mesh.corner_places(triangle).into_iter().enumerate() {
+            let within = mesh.sides[triangle as usize][k].dot(corner - y);
+            let flat = mesh.edges[mesh.edges_of[triangle as usize][k] as usize].flat;
+            if within < -slack || (within < 0.0 && !flat) {
+                return;
+            }
+            margin = if flat { margin } else { margin.min(within) };
+        }
+        inside = Some(inside.map_or(margin, |other| other.min(margin)));
+    });
+    if let Some(margin) = inside {
+        return margin;
+    }
+    let here = Bounds { min: y, max: y };
+    let near = |bounds: &Bounds| bounds.distance(&here);
+    let mut nearest = (f64::INFINITY, None);
+    let distance = mesh.tree.least(f64::INFINITY, 0.0, &near, &mut |triangle, _| {
+        if mesh.patch_of[triangle as usize] != patch {
+            return f64::INFINITY;
+        }
+        let (away, part) = from_triangle(&mesh.corner_places(triangle), y);
+        let distance = away.length();
+        if distance < nearest.0 {
+            nearest = (distance, Some((triangle, part)));
+        }
+        distance
+    });
+    match nearest.1 {
+        Some((triangle, Part::Edge(k))) if mesh.rises_at(mesh.edges_of[triangle as usize][k], face) => 0.0,
+        _ => -distance,
+    }
+}
+
+impl TriangleMesh {
+    /// Whether at an edge of a face's patch the surface rises above the face.
+    fn rises_at(&self, edge: u32, face: u32) -> bool {
+        let Some(plane) = self.face_plane(face) else { return false };
+        let height = COINCIDENCE * self.bounds_size();
+        let others = self.at_edge.of(edge).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
+        others.flat_map(|&t| self.corner_places(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
+    }
+
+    /// Corners of a triangle that exists.
+    pub(crate) fn corner_places(&self, triangle: u32) -> [DVec3; 3] {
+        self.joined[triangle as usize].map(|v| self.vertices[v as usize])
+    }
+
+    /// Unit vectors out of the triangles at an edge, in their planes.
+    pub(crate) fn sides_at_edge(&self, edge: u32) -> impl Iterator<Item = DVec3> + '_ {
+        self.at_edge.of(edge).iter().filter_map(move |&t| {
+            let k = self.edges_of[t as usize].iter().position(|&e| e == edge)?;
+            Some(self.sides[t as usize][k])
+        })
+    }
+
+    /// The corners of the triangles at a vertex but for itself; some occur twice.
+    pub(crate) fn neighbours(&self, vertex: u32) -> impl Iterator<Item = DVec3> + '_ {
+        let others = self.at_vertex.of(vertex).iter().flat_map(|&t| self.joined[t as usize]);
+        others.filter(move |&v| v != vertex).map(|v| self.vertices[v as usize])
+    }
+
+    /// Length of the first edge at a vertex, m.
+    fn face_size(&self, vertex: u32) -> f64 {
+        let x = self.vertices.get(vertex as usize).copied().unwrap_or_default();
+        self.neighbours(vertex).next().map_or(0.0, |w| w.distance(x))
+    }
+
+    pub(crate) fn bounds_size(&self) -> f64 {
+        let bounds = self.bounds();
+        (bounds.max - bounds.min).length()
+    }
+
+    /// Whether the mesh may have the normal `v` at an edge: its triangles rise above the plane by no more than `height`
+    /// (m) plus `slope` times their width.
+    pub(crate) fn supports_at_edge(&self, edge: u32, v: DVec3, height: f64, slope: f64) -> bool {
+        let Some(line) = self.edges.get(edge as usize) else { return false };
+        let x = self.vertices[line.vertices[0] as usize];
+        let falls = |&t: &u32| self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope));
+        self.at_edge.of(edge).iter().all(falls)
+    }
+
+    /// The same at a vertex.
+    pub(crate) fn supports_at_vertex(&self, vertex: u32, v: DVec3, height: f64, slope: f64) -> bool {
+        let Some(&x) = self.vertices.get(vertex as usize) else { return false };
+        let falls = |&t: &u32| {
+            // Of the vertex itself the step is zero.
+            self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
+        };
+        self.at_vertex.of(vertex).iter().all(falls)
+    }
+
+    /// How the surface goes on around a vertex within the plane across `v`.
+    pub(crate) fn flatness(&self, vertex: u32, v: DVec3, tolerance: f64) -> Flatness {
+        let Some(&x) = self.vertices.get(vertex as usize) else { return Flatness::Corner };
+        let level = |w: DVec3| (w - x).dot(v).abs() <= tolerance;
+        let around = self.at_vertex.of(vertex);
+        let mut straight = None;
+        for &t in around {
+            let others = self.joined[t as usize].map(|n| self.vertices[n as usize]);
+            for w in others.into_iter().filter(|w| *w != x && level(*w)) {
+                let d = (w - x).normalize_or_zero();
+                if straight.is_none() && around.iter().any(|&u| self.holds_direction(u, vertex, -d, v, tolerance)) {
+                    straight = Some(d);
+                }
+            }
+        }
+        let Some(along) = straight else { return Flatness::Corner };
+        // All edges at the vertex lie between two triangles of the plane.
+        let inner = around.iter().all(|&t| {
+            let own = self.joined[t as usize];
+            self.edges_of[t as usize].iter().enumerate().all(|(k, &edge)| {
+                let meets = own[k] == vertex || own[(k + 1) % 3] == vertex;
+                !meets || self.edges[edge as usize].flat
+            })
+        });
+        if inner { Flatness::Inner } else { Flatness::Straight(along) }
+    }
+
+    /// Whether a triangle at a vertex goes on in a direction of the plane across `v`.
+    fn holds_direction(&self, triangle: u32, vertex: u32, d: DVec3, v: DVec3, tolerance: f64) -> bool {
+        let own = self.joined[triangle as usize];
+        let Some(k) = own.iter().position(|&n| n == vertex) else { return false };
+        let at = |i: usize| self.vertices[own[(k + i) % 3] as usize];
+        let (p, q) = ((at(1) - at(0)), (at(2) - at(0)));
+        let along =
+            |e: DVec3| e.dot(v).abs() <= tolerance && e.dot(d) > 0.0 && (e - d * e.dot(d)).length() <= tolerance;
+        if along(p) || along(q) {
+            return true;
+        }
+        let level = |e: DVec3| e.dot(v).abs() <= tolerance;
+        let normal = p.cross(q);
+        level(p) && level(q) && p.cross(d).dot(normal) > 0.0 && d.cross(q).dot(normal) > 0.0
+    }
+}
+
+/// The surface around a vertex.
+pub(crate) enum Flatness {
+    /// Plane all around.
+    Inner,
+    /// On a straight border or ridge along this direction.
+    Straight(DVec3),
+    Corner,
+}
+
+fn falls_away(step: DVec3, v: DVec3, height: f64, slope: f64) -> bool {
+    let rise = v.dot(step);
+    // Most slopes are zero, and need no length.
+    rise <= height || (slope > 0.0 && rise <= height + slope * step.length())
+}

@@ -1,0 +1,3 @@
+//! Two shapes without parts.
+
+pub mod convex_method;

@@ -1,0 +1,272 @@
+//! Which contacts of one part of a compound are contacts of the whole.
+//!
+//! Parts may touch in faces that are no surface of the body (an exact decomposition cuts them), or overlap. At a place
+//! `x` of the part's surface with outward normal `v`, looked at with a short probe within the plane across `v`:
+//!  - a contact on a face stands when some of the face beside `x` is free: not every probe meets another part above it;
+//!  - a contact of an edge or vertex stands when no other part at `x` rises above the plane, as the normals of the whole
+//!    body's edge or vertex are those that all its parts have in common; or when it ends a face across the normal that
+//!    is free beside `x`, up to which the whole body's face goes;
+//!  - an edge or vertex between flush faces is none of the body: a crossing there is left out, and a vertex gives way to
+//!    the other body's vertex when there is one, so that the contacts are the vertices of the whole region.
+//!
+//! Fails for gaps and steps between parts that are shorter than the probe ([`PROBE`]), which count as closed.
+
+use crate::bounding::Bounds;
+use crate::narrow_phase::parts::composite::Candidate;
+use crate::narrow_phase::terms::evaluate::face_margin;
+use crate::shape::Compound;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::{ContactFeature, Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Length of a probe relative to the part: far above the tolerance of places (1e-12), far below a part.
+const PROBE: f64 = 1e-6;
+
+/// Directions that are probed around a place.
+const PROBES: u32 = 16;
+
+/// Cosine up to which a direction lies in a plane: far above rounding, far below the slope of any two faces that are not
+/// flush.
+const IN_PLANE: f64 = 1e-9;
+
+/// Cosine above which two edges run along each other.
+const ALONG: f64 = 1.0 - 1e-12;
+
+/// A place on the surface of a part, in the compound's frame.
+struct Place<'a> {
+    compound: &'a Compound,
+    part: usize,
+    near: &'a [usize],
+    x: DVec3,
+    v: DVec3,
+    tolerance: f64,
+    probe: f64,
+}
+
+/// The contact of two parts as one of the whole body `side`, or nothing when it is none. Poses are those of the candidate;
+/// `near` is a buffer.
+pub(crate) fn on_whole(
+    mut candidate: Candidate,
+    shapes: [&Shape; 2],
+    (compound, side): (&Compound, Side),
+    poses: [&Pose; 2],
+    tolerance: f64,
+    near: &mut Vec<usize>,
+) -> Option<Candidate> {
+    let at = usize::from(side == Side::B);
+    let geometry = candidate.geometry;
+    let (sign, pose) = if side == Side::A { (-1.0, poses[0]) } else { (1.0, poses[1]) };
+    let x = pose.inverse_transform_point(geometry.point - geometry.normal * (0.5 * sign * geometry.separation));
+    let v = pose.rotation.inverse_rotate(geometry.normal * sign);
+    let part = candidate.parts[at];
+    let probe = (PROBE * compound.parts[part].size()).max(32.0 * tolerance);
+    near.clear();
+    let reach = Bounds { min: x, max: x }.inflated(2.0 * probe);
+    compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
+    near.retain(|&other| other != part);
+    if near.is_empty() {
+        return Some(candidate);
+    }
+    let place = Place { compound, part, near, x, v, tolerance, probe };
+    let Shape::Convex(own) = shapes[at] else { return (!place.is_covered()).then_some(candidate) };
+    match element(candidate.feature, side) {
+        Element::Face(face) => place.is_exposed(own, face).then_some(candidate),
+        Element::Edge(edge) => {
+            let edge = own.edges.get(edge as usize)?;
+            let stands = place.is_supported() || place.ends_a_face(own, &edge.faces);
+            (stands && !place.continues_across(own, edge.direction)).then_some(candidate)
+        }
+        Element::Vertex(vertex) => {
+            if !(place.is_supported() || place.ends_a_face(own, own.faces_at.of(vertex as usize))) {
+                return None;
+            }
+            let Some(straight) = place.continued_edge(own, vertex) else { return Some(candidate) };
+            let inner = place.is_inner();
+            let local = |direction: DVec3| poses[1 - at].rotation.inverse_rotate(pose.rotation.rotate(direction));
+            let x_other = poses[1 - at]
+                .inverse_transform_point(geometry.point + geometry.normal * (0.5 * sign * geometry.separation));
+            let border = if geometry.margin > 8.0 * tolerance {
+                Border::Inside
+            } else {
+                at_border(shapes[1 - at], candidate.feature, x_other, 8.0 * tolerance)
+            };
+            match border {
+                Border::Vertex(other) if !candidate.replaced => {
+                    let face = own
+                        .faces_at
+                        .of(vertex as usize)
+                        .iter()
+                        .find(|&&f| own.faces[f as usize].normal.dot(v) > 1.0 - IN_PLANE);
+                    let Some(&face) = face else { return Some(candidate) };
+                    candidate.feature = ContactFeature::VertexFace { vertex_of: side.other(), vertex: other, face };
+                    candidate.replaced = true;
+                    Some(candidate)
+                }
+                Border::Edge(along) if !inner => (along.dot(local(straight)).abs() < ALONG).then_some(candidate),
+                Border::Inside | Border::Edge(_) | Border::Vertex(_) => None,
+                Border::Unknown => Some(candidate),
+            }
+        }
+        Element::Other => (!place.is_covered()).then_some(candidate),
+    }
+}
+
+/// What of a body touches.
+enum Element {
+    Face(u32),
+    Edge(u32),
+    Vertex(u32),
+    Other,
+}
+
+fn element(feature: ContactFeature, side: Side) -> Element {
+    match feature {
+        ContactFeature::VertexFace { vertex_of, vertex, .. } if vertex_of == side => Element::Vertex(vertex),
+        ContactFeature::VertexFace { face, .. } => Element::Face(face),
+        ContactFeature::EdgeEdge { edge_a, edge_b } => Element::Edge(if side == Side::A { edge_a } else { edge_b }),
+        ContactFeature::Smooth { center_of, against, .. } if center_of != side => match against {
+            SurfaceFeature::Face(face) => Element::Face(face),
+            SurfaceFeature::Edge(edge) => Element::Edge(edge),
+            SurfaceFeature::Vertex(vertex) => Element::Vertex(vertex),
+            _ => Element::Other,
+        },
+        _ => Element::Other,
+    }
+}
+
+/// Where on a face of the other body a vertex lies.
+pub(crate) enum Border {
+    Inside,
+    /// On an edge with this direction, its frame.
+    Edge(DVec3),
+    Vertex(u32),
+    /// The other body's feature is no face of a polyhedron.
+    Unknown,
+}
+
+/// Where on the face that a vertex-face contact names the place `y` (frame of the face's body) lies.
+pub(crate) fn at_border(other: &Shape, feature: ContactFeature, y: DVec3, tolerance: f64) -> Border {
+    if matches!((other, feature), (Shape::HalfSpace(_), ContactFeature::VertexFace { .. })) {
+        return Border::Inside;
+    }
+    let (Shape::Convex(polyhedron), ContactFeature::VertexFace { face, .. }) = (other, feature) else {
+        return Border::Unknown;
+    };
+    let Some(face) = polyhedron.face(face as usize) else { return Border::Unknown };
+    let mut edge = Border::Inside;
+    for ((&vertex, side), &number) in face.vertices.iter().zip(face.sides).zip(face.edges) {
+        let from = y - polyhedron.vertices[vertex as usize];
+        if (from - face.normal * face.normal.dot(from)).length() <= tolerance {
+            return Border::Vertex(vertex);
+        }
+        if side.dot(from).abs() <= tolerance {
+            edge = Border::Edge(polyhedron.edges[number as usize].direction);
+        }
+    }
+    edge
+}
+
+impl Place<'_> {
+    fn others(&self) -> impl Iterator<Item = &ConvexPolyhedron> {
+        self.near.iter().filter_map(|&part| match &self.compound.parts[part] {
+            Shape::Convex(polyhedron) => Some(polyhedron),
+            _ => None,
+        })
+    }
+
+    /// Whether another part holds the place strictly inside.
+    fn is_covered(&self) -> bool {
+        self.near.iter().any(|&part| match &self.compound.parts[part] {
+            Shape::Convex(polyhedron) => polyhedron.outside(self.x) < -self.tolerance,
+            Shape::Sphere(s) => (self.x - s.center()).length() < s.radius() - self.tolerance,
+            _ => false,
+        })
+    }
+
+    /// Unit vectors around the normal.
+    fn probes(&self) -> impl Iterator<Item = DVec3> {
+        let (u, w) = self.v.any_orthonormal_pair();
+        (0..PROBES).map(move |k| {
+            // Turned so that none lies along a symmetric face's edges.
+            let angle = (f64::from(k) + 0.3) / f64::from(PROBES) * std::f64::consts::TAU;
+            u * libm::cos(angle) + w * libm::sin(angle)
+        })
+    }
+
+    /// Whether some of a face beside the place has no other part above it.
+    fn is_exposed(&self, own: &ConvexPolyhedron, face: u32) -> bool {
+        let Some(face) = own.face(face as usize) else { return false };
+        let mut probed = false;
+        for direction in self.probes() {
+            let x = self.x + direction * self.probe;
+            if face_margin(own, &face, x) < 0.0 {
+                continue;
+            }
+            probed = true;
+            if !self.others().any(|other| self.is_above(other, x)) {
+                return true;
+            }
+        }
+        !probed
+    }
+
+    /// Whether a part goes on above a place along the normal.
+    fn is_above(&self, other: &ConvexPolyhedron, x: DVec3) -> bool {
+        other.faces.iter().all(|face| {
+            let height = face.normal.dot(x) - face.offset;
+            height <= self.tolerance && (height < -self.tolerance || face.normal.dot(self.v) < -IN_PLANE)
+        })
+    }
+
+    /// Whether no other part at the place rises above the plane across the normal.
+    fn is_supported(&self) -> bool {
+        let level = self.v.dot(self.x) + self.tolerance;
+        self.near.iter().all(|&part| {
+            let shape = &self.compound.parts[part];
+            let (centers, radius) = shape.centers();
+            let here = match shape {
+                Shape::Convex(polyhedron) => polyhedron.outside(self.x) <= self.tolerance,
+                Shape::Sphere(s) => (self.x - s.center()).length() <= s.radius() + self.tolerance,
+                _ => false,
+            };
+            !here || centers.iter().all(|c| c.dot(self.v) + radius <= level)
+        })
+    }
+
+    /// Whether one of these faces has the normal and is free beside the place: where another part rises the body's face
+    /// ends, and its points up to there touch.
+    fn ends_a_face(&self, own: &ConvexPolyhedron, faces: &[u32]) -> bool {
+        let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - IN_PLANE;
+        faces.iter().filter(along).any(|&face| self.is_exposed(own, face))
+    }
+
+    fn is_filled(&self, x: DVec3) -> bool {
+        self.others().any(|other| other.outside(x) <= self.tolerance)
+    }
+
+    /// Whether another part goes on in the plane beyond an edge of this one.
+    fn continues_across(&self, own: &ConvexPolyhedron, edge: DVec3) -> bool {
+        let side = edge.cross(self.v).normalize_or_zero() * self.probe;
+        let away = if own.outside(self.x + side) <= self.tolerance { -side } else { side };
+        own.outside(self.x - away) <= self.tolerance && self.is_filled(self.x + away)
+    }
+
+    /// The direction of an edge of this part in the plane that goes on beyond the vertex in another part.
+    fn continued_edge(&self, own: &ConvexPolyhedron, vertex: u32) -> Option<DVec3> {
+        let directions = own.edges_at.of(vertex as usize).iter().map(|&edge| {
+            let edge = &own.edges[edge as usize];
+            if edge.vertices[0] == vertex { edge.direction } else { -edge.direction }
+        });
+        directions.filter(|d| d.dot(self.v).abs() <= IN_PLANE).find(|d| self.is_filled(self.x - *d * self.probe))
+    }
+
+    /// Whether the parts fill the plane all around.
+    fn is_inner(&self) -> bool {
+        let Shape::Convex(own) = &self.compound.parts[self.part] else { return false };
+        self.probes().all(|d| {
+            let x = self.x + d * self.probe;
+            own.outside(x) <= self.tolerance || self.is_filled(x)
+        })
+    }
+}

@@ -1,0 +1,499 @@
+//! Contacts of one triangle of a mesh, in the mesh's frame with the mesh as A.
+
+use crate::narrow_phase::axis::gap::{Body, Gap};
+use crate::narrow_phase::axis::separating_axis::Workspace;
+use crate::narrow_phase::dispatch::manifold::{ALIKE, is_upward, manifold_into};
+use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::feature::mesh_feature::Flatness;
+use crate::narrow_phase::parts::compound_surface::{Border, at_border};
+use crate::narrow_phase::parts::mesh_pair::{DEEPER, MeshContact, SAME_PLACE};
+use crate::narrow_phase::parts::ridge_ends::TouchingPair;
+use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};
+use crate::narrow_phase::region::face_pair;
+use crate::narrow_phase::region::round_region;
+use crate::narrow_phase::terms::evaluate::evaluate;
+use crate::shape::TriangleMesh;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::round::is_round;
+use crate::shape::topology::{flat_triangle, set_flat_triangle};
+use crate::shape::triangle::{Part, from_triangle};
+use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// A mesh, A, and another body, B, in the mesh's frame.
+#[derive(Clone, Copy)]
+pub(crate) struct MeshPair<'a> {
+    /// The mesh as a shape.
+    pub(crate) shape: &'a Shape,
+    pub(crate) mesh: &'a TriangleMesh,
+    pub(crate) other: &'a Shape,
+    pub(crate) x: Pose,
+    pub(crate) tolerance: f64,
+    pub(crate) reach: f64,
+}
+
+impl<'a> MeshPair<'a> {
+    /// The pair in the mesh's frame.
+    pub(crate) const fn touching(&'a self) -> TouchingPair<'a> {
+        let poses = [&Pose::IDENTITY, &self.x];
+        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE * self.tolerance }
+    }
+}
+
+/// Places a polyhedron in the mesh's frame, and gives the offsets of its faces there, m.
+pub(crate) fn place_other(workspace: &mut Workspace, other: &Shape, x: &Pose, offsets: &mut Vec<f64>) {
+    offsets.clear();
+    if let Shape::Convex(polyhedron) = other {
+        workspace.place(polyhedron, x);
+        let faces = polyhedron.faces.iter().zip(&workspace.normals);
+        offsets.extend(faces.map(|(face, normal)| normal.dot(x.translation) + face.offset));
+    }
+}
+
+/// A triangle as a shape, kept from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct FlatTriangle(Option<Shape>);
+
+impl FlatTriangle {
+    fn set(&mut self, triangle: &Triangle) -> &Shape {
+        let Triangle { corners, normal, .. } = *triangle;
+        let shape = self.0.get_or_insert_with(|| Shape::Convex(flat_triangle(corners, normal)));
+        if let Shape::Convex(flat) = shape {
+            set_flat_triangle(flat, corners, normal);
+        }
+        shape
+    }
+}
+
+/// The contacts of a triangle with a polyhedron that has been placed.
+pub(crate) fn of_polyhedron(
+    workspace: &mut Workspace,
+    pair: &MeshPair<'_>,
+    triangle: &Triangle,
+    polyhedron: &ConvexPolyhedron,
+    axes: &TriangleAxes,
+    (flat, contacts): (&mut FlatTriangle, &mut Vec<MeshContact>),
+) {
+    let (tolerance, reach) = (pair.tolerance, pair.reach);
+    workspace.features.clear();
+    let mut deciding: Option<[Option<DVec3>; 2]> = None;
+    if let Some((side, face)) = faces_of(workspace, triangle, polyhedron, axes, tolerance) {
+        let outward = if side == 0 { triangle.normal } else { -triangle.normal };
+        let upper = if is_upward(-outward) { Side::A } else { Side::B };
+        let Shape::Convex(flat) = flat.set(triangle) else { return };
+        face_pair::collect(workspace, flat, polyhedron, (side, face), (tolerance, reach), upper);
+        let of_face = workspace.normals[face as usize];
+        // Normals from B to A.
+        deciding = Some(match axes.decision {
+            Decision::Side(_) => [Some(-outward), None],
+            Decision::Face(face) => [Some(workspace.normals[face as usize]), None],
+            Decision::Edges(..) => [Some(-outward), Some(of_face)],
+        });
+    } else if let Decision::Edges(k, edge_b, _) = axes.decision {
+        workspace.features.push(ContactFeature::EdgeEdge { edge_a: k as u32, edge_b });
+    }
+    let features = std::mem::take(&mut workspace.features);
+    let judge = OnTriangle { pair, triangle };
+    let touching = pair.touching();
+    for &feature in &features {
+        // Where a ridge bends, what a triangle has by itself is none of the surface: the ridges are crossed there.
+        let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
+        workspace.ridges.places.extend(place.map(|geometry| geometry.point));
+        let Some(found) = judge.on_surface(feature) else { continue };
+        let geometry = found.contact.geometry;
+        let alike = |normal: &DVec3| geometry.normal.dot(*normal) >= ALIKE;
+        let decided = deciding.is_none_or(|normals| normals.iter().flatten().any(alike));
+        // Apart, the nearest places of two lines may lie beyond the ends of the edges.
+        let crossing = deciding.is_some() || geometry.margin >= -tolerance;
+        if decided && crossing && geometry.separation <= reach {
+            contacts.push(found);
+        }
+    }
+    workspace.features = features;
+}
+
+/// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
+pub(crate) fn deciding_contact(
+    workspace: &Workspace,
+    pair: &MeshPair<'_>,
+    triangle: &Triangle,
+    axes: &TriangleAxes,
+) -> Option<Contact> {
+    let deepest = |points: &[DVec3], normal: DVec3| {
+        let lowest = points.iter().enumerate().min_by(|(_, p), (_, q)| normal.dot(**p).total_cmp(&normal.dot(**q)));
+        lowest.map_or(0, |(i, _)| i as u32)
+    };
+    let feature = match axes.decision {
+        Decision::Edges(k, edge_b, _) => ContactFeature::EdgeEdge { edge_a: k as u32, edge_b },
+        Decision::Face(face) => {
+            let vertex = deepest(&triangle.corners, workspace.normals[face as usize]);
+            ContactFeature::VertexFace { vertex_of: Side::A, vertex, face }
+        }
+        Decision::Side(face) => {
+            let outward = if face == 0 { triangle.normal } else { -triangle.normal };
+            ContactFeature::VertexFace { vertex_of: Side::B, vertex: deepest(&workspace.vertices, outward), face }
+        }
+    };
+    OnTriangle { pair, triangle }.measure(feature)
+}
+
+/// The side of the triangle and the face of the polyhedron that lie on each other, when they do.
+fn faces_of(
+    workspace: &Workspace,
+    triangle: &Triangle,
+    polyhedron: &ConvexPolyhedron,
+    axes: &TriangleAxes,
+    tolerance: f64,
+) -> Option<(u32, u32)> {
+    let outward = |side: u32| if side == 0 { triangle.normal } else { -triangle.normal };
+    match axes.decision {
+        Decision::Side(side) => Some((side, lowest_face(workspace, polyhedron, outward(side), tolerance))),
+        Decision::Face(face) => {
+            let normal = workspace.normals[face as usize];
+            Some((u32::from(normal.dot(triangle.normal) > 0.0), face))
+        }
+        Decision::Edges(_, edge, v) => {
+            let side = u32::from(triangle.normal.dot(v) < 0.0);
+            let faces = polyhedron.edges[edge as usize].faces;
+            let against = |f: u32| -workspace.normals[f as usize].dot(v);
+            let face = if against(faces[1]) > against(faces[0]) { faces[1] } else { faces[0] };
+            (outward(side).dot(v) >= ALIKE && against(face) >= ALIKE).then_some((side, face))
+        }
+    }
+}
+
+/// Of the faces at the lowest vertices along a direction, the one that lies most nearly against it.
+fn lowest_face(workspace: &Workspace, polyhedron: &ConvexPolyhedron, outward: DVec3, tolerance: f64) -> u32 {
+    let least = workspace.vertices.iter().map(|v| v.dot(outward)).fold(f64::INFINITY, f64::min);
+    let mut best = (0, f64::NEG_INFINITY);
+    for (vertex, place) in workspace.vertices.iter().enumerate() {
+        if place.dot(outward) <= least + tolerance {
+            for &face in polyhedron.faces_at.of(vertex) {
+                let against = -workspace.normals[face as usize].dot(outward);
+                if against > best.1 {
+                    best = (face, against);
+                }
+            }
+        }
+    }
+    best.0
+}
+
+/// Judges contacts between a triangle and the body.
+struct OnTriangle<'a> {
+    pair: &'a MeshPair<'a>,
+    triangle: &'a Triangle,
+}
+
+impl OnTriangle<'_> {
+    /// The geometry of a contact with the numbers of the mesh.
+    fn measure(&self, feature: ContactFeature) -> Option<Contact> {
+        let index = self.triangle.index as usize;
+        let mesh = self.pair.mesh;
+        let patch = mesh.patch_of[index];
+        let (vertex, edge) = (
+            |k: u32| mesh.joined[index].get(k as usize).copied(),
+            |k: u32| mesh.edges_of[index].get(k as usize).copied(),
+        );
+        let of_mesh = |of_triangle: SurfaceFeature| match of_triangle {
+            SurfaceFeature::Face(face) => Some(SurfaceFeature::Face(2 * patch + face)),
+            SurfaceFeature::Edge(k) => edge(k).map(SurfaceFeature::Edge),
+            SurfaceFeature::Vertex(k) => vertex(k).map(SurfaceFeature::Vertex),
+            _ => None,
+        };
+        let feature = match feature {
+            ContactFeature::VertexFace { vertex_of: Side::A, vertex: k, face } => {
+                ContactFeature::VertexFace { vertex_of: Side::A, vertex: vertex(k)?, face }
+            }
+            ContactFeature::VertexFace { vertex_of, vertex, face } => {
+                ContactFeature::VertexFace { vertex_of, vertex, face: 2 * patch + face }
+            }
+            ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge { edge_a: edge(edge_a)?, edge_b },
+            ContactFeature::Smooth { center_of: Side::A, center, against } => {
+                ContactFeature::Smooth { center_of: Side::A, center: vertex(center)?, against }
+            }
+            ContactFeature::Smooth { center_of, center, against } => {
+                ContactFeature::Smooth { center_of, center, against: of_mesh(against)? }
+            }
+            ContactFeature::Elements { a, b } => ContactFeature::Elements { a: of_mesh(a)?, b },
+            ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => return None,
+        };
+        self.measure_whole(feature)
+    }
+
+    fn measure_whole(&self, feature: ContactFeature) -> Option<Contact> {
+        let geometry = evaluate(feature, self.pair.shape, &Pose::IDENTITY, self.pair.other, &self.pair.x)?;
+        Some(Contact { feature, geometry })
+    }
+
+    /// The contact, when the surface of the whole mesh has it.
+    fn on_surface(&self, feature: ContactFeature) -> Option<MeshContact> {
+        let contact = self.measure(feature)?;
+        let (mesh, tolerance) = (self.pair.mesh, self.pair.tolerance);
+        let outward = -contact.geometry.normal;
+        let place = contact.geometry.point + contact.geometry.normal * (0.5 * contact.geometry.separation);
+        match contact.feature {
+            ContactFeature::VertexFace { vertex_of: Side::A, vertex, .. } => {
+                if !mesh.supports_at_vertex(vertex, outward, tolerance, 0.0) {
+                    return None;
+                }
+                let straight = match mesh.flatness(vertex, outward, tolerance) {
+                    Flatness::Corner => return Some(MeshContact { contact, order: 0, on_convex_edge: false }),
+                    Flatness::Straight(direction) => Some(direction),
+                    Flatness::Inner => None,
+                };
+                let on_body = contact.geometry.point - contact.geometry.normal * (0.5 * contact.geometry.separation);
+                let y = self.pair.x.inverse_transform_point(on_body);
+                match (at_border(self.pair.other, contact.feature, y, 8.0 * tolerance), straight) {
+                    (Border::Vertex(vertex), _) => {
+                        let side = u32::from(outward.dot(self.triangle.normal) < 0.0);
+                        let face = 2 * mesh.patch_of[self.triangle.index as usize] + side;
+                        let flat = outward.dot(self.triangle.normal).abs() >= ALIKE;
+                        let contact = if flat {
+                            self.measure_whole(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face })?
+                        } else {
+                            contact
+                        };
+                        Some(MeshContact { contact, order: 0, on_convex_edge: false })
+                    }
+                    (Border::Edge(along), Some(straight)) => {
+                        let across = self.pair.x.rotation.rotate(along).cross(straight).length();
+                        (across > PARALLEL).then_some(MeshContact { contact, order: 0, on_convex_edge: false })
+                    }
+                    (Border::Unknown, _) => Some(MeshContact { contact, order: 0, on_convex_edge: false }),
+                    (Border::Inside | Border::Edge(_), _) => None,
+                }
+            }
+            ContactFeature::EdgeEdge { edge_a, .. } => {
+                let stands =
+                    !mesh.edges[edge_a as usize].flat && mesh.supports_at_edge(edge_a, outward, tolerance, SLOPE);
+                stands.then_some(MeshContact { contact, order: 0, on_convex_edge: false })
+            }
+            _ => {
+                let part = self.part_at(place);
+                let supported = self.supports(part, outward, 0.0);
+                Some(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported })
+            }
+        }
+    }
+
+    /// The part of the triangle in which a place lies.
+    fn part_at(&self, place: DVec3) -> Part {
+        let limit = 8.0 * self.pair.tolerance;
+        let corners = self.triangle.corners;
+        if let Some(k) = corners.iter().position(|c| c.distance(place) <= limit) {
+            return Part::Corner(k);
+        }
+        let sides = self.pair.mesh.sides[self.triangle.index as usize];
+        (0..3).find(|&k| sides[k].dot(place - corners[k]).abs() <= limit).map_or(Part::Face, Part::Edge)
+    }
+
+    fn supports(&self, part: Part, v: DVec3, slope: f64) -> bool {
+        let index = self.triangle.index as usize;
+        let (mesh, tolerance) = (self.pair.mesh, self.pair.tolerance);
+        match part {
+            Part::Face => true,
+            Part::Edge(k) => mesh.supports_at_edge(mesh.edges_of[index][k], v, tolerance, slope),
+            Part::Corner(k) => mesh.supports_at_vertex(mesh.joined[index][k], v, tolerance, slope),
+        }
+    }
+}
+
+/// Sine below which a straight border of the mesh runs along an edge of the body.
+const PARALLEL: f64 = 1e-6;
+
+/// Slope by which the neighbours of an edge may rise above the normal of a crossing: the rounding of that normal, which
+/// grows as the edges become parallel ([`crate::clearance::PARALLEL_SINE`]).
+const SLOPE: f64 = 1e-9;
+
+/// The centres of a sphere or the points of a cloud near a triangle: adds their contacts and gives the least distance, m.
+pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mut Vec<MeshContact>) -> f64 {
+    let MeshPair { mesh, other, x, tolerance, reach, .. } = pair;
+    let (tolerance, reach) = (*tolerance, *reach);
+    let (centers, radius) = other.centers();
+    let side = side_of(triangle, other, x, tolerance);
+    let judge = OnTriangle { pair, triangle };
+    let index = triangle.index as usize;
+    let mut least = f64::INFINITY;
+    for (number, &center) in centers.iter().enumerate() {
+        let center = x.transform_point(center);
+        let near = NearTriangle::new(triangle, center, side, tolerance);
+        least = least.min(near.distance - radius);
+        if near.distance - radius > reach {
+            continue;
+        }
+        let slope = tolerance / near.distance.abs().max(tolerance);
+        let supported = judge.supports(near.part, near.direction, slope);
+        let over_face = near.lateral <= 8.0 * tolerance;
+        if !(supported || over_face) {
+            continue;
+        }
+        let number = number as u32;
+        let against = match near.part {
+            _ if over_face => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
+            Part::Face => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
+            Part::Edge(k) => SurfaceFeature::Edge(mesh.edges_of[index][k]),
+            Part::Corner(k) => SurfaceFeature::Vertex(mesh.joined[index][k]),
+        };
+        let feature = match against {
+            SurfaceFeature::Face(face) if radius == 0.0 => {
+                ContactFeature::VertexFace { vertex_of: Side::B, vertex: number, face }
+            }
+            _ => ContactFeature::Smooth { center_of: Side::B, center: number, against },
+        };
+        let on_convex_edge = near.part != Part::Face && supported;
+        contacts.extend(judge.measure_whole(feature).map(|contact| MeshContact { contact, order: 0, on_convex_edge }));
+    }
+    least
+}
+
+/// The side on which less of the body overlaps: 0 outer, 1 inner. A body without extent is on the outer side as far as
+/// it overlaps; nothing when its own place decides.
+fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Option<u32> {
+    let (centers, radius) = other.centers();
+    if radius > 0.0 {
+        return None;
+    }
+    let normal = x.rotation.inverse_rotate(triangle.normal);
+    let base = triangle.normal.dot(x.translation) - triangle.offset;
+    let (low, high) = centers
+        .iter()
+        .map(|c| normal.dot(*c))
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+    let (below, above) = (base + low, base + high);
+    (above - below > 4.0 * tolerance).then(|| u32::from(below < -above))
+}
+
+/// A point and a triangle.
+struct NearTriangle {
+    part: Part,
+    side: u32,
+    /// Signed, m: negative beyond the face on its side.
+    distance: f64,
+    direction: DVec3,
+    /// Distance within the plane from the nearest place, m.
+    lateral: f64,
+}
+
+impl NearTriangle {
+    fn new(triangle: &Triangle, point: DVec3, side: Option<u32>, tolerance: f64) -> Self {
+        let (away, part) = from_triangle(&triangle.corners, point);
+        let height = triangle.normal.dot(point) - triangle.offset;
+        let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
+        let length = away.length();
+        let over = lateral <= 8.0 * tolerance;
+        let side = match side {
+            Some(side) => side,
+            None => u32::from(height < -POINT_DEPTH * tolerance),
+        };
+        let outward = if side == 0 { triangle.normal } else { -triangle.normal };
+        if over || part == Part::Face {
+            let distance = if side == 0 { height } else { -height };
+            return Self { part, side, distance, direction: outward, lateral };
+        }
+        Self { part, side, distance: length, direction: away / length, lateral }
+    }
+}
+
+/// A single point up to this many place tolerances below the outer side is on the outer side.
+const POINT_DEPTH: f64 = 64.0;
+
+/// The separation of a triangle from a body that is no polyhedron, m.
+pub(crate) fn separation_of_part(
+    workspace: &mut Workspace,
+    mesh: &TriangleMesh,
+    triangle: &Triangle,
+    other: &Shape,
+    x: &Pose,
+    flat: &mut FlatTriangle,
+) -> f64 {
+    match other {
+        Shape::Sphere(_) | Shape::Points(_) => {
+            let (centers, radius) = other.centers();
+            let tolerance = crate::clearance::place_tolerance(mesh.bounds_size(), mesh.bounds_size(), x.translation);
+            let side = side_of(triangle, other, x, tolerance);
+            let near = |&c: &DVec3| NearTriangle::new(triangle, x.transform_point(c), side, tolerance).distance;
+            centers.iter().map(near).fold(f64::INFINITY, f64::min) - radius
+        }
+        _ => separation_with(workspace, flat.set(triangle), &Pose::IDENTITY, other, x),
+    }
+}
+
+/// The contacts of a triangle with a curved body, from the pair of a flat polyhedron and that body.
+pub(crate) fn of_parts(
+    workspace: &mut Workspace,
+    pair: &MeshPair<'_>,
+    triangle: &Triangle,
+    (flat, manifold): (&mut FlatTriangle, &mut Manifold),
+    contacts: &mut Vec<MeshContact>,
+) -> f64 {
+    let MeshPair { mesh, other, x, reach, .. } = pair;
+    manifold_into(workspace, flat.set(triangle), &Pose::IDENTITY, other, x, *reach, manifold);
+    let judge = OnTriangle { pair, triangle };
+    let mut lost = false;
+    for local in &manifold.contacts {
+        let Some(contact) = judge.measure(local.feature) else { continue };
+        let place = local.geometry.point + local.geometry.normal * (0.5 * local.geometry.separation);
+        let part = judge.part_at(place);
+        let flat_edge =
+            matches!(part, Part::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
+        let supported = judge.supports(part, -local.geometry.normal, SLOPE);
+        // A face has its own normal as far as its border, also where the next face rises: in a valley both bear.
+        if is_on_face(local.feature) || (supported && !flat_edge) {
+            contacts.push(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported });
+        } else {
+            lost = true;
+        }
+    }
+    if lost && is_round(other) {
+        on_own_face(workspace, &judge, flat.set(triangle), manifold, contacts);
+    }
+    manifold.separation
+}
+
+/// Whether a contact of a triangle as a flat polyhedron lies on one of its faces.
+const fn is_on_face(feature: ContactFeature) -> bool {
+    matches!(
+        feature,
+        ContactFeature::VertexFace { vertex_of: Side::B, .. }
+            | ContactFeature::Smooth { center_of: Side::B, against: SurfaceFeature::Face(_), .. }
+            | ContactFeature::Elements { a: SurfaceFeature::Face(_), .. }
+    )
+}
+
+/// The contacts of a round body on a triangle's face, where others that the surface does not have stood for them: in the
+/// bottom of a valley a disc passes by the edge of either side, and a vertex of the mesh lies on the disc where a point of
+/// the rim lies on the face. The contacts of `manifold`, which have been taken over, make room for them.
+fn on_own_face(
+    workspace: &mut Workspace,
+    judge: &OnTriangle<'_>,
+    flat: &Shape,
+    manifold: &mut Manifold,
+    contacts: &mut Vec<MeshContact>,
+) {
+    let MeshPair { other, x, reach, tolerance, .. } = judge.pair;
+    let slack = 8.0 * *tolerance;
+    let body = Body::whole(other, *x);
+    for (side, sign) in [(0, 1.0), (1, -1.0)] {
+        let outward = judge.triangle.normal * sign;
+        let along = -body.support(-outward) - judge.triangle.offset * sign;
+        if along > *reach || along < manifold.separation.min(0.0) * DEEPER - slack {
+            continue;
+        }
+        let gap = Gap {
+            separation: along,
+            normal: -outward,
+            a: SurfaceFeature::Face(side),
+            b: body.farthest(-outward),
+            tolerance: *tolerance,
+        };
+        let pair = ((flat, &Pose::IDENTITY), (*other, x));
+        manifold.contacts.clear();
+        let found = &mut manifold.contacts;
+        round_region::contacts_where(&mut workspace.features, pair.0, pair.1, &gap, *reach, is_on_face, found);
+        let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
+        let within = measured.filter(|contact| contact.geometry.margin >= -slack);
+        contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));
+    }
+}

@@ -1,0 +1,235 @@
+//! A triangle mesh against another body.
+//!
+//! Every triangle that the body's box meets is taken as a flat convex body. Of what it gives only the contacts stay whose
+//! normal the surface has at the mesh's feature (`mesh_feature.rs`): the inner edges and vertices of a flat patch give
+//! none, so that a box on a plane of many triangles has its four corners and no more, and a ball on it one contact. The
+//! side of the surface is the one on which less of the body overlaps; a single point is on the outer side. Of contacts
+//! of one vertex with several faces of a convex edge or corner that it lies on, the one with the lowest face stays.
+//! All is computed in the mesh's frame, and the same whichever body is called A.
+
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::axis::separating_axis::Workspace;
+use crate::narrow_phase::parts::composite::measure_again;
+use crate::narrow_phase::parts::mesh_contacts::{
+    FlatTriangle, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other, separation_of_part,
+};
+use crate::narrow_phase::parts::ridge_ends::crossings;
+use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes, triangle_axes};
+use crate::shape::TriangleMesh;
+use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
+use polhode_spatial::Pose;
+
+/// Places nearer than this many place tolerances are one.
+pub(crate) const SAME_PLACE: f64 = 8.0;
+
+/// How much deeper along a triangle's axis than as a whole a body may overlap there.
+pub(crate) const DEEPER: f64 = 1.5;
+
+/// The mesh of a pair and the other body; nothing when none is a mesh.
+fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
+    match shapes {
+        [Shape::TriangleMesh(mesh), other] => Some((0, mesh, other)),
+        [other, Shape::TriangleMesh(mesh)] => Some((1, mesh, other)),
+        _ => None,
+    }
+}
+
+/// Grounds do not meet each other.
+const fn never_meets(other: &Shape) -> bool {
+    matches!(other, Shape::TriangleMesh(_) | Shape::HalfSpace(_))
+}
+
+/// The separation of a pair of which one is a mesh; nothing for other pairs.
+pub(crate) fn mesh_separation(workspace: &mut Workspace, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
+    let (at, mesh, other) = sides_of(shapes)?;
+    if never_meets(other) {
+        return Some(f64::INFINITY);
+    }
+    let x = poses[at].relative(poses[1 - at]);
+    let bounds = other.bounds_at(&x);
+    let tolerance = tolerance_of(mesh, other, &x);
+    let mut buffers = std::mem::take(&mut workspace.mesh);
+    let MeshBuffers { offsets, flat, .. } = &mut buffers;
+    place_other(workspace, other, &x, offsets);
+    let mut measure = |index: u32, best: f64| {
+        let triangle = Triangle::new(mesh, index);
+        match other {
+            Shape::Convex(polyhedron) => {
+                let limits = (tolerance, best.max(0.0));
+                triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, limits).separation
+            }
+            _ => separation_of_part(workspace, mesh, &triangle, other, &x, flat),
+        }
+    };
+    let least = mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure);
+    workspace.mesh = buffers;
+    Some(least)
+}
+
+fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
+    let size = if other.size() > 0.0 { other.size() } else { mesh.bounds_size() };
+    place_tolerance(size, mesh.bounds_size(), x.translation)
+}
+
+/// What is kept from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct MeshBuffers {
+    /// Offsets of the faces of the other body, a polyhedron, m.
+    offsets: Vec<f64>,
+    triangles: Vec<u32>,
+    near: Vec<(Triangle, TriangleAxes)>,
+    contacts: Vec<MeshContact>,
+    flat: FlatTriangle,
+    /// Of one triangle.
+    of_part: Manifold,
+}
+
+/// All contacts of a pair of which one is a mesh; its separation only when it is within reach.
+pub(crate) fn mesh_manifold(
+    workspace: &mut Workspace,
+    shapes: [&Shape; 2],
+    poses: [&Pose; 2],
+    reach: f64,
+    found: &mut Manifold,
+) {
+    found.set_empty(f64::INFINITY, SeparatingAxis::None);
+    let Some((at, mesh, other)) = sides_of(shapes) else { return };
+    if never_meets(other) {
+        return;
+    }
+    let x = poses[at].relative(poses[1 - at]);
+    let pair = MeshPair { shape: shapes[at], mesh, other, x, tolerance: tolerance_of(mesh, other, &x), reach };
+    let mut buffers = std::mem::take(&mut workspace.mesh);
+    of_triangles(workspace, &mut buffers, &pair, found);
+    let is_near = !(found.separation.is_nan() || reach.is_nan() || found.separation > reach);
+    if is_near {
+        of_surface(workspace, &mut buffers, &pair, found);
+    }
+    workspace.mesh = buffers;
+    if is_near {
+        if at == 1 {
+            found.axis = swapped(found.axis);
+            found.contacts.iter_mut().for_each(|contact| contact.feature = contact.feature.swapped());
+        }
+        measure_again(&mut found.contacts, shapes, poses, reach.max(pair.tolerance));
+        found.contacts.sort_unstable_by_key(|contact| contact.feature);
+        return;
+    }
+    found.set_empty(found.separation, SeparatingAxis::None);
+}
+
+/// The separation of the triangles within reach and, of bodies that are no polyhedra, their contacts.
+fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { offsets, triangles, near, contacts, flat, of_part } = buffers;
+    let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
+    place_other(workspace, other, x, offsets);
+    triangles.clear();
+    contacts.clear();
+    near.clear();
+    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE * tolerance);
+    mesh.tree.overlaps(&bounds, &mut |triangle| triangles.push(triangle));
+    triangles.sort_unstable();
+    let mut note = |separation: f64, axis: SeparatingAxis| {
+        if separation < found.separation || separation.is_nan() {
+            (found.separation, found.axis) = (separation, axis);
+        }
+    };
+    for &index in triangles.iter() {
+        let triangle = Triangle::new(mesh, index);
+        match other {
+            Shape::Convex(polyhedron) => {
+                let axes = triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, (tolerance, reach));
+                note(axes.separation, axis_of(mesh, &triangle, axes.decision));
+                if axes.separation <= reach {
+                    near.push((triangle, axes));
+                }
+            }
+            Shape::Sphere(_) | Shape::Points(_) => {
+                note(of_centers(pair, &triangle, contacts), SeparatingAxis::Nearest);
+            }
+            _ => {
+                let least = of_parts(workspace, pair, &triangle, (flat, of_part), contacts);
+                note(least, SeparatingAxis::Nearest);
+            }
+        }
+    }
+}
+
+/// The contacts of the whole surface, in the mesh's frame with the mesh as A.
+fn of_surface(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { near, contacts, flat, .. } = buffers;
+    let tolerance = pair.tolerance;
+    if let Shape::Convex(polyhedron) = pair.other {
+        // A triangle along whose own axes the body overlaps more than it does as a whole touches it with a vertex or an
+        // edge only, and the triangles beside it have the axis.
+        near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE * tolerance);
+        for (triangle, axes) in near.iter() {
+            of_polyhedron(workspace, pair, triangle, polyhedron, axes, (flat, contacts));
+        }
+    }
+    one_on_convex_edges(contacts, SAME_PLACE * tolerance);
+    found.contacts.extend(contacts.iter().map(|c| c.contact));
+    crossings(&mut workspace.ridges, pair.touching(), &mut found.contacts);
+    workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
+    if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {
+        // Bodies that touch have a contact, also where tolerances left none.
+        found.contacts.extend(deciding_contact(workspace, pair, triangle, axes));
+    }
+}
+
+const fn swapped(axis: SeparatingAxis) -> SeparatingAxis {
+    match axis {
+        SeparatingAxis::FaceA(face) => SeparatingAxis::FaceB(face),
+        SeparatingAxis::FaceB(face) => SeparatingAxis::FaceA(face),
+        SeparatingAxis::Edges(a, b) => SeparatingAxis::Edges(b, a),
+        SeparatingAxis::Nearest | SeparatingAxis::None => axis,
+    }
+}
+
+fn axis_of(mesh: &TriangleMesh, triangle: &Triangle, decision: Decision) -> SeparatingAxis {
+    let index = triangle.index as usize;
+    match decision {
+        Decision::Side(side) => SeparatingAxis::FaceA(2 * mesh.patch_of[index] + side),
+        Decision::Face(face) => SeparatingAxis::FaceB(face),
+        Decision::Edges(k, edge, _) => SeparatingAxis::Edges(mesh.edges_of[index][k], edge),
+    }
+}
+
+/// A contact in the mesh's frame, the mesh being A.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeshContact {
+    pub(crate) contact: Contact,
+    /// Its place among those found.
+    pub(crate) order: u32,
+    /// It lies on an edge or corner of its triangle at which the surface falls away on all sides.
+    pub(crate) on_convex_edge: bool,
+}
+
+/// Of contacts of one vertex at a convex edge or corner, with each of its faces, the one with the lowest face stays.
+fn one_on_convex_edges(found: &mut Vec<MeshContact>, tolerance: f64) {
+    // Of equal features the first found goes first.
+    (0..).zip(found.iter_mut()).for_each(|(order, c)| c.order = order);
+    found.sort_unstable_by_key(|c| (c.contact.feature, c.order));
+    let mut count = 0;
+    for k in 0..found.len() {
+        let (kept, next) = (&found[..count], found[k]);
+        let vertex = |c: &MeshContact| match c.contact.feature {
+            ContactFeature::VertexFace { vertex_of: crate::Side::B, vertex, .. } => Some(vertex),
+            _ => None,
+        };
+        let hides = |before: &MeshContact| {
+            before.on_convex_edge
+                && vertex(before) == vertex(&next)
+                && before.contact.geometry.point.distance(next.contact.geometry.point) <= tolerance
+        };
+        let covered = next.on_convex_edge
+            && vertex(&next).is_some()
+            && kept.iter().rev().take_while(|before| vertex(before) == vertex(&next)).any(hides);
+        if !covered {
+            found[count] = next;
+            count += 1;
+        }
+    }
+    found.truncate(count);
+}

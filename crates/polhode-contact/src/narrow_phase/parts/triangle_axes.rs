@@ -1,0 +1,233 @@
+//! Separating axes of a triangle of a mesh and a convex polyhedron.
+//!
+//! A triangle is a flat convex body: its axes are the two normals of its plane, the normals of the polyhedron's faces and
+//! the common perpendiculars of its edges with the polyhedron's, whose arcs on the Gauss map run from one normal over
+//! the direction out of the triangle to the other. They tell whether the triangle is apart. For contacts only those
+//! axes count that the surface has at the triangle's feature ([`TriangleMesh::supports_at_edge`]).
+
+use crate::clearance::PARALLEL_SINE;
+use crate::narrow_phase::axis::edge_axes::{AXIS_SLACK, AXIS_ULPS, SQUARE_SLACK};
+use crate::narrow_phase::axis::separating_axis::{Workspace, range};
+use crate::shape::TriangleMesh;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use glam::DVec3;
+
+/// A triangle and its plane, the mesh's frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Triangle {
+    pub(crate) index: u32,
+    pub(crate) corners: [DVec3; 3],
+    /// Of its patch.
+    pub(crate) normal: DVec3,
+    pub(crate) offset: f64,
+}
+
+impl Triangle {
+    pub(crate) fn new(mesh: &TriangleMesh, index: u32) -> Self {
+        let patch = mesh.patches[mesh.patch_of[index as usize] as usize];
+        Self { index, corners: mesh.corner_places(index), normal: patch.normal, offset: patch.offset }
+    }
+}
+
+/// What decides how a triangle and a polyhedron stand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Decision {
+    /// The triangle's outer (0) or inner (1) side.
+    Side(u32),
+    /// A face of the polyhedron.
+    Face(u32),
+    /// The triangle's edge from this corner to the next, and an edge of the polyhedron; the unit vector from the mesh.
+    Edges(usize, u32, DVec3),
+}
+
+/// The best axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TriangleAxes {
+    /// Along all axes, m: above zero when the triangle is apart.
+    pub(crate) separation: f64,
+    /// Along the axes that the surface has at the triangle, m.
+    pub(crate) supported: f64,
+    pub(crate) decision: Decision,
+}
+
+/// Searches the axes; the polyhedron must have been placed in the mesh's frame, `offsets` are those of its faces there.
+/// Ends early with what it has when the triangle is apart by more than `stop`.
+pub(crate) fn triangle_axes(
+    workspace: &mut Workspace,
+    offsets: &[f64],
+    mesh: &TriangleMesh,
+    triangle: &Triangle,
+    polyhedron: &ConvexPolyhedron,
+    (tolerance, stop): (f64, f64),
+) -> TriangleAxes {
+    let (low, high) = range(&workspace.vertices, triangle.normal);
+    let sides = [low - triangle.offset, triangle.offset - high];
+    let outer = sides[0] >= sides[1] - tolerance;
+    let best = if outer { sides[0] } else { sides[1] };
+    let mut axes = TriangleAxes { separation: best, supported: best, decision: Decision::Side(u32::from(!outer)) };
+    if axes.separation > stop {
+        return axes;
+    }
+    let mut buffers = std::mem::take(&mut workspace.triangle);
+    buffers.over_faces.clear();
+    // Most triangles are apart, and of those nobody asks what the surface is like.
+    for (&normal, &offset) in workspace.normals.iter().zip(offsets) {
+        let heights = triangle.corners.map(|c| c.dot(normal));
+        let separation = least_of(heights) - offset;
+        axes.separation = if separation > axes.separation { separation } else { axes.separation };
+        if axes.separation > stop {
+            break;
+        }
+        buffers.over_faces.push(heights);
+    }
+    if axes.separation <= stop {
+        for (face, (&heights, &offset)) in buffers.over_faces.iter().zip(offsets).enumerate() {
+            let separation = least_of(heights) - offset;
+            let outward = workspace.normals[face];
+            if separation > axes.supported + tolerance && rests_on(mesh, triangle, -outward, heights, tolerance) {
+                axes.supported = separation;
+                axes.decision = Decision::Face(face as u32);
+            }
+        }
+        let rounding = AXIS_SLACK * (polyhedron.size + workspace.x_ab.translation.length());
+        buffers.select(polyhedron, offsets, axes.wanted(tolerance).min(0.0) - rounding);
+        search_edges(workspace, &mut buffers, mesh, triangle, polyhedron, (tolerance, stop), &mut axes);
+    }
+    workspace.triangle = buffers;
+    axes
+}
+
+/// What the search keeps from call to call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct TriangleBuffers {
+    /// `normal . corner` of the triangle's corners for every face of the polyhedron, m.
+    over_faces: Vec<[f64; 3]>,
+    /// Which corners lie below each face of the polyhedron by more than a limit: a bit for each.
+    below: Vec<u8>,
+    /// Edges of the polyhedron that may separate well enough.
+    edges: Vec<u32>,
+    /// Components of an edge of the triangle along the face normals of the polyhedron.
+    along_normals: Vec<f64>,
+}
+
+impl TriangleBuffers {
+    /// Chooses the edges that no corner of the triangle lies below both of whose faces by more than the limit (negative):
+    /// the others separate worse than the limit along every direction of their arcs (`edge_axes.rs`).
+    fn select(&mut self, polyhedron: &ConvexPolyhedron, offsets: &[f64], limit: f64) {
+        self.below.clear();
+        self.below.extend(self.over_faces.iter().zip(offsets).map(|([a, b, c], offset)| {
+            let level = limit + offset;
+            u8::from(*a < level) | u8::from(*b < level) << 1 | u8::from(*c < level) << 2
+        }));
+        self.edges.clear();
+        for (index, edge) in polyhedron.edges.iter().enumerate() {
+            let [left, right] = edge.faces.map(|face| self.below[face as usize]);
+            if left & right == 0 {
+                self.edges.push(index as u32);
+            }
+        }
+    }
+}
+
+impl TriangleAxes {
+    /// Axes that separate by no more than this change nothing, m.
+    fn wanted(&self, tolerance: f64) -> f64 {
+        self.separation.min(self.supported + tolerance)
+    }
+}
+
+/// Compared by hand, as in [`range`].
+fn least_of([a, b, c]: [f64; 3]) -> f64 {
+    let least = if b < a { b } else { a };
+    if c < least { c } else { least }
+}
+
+/// Whether the surface has the normal `v` at the corners of a triangle that lie lowest on a face.
+fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3], tolerance: f64) -> bool {
+    let least = least_of(heights);
+    let low = heights.map(|h| h <= least + tolerance);
+    let index = triangle.index as usize;
+    match low {
+        [true, true, true] => true,
+        [true, true, false] => mesh.supports_at_edge(mesh.edges_of[index][0], v, tolerance, 0.0),
+        [false, true, true] => mesh.supports_at_edge(mesh.edges_of[index][1], v, tolerance, 0.0),
+        [true, false, true] => mesh.supports_at_edge(mesh.edges_of[index][2], v, tolerance, 0.0),
+        _ => {
+            let corner = low.iter().position(|l| *l).unwrap_or(0);
+            mesh.supports_at_vertex(mesh.joined[index][corner], v, tolerance, 0.0)
+        }
+    }
+}
+
+/// The chosen edges of the polyhedron against those of the triangle.
+fn search_edges(
+    workspace: &Workspace,
+    TriangleBuffers { edges, along_normals, .. }: &mut TriangleBuffers,
+    mesh: &TriangleMesh,
+    triangle: &Triangle,
+    polyhedron: &ConvexPolyhedron,
+    (tolerance, stop): (f64, f64),
+    axes: &mut TriangleAxes,
+) {
+    let own = mesh.edges_of[triangle.index as usize];
+    for k in 0..3 {
+        let (from, to) = (triangle.corners[k], triangle.corners[(k + 1) % 3]);
+        let along = (to - from) / mesh.edges[own[k] as usize].length;
+        let out = mesh.sides[triangle.index as usize][k];
+        along_normals.clear();
+        along_normals.extend(workspace.normals.iter().map(|normal| along.dot(*normal)));
+        for j in edges.iter().map(|&j| j as usize) {
+            let edge = &polyhedron.edges[j];
+            let [first, second] = edge.faces.map(|f| along_normals[f as usize]);
+            // The arc of the polyhedron's edge, turned round, crosses the half circle of the triangle's.
+            if first * second >= 0.0 {
+                continue;
+            }
+            let direction = workspace.directions[j];
+            if first * direction.dot(triangle.normal) <= 0.0 {
+                continue;
+            }
+            let cross = along.cross(direction);
+            let between = workspace.vertices[edge.vertices[0] as usize] - from;
+            let upward = cross.dot(out) >= 0.0;
+            let wanted = axes.wanted(tolerance);
+            if is_clearly_below(if upward { between.dot(cross) } else { -between.dot(cross) }, cross, between, wanted) {
+                continue;
+            }
+            let sine = cross.length();
+            if sine.is_nan() || sine <= PARALLEL_SINE {
+                continue;
+            }
+            let v = if upward { cross / sine } else { -cross / sine };
+            let rounding = AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
+            let separation = between.dot(v) - rounding;
+            if separation <= wanted {
+                continue;
+            }
+            // Where an edge lies in the triangle's plane, rounding decides the signs above: both edges must be
+            // outermost along the axis.
+            let (level, base) =
+                (workspace.vertices[edge.vertices[0] as usize].dot(v) - tolerance, from.dot(v) + tolerance);
+            let behind = |p: &DVec3| p.dot(v) < level;
+            if workspace.vertices.iter().any(behind) || triangle.corners.iter().any(|c| c.dot(v) > base) {
+                continue;
+            }
+            axes.separation = axes.separation.max(separation);
+            if axes.separation > stop {
+                return;
+            }
+            if separation > axes.supported + tolerance && mesh.supports_at_edge(own[k], v, tolerance, 0.0) {
+                axes.supported = separation;
+                axes.decision = Decision::Edges(k, j as u32, v);
+            }
+        }
+    }
+}
+
+/// Whether the separation `lever / |cross|` (m) is below a wanted one by more than the rounding of either, so that it need
+/// not be computed.
+fn is_clearly_below(lever: f64, cross: DVec3, between: DVec3, wanted: f64) -> bool {
+    let wanted = wanted.min(0.0);
+    let square = wanted * wanted * (1.0 + SQUARE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();
+    lever < 0.0 && lever * lever > square * cross.length_squared()
+}

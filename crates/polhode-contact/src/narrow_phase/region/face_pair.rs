@@ -1,0 +1,299 @@
+//! The contacts of two faces that lie on each other.
+//!
+//! The overlap of two plane polygons has three kinds of vertices (thesis 3.4, figure 17): a vertex of A inside B's face,
+//! a vertex of B inside A's face, and a crossing of two edges. They are found directly, not by clipping one polygon
+//! with the other, so that the answer does not depend on which face is taken first. Signed distances of the vertices
+//! from the lines of the other face's edges decide everything; distances up to the tolerance count as zero.
+//!
+//! Where features coincide one contact is kept for each place:
+//!  - a vertex on an edge is vertex-face, and no crossing of that edge is made there;
+//!  - of a vertex on a vertex, the one whose face has the higher index is kept, then the higher vertex index, then that
+//!    of the upper body (the world's z, then y, then x component of the normal is positive towards it). The rule names
+//!    the bodies' own features and so follows the bodies as they turn, and does not ask which one is called A;
+//!  - edges along each other make no crossing; their ends are vertices on edges.
+//!
+//! Of faces with many vertices most are settled by a circle: a point nearer to the middle of a face than every side, both
+//! measured in the face's plane, is inside all sides by the difference; and a line that passes a circle round a face crosses
+//! none of its edges. Only what lies near the border of the other face is measured against single sides.
+
+use crate::narrow_phase::axis::edge_axes::axis_slack;
+use crate::narrow_phase::axis::separating_axis::{Workspace, plane_of_b};
+use crate::shape::polyhedron::{ConvexPolyhedron, Face};
+use crate::{ContactFeature, Side};
+use glam::DVec3;
+
+/// Two vertices are in one place within this many tolerances: each may stand off the other's edges by one.
+const VERTEX_PLACES: f64 = 4.0;
+
+/// A corner is deep inside the other face when it is inside every side by this many tolerances: too far for a crossing
+/// of an edge between two such corners, and for a vertex of the other face in the same place.
+const DEEP_PLACES: f64 = 16.0;
+
+/// Rounding of a distance from the middle of a face relative to the lengths that enter it, with room.
+const CIRCLE_SLACK: f64 = 1e-9;
+
+/// Faces with fewer pairs of vertices than this are measured outright, which is as fast.
+const FEW_PAIRS: usize = 32;
+
+/// A face of each body in A's frame, and where their corners lie.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Buffers {
+    a: PlacedFace,
+    b: PlacedFace,
+    /// Corners of B's face that may be in one place with one of A's.
+    near: Vec<usize>,
+    /// By how much heights above the sides and the plane of A's face and of B's may change before the contacts are other
+    /// ones, m; not positive when that is not known.
+    pub(crate) clearances: [f64; 2],
+}
+
+/// Corners and outward sides of a face.
+#[derive(Debug, Clone, Default)]
+struct PlacedFace {
+    corners: Vec<DVec3>,
+    sides: Vec<DVec3>,
+    /// Whether each corner is far inside every side of the other face.
+    deep: Vec<bool>,
+    /// Whether each corner is a contact: outside no side of the other face.
+    kept: Vec<bool>,
+    /// Whether each side may be crossed by one of the other face.
+    crossable: Vec<bool>,
+    /// 1 where a corner is clearly outside a side of the other face, -1 where clearly inside; corner after corner.
+    signs: Vec<i8>,
+}
+
+impl PlacedFace {
+    /// Distance of a point outside a side, m.
+    fn outside(&self, point: DVec3, side: usize) -> f64 {
+        self.sides[side].dot(point - self.corners[side])
+    }
+
+    /// Which corners and sides are settled by circles about the middle of the other face, whose unit normal is given.
+    fn settle_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
+        let (corners, sides) = (self.corners.len(), other.corners.len());
+        self.deep.clear();
+        self.crossable.clear();
+        let margin = DEEP_PLACES * tolerance;
+        let middle = other.corners.iter().sum::<DVec3>() / sides as f64;
+        let inner = (0..sides).map(|j| -other.outside(middle, j)).fold(f64::INFINITY, f64::min) - margin;
+        let outer = other.corners.iter().map(|c| c.distance_squared(middle)).fold(0.0, f64::max).sqrt() + margin;
+        let far_inside = |corner: &DVec3| {
+            let between = *corner - middle;
+            let above = normal.dot(between);
+            let square = between.length_squared();
+            inner > 0.0 && square - above * above < inner * inner - CIRCLE_SLACK * (square + inner * inner)
+        };
+        self.deep.extend(self.corners.iter().map(far_inside));
+        for i in 0..corners {
+            let between_deep = self.deep[i] && self.deep[following(i, corners)];
+            let beyond = self.outside(middle, i).abs() > outer * (1.0 + CIRCLE_SLACK);
+            self.crossable.push(!(between_deep || beyond));
+        }
+    }
+
+    /// On which side of every side of the other face each corner is, and which corners are contacts. The least distance of a
+    /// corner from a side, m.
+    fn take_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
+        let (corners, sides) = (self.corners.len(), other.corners.len());
+        self.deep.clear();
+        self.deep.resize(corners, false);
+        self.kept.clear();
+        self.kept.resize(corners, true);
+        self.signs.clear();
+        self.signs.resize(corners * sides, 0);
+        let mut least = f64::INFINITY;
+        let rows = self.signs.chunks_exact_mut(sides);
+        for ((corner, kept), row) in self.corners.iter().zip(&mut self.kept).zip(rows) {
+            for ((from, side), sign) in other.corners.iter().zip(&other.sides).zip(row) {
+                let distance = side.dot(*corner - *from);
+                let outside = distance > tolerance;
+                *sign = if outside { 1 } else { -i8::from(distance < -tolerance) };
+                *kept &= !outside;
+                least = if distance.abs() < least { distance.abs() } else { least };
+            }
+        }
+        least
+    }
+
+    /// Which corners are contacts.
+    fn keep_inside(&mut self, other: &Self, tolerance: f64) {
+        let sides = other.corners.len();
+        self.kept.clear();
+        // The side that shut out one corner often shuts out the next.
+        let mut last = 0;
+        for (&corner, &deep) in self.corners.iter().zip(&self.deep) {
+            let inside = |j: usize| other.outside(corner, j) <= tolerance;
+            let shut_out = if deep {
+                None
+            } else if inside(last) {
+                (0..sides).find(|&j| !inside(j))
+            } else {
+                Some(last)
+            };
+            last = shut_out.unwrap_or(last);
+            self.kept.push(shut_out.is_none());
+        }
+    }
+}
+
+/// Adds the contacts of face `face_a` of A with face `face_b` of B to the workspace's features; vertices that are clearly
+/// higher than `reach` (m) above the other face may be left out. B must have been placed. `upper` is the body that the last
+/// rule for vertices on vertices prefers.
+pub(crate) fn collect(
+    workspace: &mut Workspace,
+    a: &ConvexPolyhedron,
+    b: &ConvexPolyhedron,
+    (index_a, index_b): (u32, u32),
+    (tolerance, reach): (f64, f64),
+    upper: Side,
+) {
+    let (Some(face_a), Some(face_b)) = (a.face(index_a as usize), b.face(index_b as usize)) else { return };
+    let Workspace { x_ab, vertices, normals, directions, features, face_pair: buffers, .. } = workspace;
+    let normal_b = normals[index_b as usize];
+    buffers.a.corners.clear();
+    buffers.a.corners.extend(face_a.vertices.iter().map(|&v| a.vertices[v as usize]));
+    buffers.a.sides.clear();
+    buffers.a.sides.extend_from_slice(face_a.sides);
+    buffers.b.corners.clear();
+    buffers.b.corners.extend(face_b.vertices.iter().map(|&v| vertices[v as usize]));
+    buffers.b.sides.clear();
+    buffers.b.sides.extend(sides_of_placed(b, &face_b, normal_b, directions));
+    let few = face_a.vertices.len() * face_b.vertices.len() < FEW_PAIRS;
+    if few {
+        let least = [buffers.b.take_signs(&buffers.a, tolerance), buffers.a.take_signs(&buffers.b, tolerance)];
+        // Further from every side than this, no two corners are in one place.
+        buffers.clearances = least.map(|distance| distance - DEEP_PLACES * tolerance);
+    } else {
+        buffers.clearances = [0.0; 2];
+        buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
+        buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
+        buffers.a.keep_inside(&buffers.b, tolerance);
+        buffers.b.keep_inside(&buffers.a, tolerance);
+    }
+    drop_coincident(buffers, &face_a, &face_b, (index_a, index_b), tolerance, upper);
+    let highest = reach + axis_slack(a, b, x_ab);
+    let plane_b = plane_of_b(b, index_b as usize, normal_b, x_ab);
+    for ((&vertex, corner), _) in
+        face_a.vertices.iter().zip(&buffers.a.corners).zip(&buffers.a.kept).filter(|(_, k)| **k)
+    {
+        let height = normal_b.dot(*corner) - plane_b;
+        if height <= highest {
+            features.push(ContactFeature::VertexFace { vertex_of: Side::A, vertex, face: index_b });
+        } else {
+            buffers.clearances[1] = buffers.clearances[1].min(height - highest);
+        }
+    }
+    for ((&vertex, corner), _) in
+        face_b.vertices.iter().zip(&buffers.b.corners).zip(&buffers.b.kept).filter(|(_, k)| **k)
+    {
+        let height = face_a.normal.dot(*corner) - face_a.offset;
+        if height <= highest {
+            features.push(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: index_a });
+        } else {
+            buffers.clearances[0] = buffers.clearances[0].min(height - highest);
+        }
+    }
+    if few {
+        cross_by_signs(buffers, &face_a, &face_b, features);
+    } else {
+        cross_edges(buffers, &face_a, &face_b, tolerance, features);
+    }
+}
+
+/// Outward sides of a face of B in A's frame.
+fn sides_of_placed<'a>(
+    b: &'a ConvexPolyhedron,
+    face: &Face<'a>,
+    normal: DVec3,
+    directions: &'a [DVec3],
+) -> impl Iterator<Item = DVec3> + 'a {
+    face.vertices.iter().zip(face.edges).map(move |(&vertex, &edge)| {
+        let along = directions[edge as usize];
+        let along = if b.edges[edge as usize].vertices[0] == vertex { along } else { -along };
+        along.cross(normal)
+    })
+}
+
+/// Of two vertices in one place one is dropped.
+fn drop_coincident(
+    buffers: &mut Buffers,
+    face_a: &Face<'_>,
+    face_b: &Face<'_>,
+    (index_a, index_b): (u32, u32),
+    tolerance: f64,
+    upper: Side,
+) {
+    let normal = face_a.normal;
+    // In A's plane, where places are compared, a vertex far inside A's face is in one place with none of A's.
+    buffers.near.clear();
+    buffers.near.extend((0..face_b.vertices.len()).filter(|&j| buffers.b.kept[j] && !buffers.b.deep[j]));
+    for (i, &vertex_a) in face_a.vertices.iter().enumerate() {
+        for &j in &buffers.near {
+            if !(buffers.a.kept[i] && buffers.b.kept[j]) {
+                continue;
+            }
+            let vertex_b = face_b.vertices[j];
+            let between = buffers.a.corners[i] - buffers.b.corners[j];
+            let lateral = between - normal * normal.dot(between);
+            if lateral.length() <= VERTEX_PLACES * tolerance {
+                let order = (index_a, vertex_a).cmp(&(index_b, vertex_b));
+                match order.then(if upper == Side::A { std::cmp::Ordering::Greater } else { std::cmp::Ordering::Less })
+                {
+                    std::cmp::Ordering::Greater => buffers.b.kept[j] = false,
+                    _ => buffers.a.kept[i] = false,
+                }
+            }
+        }
+    }
+}
+
+/// Edges whose ends lie clearly on both sides of each other's lines.
+fn cross_edges(
+    buffers: &Buffers,
+    face_a: &Face<'_>,
+    face_b: &Face<'_>,
+    tolerance: f64,
+    features: &mut Vec<ContactFeature>,
+) {
+    let (a, b) = (&buffers.a, &buffers.b);
+    let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
+    let opposite = |p: f64, q: f64| (p > tolerance && q < -tolerance) || (p < -tolerance && q > tolerance);
+    for j in (0..count_b).filter(|&j| b.crossable[j]) {
+        let next_j = following(j, count_b);
+        let mut before = None;
+        for i in 0..count_a {
+            if !a.crossable[i] {
+                before = None;
+                continue;
+            }
+            let next_i = following(i, count_a);
+            let start = before.unwrap_or_else(|| b.outside(a.corners[i], j));
+            let end = b.outside(a.corners[next_i], j);
+            before = Some(end);
+            if opposite(start, end) && opposite(a.outside(b.corners[j], i), a.outside(b.corners[next_j], i)) {
+                features.push(ContactFeature::EdgeEdge { edge_a: face_a.edges[i], edge_b: face_b.edges[j] });
+            }
+        }
+    }
+}
+
+/// As [`cross_edges`], of faces with few vertices.
+fn cross_by_signs(buffers: &Buffers, face_a: &Face<'_>, face_b: &Face<'_>, features: &mut Vec<ContactFeature>) {
+    let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
+    for j in 0..count_b {
+        let next_j = following(j, count_b);
+        for i in 0..count_a {
+            let next_i = following(i, count_a);
+            let of_a = buffers.a.signs[i * count_b + j] * buffers.a.signs[next_i * count_b + j];
+            let of_b = buffers.b.signs[j * count_a + i] * buffers.b.signs[next_j * count_a + i];
+            if of_a < 0 && of_b < 0 {
+                features.push(ContactFeature::EdgeEdge { edge_a: face_a.edges[i], edge_b: face_b.edges[j] });
+            }
+        }
+    }
+}
+
+/// The corner after a corner of a loop.
+fn following(corner: usize, count: usize) -> usize {
+    if corner + 1 == count { 0 } else { corner + 1 }
+}

@@ -1,0 +1,315 @@
+//! All contacts of the region in which two bodies touch, at least one of them round.
+//!
+//! Each body touches along the deciding normal with a plane part (a face or disc whose normal is within 0.01 rad of it), a
+//! line (a side or edge that lies across it within 0.01 rad) or a spot. The overlap of the two parts has corners of three
+//! kinds, as for polygons (thesis 3.4, figure 17): a corner of one part over the other, and crossings of their borders.
+//!
+//! | part | corners | border |
+//! |---|---|---|
+//! | face | its vertices | its edges |
+//! | disc | its stated points ([`crate::shape::round`]) and the lowest place of its rim when it is tilted | its rim |
+//! | ring that lies flat | its stated points and its lowest place | its middle line |
+//! | side of a capsule | the caps | the line |
+//! | side of a cylinder | the lowest places of its rims | the line |
+//! | side of a cone | the apex and the lowest place of its rim | the line |
+//! | edge | its vertices | the edge |
+//!
+//! Every candidate is measured, and those that have left their features or lie beyond the reach are dropped; of two in one
+//! place the first in this order is kept: corners, then crossings, then the pair of elements that decided.
+
+use crate::narrow_phase::axis::gap::Gap;
+use crate::narrow_phase::dispatch::manifold::ALIKE;
+use crate::narrow_phase::feature::element::ALIKE_SINE;
+use crate::narrow_phase::terms::evaluate::evaluate;
+use crate::shape::round::{RIM_POINTS, circles};
+use crate::{Contact, ContactFeature, Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// Two contacts are in one place within this many tolerances, as for polygons.
+const SAME_PLACE: f64 = 4.0;
+
+/// What of a body touches along a direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    /// A face or disc.
+    Flat(u32),
+    /// A ring that lies flat.
+    Ring,
+    /// A side or an edge.
+    Strip(SurfaceFeature),
+    /// Neither.
+    Spot,
+}
+
+/// The bodies of a region and the candidates found so far.
+struct Region<'a> {
+    a: (&'a Shape, &'a Pose),
+    b: (&'a Shape, &'a Pose),
+    features: &'a mut Vec<ContactFeature>,
+}
+
+/// Names a contact of two parts of surfaces in the way that is common for their kinds.
+pub(crate) fn named(a: SurfaceFeature, b: SurfaceFeature) -> ContactFeature {
+    use SurfaceFeature::{Cap, Edge, Face, Sphere, Vertex};
+    match (a, b) {
+        (Vertex(vertex), Face(face)) => ContactFeature::VertexFace { vertex_of: Side::A, vertex, face },
+        (Face(face), Vertex(vertex)) => ContactFeature::VertexFace { vertex_of: Side::B, vertex, face },
+        (Cap(center), Face(_) | Edge(_) | Vertex(_)) => {
+            ContactFeature::Smooth { center_of: Side::A, center, against: b }
+        }
+        (Face(_) | Edge(_) | Vertex(_), Cap(center)) => {
+            ContactFeature::Smooth { center_of: Side::B, center, against: a }
+        }
+        (Sphere, _) => ContactFeature::Smooth { center_of: Side::A, center: 0, against: b },
+        (_, Sphere) => ContactFeature::Smooth { center_of: Side::B, center: 0, against: a },
+        _ => ContactFeature::Elements { a, b },
+    }
+}
+
+/// The two parts of surfaces that a contact names; nothing for two features that no pair of shapes has.
+pub(crate) fn parts(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    shape_b: &Shape,
+) -> Option<(SurfaceFeature, SurfaceFeature)> {
+    use SurfaceFeature::{Cap, Edge, Face, Sphere, Vertex};
+    let (of, first, second) = match feature {
+        ContactFeature::Elements { a, b } => (Side::A, a, b),
+        ContactFeature::VertexFace { vertex_of, vertex, face } => (vertex_of, Vertex(vertex), Face(face)),
+        ContactFeature::EdgeEdge { edge_a, edge_b } => (Side::A, Edge(edge_a), Edge(edge_b)),
+        ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => (Side::A, Sphere, Sphere),
+        ContactFeature::Smooth { center_of, center, against } => {
+            let owner = if center_of == Side::A { shape_a } else { shape_b };
+            let own = match owner {
+                Shape::Sphere(_) if center == 0 => Sphere,
+                Shape::Capsule(_) => Cap(center),
+                Shape::Points(_) | Shape::Torus(_) => Vertex(center),
+                _ => return None,
+            };
+            (center_of, own, against)
+        }
+    };
+    Some(if of == Side::A { (first, second) } else { (second, first) })
+}
+
+/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted.
+pub(crate) fn contacts(
+    features: &mut Vec<ContactFeature>,
+    body_a: (&Shape, &Pose),
+    body_b: (&Shape, &Pose),
+    gap: &Gap,
+    reach: f64,
+    contacts: &mut Vec<Contact>,
+) {
+    contacts_where(features, body_a, body_b, gap, reach, |_| true, contacts);
+}
+
+/// As [`contacts`], of the features that are wanted alone: of two in one place another one may be the first of these.
+pub(crate) fn contacts_where(
+    features: &mut Vec<ContactFeature>,
+    (shape_a, pose_a): (&Shape, &Pose),
+    (shape_b, pose_b): (&Shape, &Pose),
+    gap: &Gap,
+    reach: f64,
+    wanted: impl Fn(ContactFeature) -> bool,
+    contacts: &mut Vec<Contact>,
+) {
+    features.clear();
+    let mut region = Region { a: (shape_a, pose_a), b: (shape_b, pose_b), features };
+    region.collect(gap.normal);
+    region.features.push(named(gap.a, gap.b));
+    region.features.retain(|&feature| wanted(feature));
+    let measure = |feature: ContactFeature| {
+        evaluate(feature, shape_a, pose_a, shape_b, pose_b).map(|geometry| Contact { feature, geometry })
+    };
+    // Those of other places of the pair stand before.
+    let first = contacts.len();
+    for contact in features.iter().filter_map(|&feature| measure(feature)) {
+        let geometry = &contact.geometry;
+        let fits = geometry.separation <= reach
+            && geometry.margin >= -gap.tolerance
+            && geometry.normal.dot(gap.normal) >= ALIKE;
+        let near = |other: &Contact| {
+            let between = other.geometry.point - geometry.point;
+            let lateral = between - gap.normal * gap.normal.dot(between);
+            lateral.length() <= SAME_PLACE * gap.tolerance
+        };
+        if fits && !contacts[first..].iter().any(near) && !grazes(&contact, (shape_a, pose_a), (shape_b, pose_b), gap) {
+            contacts.push(contact);
+        }
+    }
+    for feature in level_points(shape_a, shape_b, gap) {
+        let Some(contact) = measure(feature) else { continue };
+        let geometry = &contact.geometry;
+        let level = (geometry.separation - gap.separation).abs() <= SAME_PLACE * gap.tolerance;
+        let near = |other: &Contact| other.geometry.point.distance(geometry.point) <= SAME_PLACE * gap.tolerance;
+        if level && geometry.separation <= reach && !contacts[first..].iter().any(near) {
+            contacts.push(contact);
+        }
+    }
+    if contacts.len() == first && gap.separation <= gap.tolerance {
+        // Bodies that touch have a contact, also where tolerances left none. Deep in a body the deepest place of a ring may
+        // lie where two elements are equally near, which is no common normal: the pair's own may stand far off.
+        let touches = |contact: &Contact| contact.geometry.separation <= reach.max(gap.tolerance);
+        contacts.extend(measure(named(gap.a, gap.b)).filter(touches));
+    }
+    contacts[first..].sort_unstable_by_key(|contact| contact.feature);
+}
+
+/// The stated points of a ring against the element that it is nearest to: bodies on one axis touch all along a circle,
+/// for which these stand.
+fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> impl Iterator<Item = ContactFeature> + 'a {
+    use SurfaceFeature::{Rim, Vertex};
+    let rings = [matches!(shape_a, Shape::Torus(_)), matches!(shape_b, Shape::Torus(_))];
+    let along = [rings[0] && gap.a == Rim(0), rings[1] && gap.b == Rim(0) && !rings[0]];
+    (0..RIM_POINTS).flat_map(move |k| {
+        let of_a = along[0].then(|| named(Vertex(k), gap.b));
+        let of_b = along[1].then(|| named(gap.a, Vertex(k)));
+        of_a.into_iter().chain(of_b)
+    })
+}
+
+/// Whether a crossing of a rim is one of two in one place: the other curve only grazes the disc, within the tolerance.
+fn grazes(
+    contact: &Contact,
+    (shape_a, pose_a): (&Shape, &Pose),
+    (shape_b, pose_b): (&Shape, &Pose),
+    gap: &Gap,
+) -> bool {
+    use SurfaceFeature::{RimEntry, RimExit};
+    let ContactFeature::Elements { a, b } = contact.feature else { return false };
+    let other_branch = |feature| match feature {
+        RimExit(rim) => RimEntry(rim),
+        RimEntry(rim) => RimExit(rim),
+        _ => feature,
+    };
+    // Both places of a ring have a tube about them: near each other they stand for one.
+    let radius = |shape: &Shape, feature| match feature {
+        _ if matches!(shape, Shape::Torus(_)) => f64::INFINITY,
+        RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
+        _ => f64::INFINITY,
+    };
+    let least = radius(shape_a, a).min(radius(shape_b, b));
+    if least.is_infinite() {
+        return false;
+    }
+    let twin = ContactFeature::Elements { a: other_branch(a), b: other_branch(b) };
+    let Some(twin) = evaluate(twin, shape_a, pose_a, shape_b, pose_b) else { return true };
+    // The height of the arc over the chord between the two places.
+    let chord = twin.point.distance_squared(contact.geometry.point);
+    chord <= 8.0 * least * SAME_PLACE * gap.tolerance
+}
+
+/// What of a shape touches along an outward unit vector in the world.
+fn part_of((shape, pose): (&Shape, &Pose), outward: DVec3) -> Part {
+    let outward = pose.rotation.inverse_rotate(outward);
+    let side = |axis: DVec3, sine: f64| {
+        let lies = (outward.dot(axis) - sine).abs() <= ALIKE_SINE;
+        if lies { Part::Strip(SurfaceFeature::Side(0)) } else { Part::Spot }
+    };
+    match shape {
+        Shape::HalfSpace(_) => Part::Flat(0),
+        Shape::Convex(polyhedron) => {
+            let along = |f: &usize| polyhedron.faces[*f].normal.dot(outward);
+            let best = (0..polyhedron.faces.len()).max_by(|f, g| along(f).total_cmp(&along(g)));
+            match best.filter(|f| along(f) >= ALIKE) {
+                Some(face) => Part::Flat(face as u32),
+                None => edge_along(polyhedron, outward),
+            }
+        }
+        Shape::Cylinder(c) if outward.dot(c.axis).abs() >= ALIKE => Part::Flat(u32::from(outward.dot(c.axis) > 0.0)),
+        Shape::Cone(c) if -outward.dot(c.axis) >= ALIKE => Part::Flat(0),
+        Shape::Torus(t) if outward.dot(t.axis).abs() >= ALIKE => Part::Ring,
+        Shape::Cylinder(c) => side(c.axis, 0.0),
+        Shape::Cone(c) => side(c.axis, c.radius / libm::hypot(c.radius, c.height)),
+        Shape::Capsule(c) => side((c.ends[1] - c.ends[0]).normalize(), 0.0),
+        _ => Part::Spot,
+    }
+}
+
+/// The edge of a polyhedron that lies across a direction at its farthest place, if one does.
+fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> Part {
+    let height = |v: u32| outward.dot(polyhedron.vertices[v as usize]);
+    let top = (0..polyhedron.vertices.len() as u32).map(height).fold(f64::NEG_INFINITY, f64::max);
+    let drop = |edge: &crate::Edge| top - height(edge.vertices[0]).min(height(edge.vertices[1]));
+    let lying = polyhedron.edges.iter().enumerate().filter(|(_, edge)| drop(edge) <= ALIKE_SINE * edge.length);
+    lying
+        .min_by(|(_, e), (_, f)| drop(e).total_cmp(&drop(f)))
+        .map_or(Part::Spot, |(index, _)| Part::Strip(SurfaceFeature::Edge(index as u32)))
+}
+
+/// Calls `visit` with the corners of a part.
+fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature)) {
+    use SurfaceFeature::{Cap, Edge, Rim, Vertex};
+    match (shape, part) {
+        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+            let face = polyhedron.face(face as usize);
+            face.iter().flat_map(|face| face.vertices).for_each(|&v| visit(Vertex(v)));
+        }
+        (Shape::Convex(polyhedron), Part::Strip(Edge(edge))) => {
+            let edge = polyhedron.edges.get(edge as usize);
+            edge.iter().flat_map(|edge| edge.vertices).for_each(|v| visit(Vertex(v)));
+        }
+        (Shape::Cylinder(_), Part::Flat(face)) => {
+            (0..RIM_POINTS).for_each(|k| visit(Vertex(face * RIM_POINTS + k)));
+            visit(Rim(face));
+        }
+        (Shape::Cone(_), Part::Flat(_)) => {
+            (1..=RIM_POINTS).for_each(|k| visit(Vertex(k)));
+            visit(Rim(0));
+        }
+        (Shape::Torus(_), Part::Ring) => {
+            (0..RIM_POINTS).for_each(|k| visit(Vertex(k)));
+            visit(Rim(0));
+        }
+        (Shape::Cylinder(_), Part::Strip(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
+        (Shape::Cone(_), Part::Strip(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
+        (Shape::Capsule(_), Part::Strip(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
+        _ => {}
+    }
+}
+
+/// The branches of a border as pairs: an edge or side twice, or the two branches of a rim.
+fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature; 2])) {
+    use SurfaceFeature::{Edge, RimEntry, RimExit};
+    match (shape, part) {
+        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+            let face = polyhedron.face(face as usize);
+            face.iter().flat_map(|face| face.edges).for_each(|&edge| visit([Edge(edge); 2]));
+        }
+        (Shape::Cylinder(_) | Shape::Cone(_), Part::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
+        (Shape::Torus(_), Part::Ring) => visit([RimExit(0), RimEntry(0)]),
+        (_, Part::Strip(line)) => visit([line; 2]),
+        _ => {}
+    }
+}
+
+impl Region<'_> {
+    /// Lists the candidates.
+    fn collect(&mut self, normal: DVec3) {
+        let (part_a, part_b) = (part_of(self.a, -normal), part_of(self.b, normal));
+        let (shape_a, shape_b) = (self.a.0, self.b.0);
+        let base = |part: Part| match part {
+            Part::Flat(face) => Some(SurfaceFeature::Face(face)),
+            Part::Strip(line) => Some(line),
+            Part::Ring | Part::Spot => None,
+        };
+        // A line over a plane has corners on it; of two lines each has corners on the other when they lie side by side.
+        let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Strip(_));
+        if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
+            each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));
+        }
+        if let Some(base_a) = base(part_a).filter(|_| wider(part_a, part_b)) {
+            each_corner(shape_b, part_b, |corner| self.features.push(named(base_a, corner)));
+        }
+        each_border(shape_a, part_a, |[first_a, second_a]| {
+            each_border(shape_b, part_b, |[first_b, second_b]| {
+                self.features.push(named(first_a, first_b));
+                if (first_a, first_b) != (second_a, second_b) {
+                    self.features.push(named(second_a, second_b));
+                }
+            });
+        });
+    }
+}

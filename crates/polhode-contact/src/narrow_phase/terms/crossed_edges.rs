@@ -1,0 +1,246 @@
+//! An edge of A across an edge of B: geometry and derivatives of their separation.
+//!
+//! With unit vectors `e_A`, `e_B` along the edges, `N = e_A x e_B` turned to point from B to A and `n = N/|N|`, the
+//! separation is `chi = (x_A - x_B) . n` for any points of the two lines. Taking the material points at the nearest
+//! places, where `x_A - x_B = chi n`,
+//!
+//! `chi'  = n . (v_A - v_B)`,  `chi'' = n . (a_A - a_B) + 2 (v_A - v_B) . n' - chi |n'|^2`,
+//! `n' = (1 - n n') N'/|N|`,  `N' = (w_A x e_A) x e_B + e_A x (w_B x e_B)`
+//!
+//! (thesis 3.4, edge-edge form of equation (18) with erratum E18, divided by `|N|` and kept exact at any separation).
+//! The place on A's edge wanders along it with `s' = (e_B x n).(chi n' - v_A + v_B)/|N|` (the condition `x_A - x_B = chi n`,
+//! differentiated), and the contact point `x_A - chi n/2` with it.
+//! The side to which `N` points is decided by the outward normals of the edges' faces, never by the sign of a
+//! separation that may be rounding.
+
+use crate::clearance::PARALLEL_SINE;
+use crate::narrow_phase::terms::tangential::ContactMotion;
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge, Shape, TriangleMesh};
+use glam::DVec3;
+use polhode_spatial::{Pose, Velocity};
+
+/// Two lines at their nearest places, in world axes.
+#[derive(Clone, Copy)]
+pub(crate) struct CrossedEdges {
+    /// Unit normal from B to A.
+    pub(crate) normal: DVec3,
+    /// `|N|`: sine of the angle between the edges.
+    pub(crate) sine: f64,
+    /// `e_A` and `e_B`, the first turned so that `e_A x e_B` points from B to A.
+    pub(crate) along_a: DVec3,
+    pub(crate) along_b: DVec3,
+    /// From each centre of mass to the nearest place on its edge.
+    pub(crate) arm_a: DVec3,
+    pub(crate) arm_b: DVec3,
+    /// `chi`, m.
+    pub(crate) separation: f64,
+    margin: f64,
+    origin_a: DVec3,
+}
+
+/// An edge in its body's frame.
+pub(crate) struct EdgeLine {
+    pub(crate) ends: [DVec3; 2],
+    pub(crate) direction: DVec3,
+    pub(crate) length: f64,
+    /// A direction out of the body.
+    pub(crate) outward: DVec3,
+}
+
+impl EdgeLine {
+    pub(crate) fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
+        let edge = polyhedron.edges.get(index as usize)?;
+        let ends = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+    }
+
+    pub(crate) fn of_mesh(mesh: &TriangleMesh, index: u32) -> Option<Self> {
+        let edge = mesh.edges.get(index as usize)?;
+        let ends = edge.vertices.map(|v| mesh.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+    }
+}
+
+impl Shape {
+    /// An edge by its number; nothing where the shape has none.
+    pub(crate) fn edge_line(&self, index: u32) -> Option<EdgeLine> {
+        match self {
+            Self::Convex(polyhedron) => EdgeLine::of_polyhedron(polyhedron, index),
+            Self::TriangleMesh(mesh) => EdgeLine::of_mesh(mesh, index),
+            _ => None,
+        }
+    }
+}
+
+/// An edge in world axes, relative to its body's centre of mass.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PlacedEdge {
+    middle: DVec3,
+    along: DVec3,
+    half_length: f64,
+    /// A direction out of the body.
+    outward: DVec3,
+}
+
+impl PlacedEdge {
+    fn new(edge: &EdgeLine, pose: &Pose) -> Self {
+        let [from, to] = edge.ends;
+        Self {
+            middle: pose.rotation.rotate(0.5 * (from + to)),
+            along: pose.rotation.rotate(edge.direction),
+            half_length: 0.5 * edge.length,
+            outward: pose.rotation.rotate(edge.outward),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn of_polyhedron(edge: &Edge, pose: &Pose) -> Self {
+        Self {
+            middle: pose.rotation.rotate(edge.middle),
+            along: pose.rotation.rotate(edge.direction),
+            half_length: 0.5 * edge.length,
+            outward: pose.rotation.rotate(edge.outward),
+        }
+    }
+}
+
+/// The common perpendicular of two edges.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Perpendicular {
+    cross: DVec3,
+    sine: f64,
+    /// Unit normal from B to A.
+    pub(crate) normal: DVec3,
+    along_a: DVec3,
+}
+
+impl Perpendicular {
+    /// Nothing when the edges are parallel.
+    #[inline]
+    pub(crate) fn new(a: &PlacedEdge, b: &PlacedEdge) -> Option<Self> {
+        let cross = a.along.cross(b.along);
+        let sine = cross.length();
+        if sine.is_nan() || sine <= PARALLEL_SINE {
+            return None;
+        }
+        let (normal, along_a) =
+            if cross.dot(b.outward - a.outward) >= 0.0 { (cross / sine, a.along) } else { (-cross / sine, -a.along) };
+        Some(Self { cross, sine, normal, along_a })
+    }
+}
+
+impl CrossedEdges {
+    /// Nothing when the edges do not exist or are parallel.
+    pub(crate) fn new(
+        a: &ConvexPolyhedron,
+        pose_a: &Pose,
+        edge_a: u32,
+        b: &ConvexPolyhedron,
+        pose_b: &Pose,
+        edge_b: u32,
+    ) -> Option<Self> {
+        let a = PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, pose_a);
+        let b = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, pose_b);
+        let perpendicular = Perpendicular::new(&a, &b)?;
+        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
+    }
+
+    /// Nothing when the edges are parallel.
+    pub(crate) fn between(a: &EdgeLine, pose_a: &Pose, b: &EdgeLine, pose_b: &Pose) -> Option<Self> {
+        let (a, b) = (PlacedEdge::new(a, pose_a), PlacedEdge::new(b, pose_b));
+        let perpendicular = Perpendicular::new(&a, &b)?;
+        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
+    }
+
+    /// Of bodies with these origins in the world.
+    #[inline]
+    pub(crate) fn along(
+        perpendicular: &Perpendicular,
+        a: &PlacedEdge,
+        origin_a: DVec3,
+        b: &PlacedEdge,
+        origin_b: DVec3,
+    ) -> Self {
+        let Perpendicular { cross, sine, normal, along_a } = *perpendicular;
+        // Places of the nearest points, measured from the middles of the edges, where the lever is shortest.
+        let between = (origin_b - origin_a) + (b.middle - a.middle);
+        let on_a = between.cross(b.along).dot(cross) / (sine * sine);
+        let on_b = between.cross(a.along).dot(cross) / (sine * sine);
+        let (to_a, to_b) = (a.along * on_a, b.along * on_b);
+        Self {
+            normal,
+            sine,
+            along_a,
+            along_b: b.along,
+            arm_a: a.middle + to_a,
+            arm_b: b.middle + to_b,
+            separation: normal.dot((to_a - to_b) - between),
+            margin: (a.half_length - on_a.abs()).min(b.half_length - on_b.abs()),
+            origin_a,
+        }
+    }
+
+    pub(crate) fn geometry(&self) -> ContactGeometry {
+        ContactGeometry {
+            point: self.origin_a + (self.arm_a - self.normal * (0.5 * self.separation)),
+            normal: self.normal,
+            separation: self.separation,
+            margin: self.margin,
+        }
+    }
+
+    /// `N'`.
+    pub(crate) fn normal_rate(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
+    }
+
+    /// Velocity of A's material at its nearest place against B's at its own.
+    #[inline]
+    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b))
+    }
+
+    /// `n'`.
+    #[inline]
+    fn turning(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        let n = self.normal;
+        let rate = self.normal_rate(a, b);
+        (rate - n * n.dot(rate)) / self.sine
+    }
+
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        self.kinematics_at(self.relative_velocity(a, b), self.turning(a, b), a, b)
+    }
+
+    /// `velocity` is [`Self::relative_velocity`].
+    #[inline]
+    fn kinematics_at(&self, velocity: DVec3, turning: DVec3, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let n = self.normal;
+        let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
+        ContactKinematics {
+            geometry: self.geometry(),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: n.dot(centripetal) + 2.0 * velocity.dot(turning)
+                - self.separation * turning.length_squared(),
+        }
+    }
+
+    /// The same with how the contact moves.
+    pub(crate) fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
+        let n = self.normal;
+        let (velocity, turning) = (self.relative_velocity(a, b), self.turning(a, b));
+        let kinematics = self.kinematics_at(velocity, turning, a, b);
+        let along = (turning * self.separation - velocity).dot(self.along_b.cross(n)) / self.sine;
+        let half_gap = n * (0.5 * self.separation);
+        let from_a = a.angular.cross(self.arm_a) + self.along_a * along
+            - turning * (0.5 * self.separation)
+            - n * (0.5 * kinematics.separation_rate);
+        let motion = ContactMotion {
+            normal: n,
+            normal_rate: turning,
+            arms: [self.arm_a - half_gap, self.arm_b + half_gap],
+            point_rates: [from_a, from_a + (a.linear - b.linear)],
+        };
+        (kinematics, motion)
+    }
+}

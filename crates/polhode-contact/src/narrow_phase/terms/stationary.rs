@@ -1,0 +1,445 @@
+//! Separation of two elements at a common normal, and its first two time derivatives.
+//!
+//! `chi = n.F - rho_A - rho_B` with `F = x_A - x_B` between places on the two loci, and `x` a function of parameters `z` of its
+//! locus (arc length on a line or circle, the height on a cone's axis). At a common normal chi is
+//! stationary with respect to the normal and to all parameters: `F = (n.F) n`, `n.dx/dz` constant. Hence, with `v(x)` the
+//! velocity of the material point at the place,
+//!
+//! `chi' = n.(v_A(x_A) - v_B(x_B))`,
+//! `chi'' = n.(a_A(x_A) - a_B(x_B)) + n'.(v_A(x_A) - v_B(x_B)) + sum_i s_i z_i' n.(w_i x t_i)`,
+//!
+//! `a(x)` the acceleration of the material point, `t_i = dx/dz_i`, `s_i = +1` on A and `-1` on B. The rates follow from the
+//! stationarity conditions, differentiated: along two vectors `T` perpendicular to n
+//!
+//! `T.((n.F) n' - v_A(x_A) + v_B(x_B) - sum_i s_i t_i z_i') = 0`,  `n'.t_i + n.(w_i x t_i) + n.k_i z_i' = 0`,
+//!
+//! `k_i = d2x/dz_i^2` (a circle's only). Regular at `chi = 0` wherever the contact is not degenerate. It contains point on
+//! surface and crossed edges (thesis 3.4, equation (18) with erratum E18) as special cases, and is exact at any separation.
+//!
+//! A plane of body E has a normal of its own, `n' = w_E x n`, whatever the other locus does; its two lengths follow from
+//! the first condition, and what is left of the formula divides by nothing that vanishes at touch:
+//!
+//! `chi'' = n.(a_A - a_B) + 2 n'.(v_A - v_B) - (n.F) n'.n' - s (n'.t + n.(w x t))^2 / n.k`,
+//!
+//! the last term for a circle on the plane alone (`s`, `w`, `t` and `k` are the circle's).
+//!
+//! The contact point stands off `x_A` by `rho_A + chi/2` along `-n` (or off `x_B` by `rho_B + chi/2` along `n`), and moves
+//! with `x_A' = v_A(x_A) + t_A z_A'`, `n'`, `chi'` and, as chi is stationary with respect to `z_A`, `rho_A' = n.t_A z_A'`
+//! (which is zero but on a cone).
+
+use crate::clearance::COINCIDENCE;
+use crate::narrow_phase::common_normal::branch;
+use crate::narrow_phase::common_normal::places::{Place, places};
+use crate::narrow_phase::feature::element::{Border, Element, Locus};
+use crate::narrow_phase::terms::tangential::ContactMotion;
+use crate::{ContactGeometry, ContactKinematics, Side};
+use glam::DVec3;
+use polhode_spatial::Velocity;
+
+/// Unknowns of the linear system: two of the normal's rate, up to two parameters.
+const MOST: usize = 4;
+
+/// A pivot below this part of the largest is zero: the contact is degenerate.
+const SMALLEST_PIVOT: f64 = 1e-13;
+
+/// A parameter of one body's place.
+#[derive(Debug, Clone, Copy)]
+struct Parameter {
+    of: Side,
+    /// `dx/dz`.
+    along: DVec3,
+    /// `d2x/dz2`, 1/m.
+    bend: DVec3,
+}
+
+/// A common normal of an element of A and one of B, both relative to A's centre of mass.
+#[derive(Debug)]
+pub(crate) struct Stationary {
+    place: Place,
+    separation: f64,
+    /// From A's centre of mass to the middle of the gap.
+    middle: DVec3,
+    margin: f64,
+    /// Centre of mass of B, relative to A's.
+    origin_b: DVec3,
+    /// The size of the pair with the rounding of its places, m.
+    size: f64,
+    /// The body whose element is a plane.
+    plane_of: Option<Side>,
+    parameters: [Parameter; 2],
+    count: usize,
+}
+
+impl Stationary {
+    /// The place at which two elements touch, or nearly; nothing when they have no common normal, or no one normal: any
+    /// motion would turn it at once. Places nearer to each other than `tolerance` (m) are one.
+    pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3, tolerance: f64) -> Option<Self> {
+        let all = places(a, b);
+        let place = chosen(&all, a, b)?;
+        if has_no_direction(&place, a, b, tolerance) {
+            return None;
+        }
+        let separation = place.separation(a, b);
+        let mut stationary = Self {
+            place,
+            separation,
+            middle: place.on_a - place.normal * (a.radius_at(place.on_a) + 0.5 * separation),
+            margin: margin(&place, a, b).min(branch::margin(&place, &all, a, b)),
+            origin_b,
+            size: tolerance / COINCIDENCE,
+            plane_of: None,
+            parameters: [Parameter { of: Side::A, along: DVec3::ZERO, bend: DVec3::ZERO }; 2],
+            count: 0,
+        };
+        stationary.describe(Side::A, a, place.on_a);
+        stationary.describe(Side::B, b, place.on_b);
+        stationary.turns_steadily().then_some(stationary)
+    }
+
+    /// Lists the parameters of an element at a place.
+    fn describe(&mut self, of: Side, element: &Element<'_>, place: DVec3) {
+        let mut push = |along: DVec3, bend: DVec3| {
+            if let Some(free) = self.parameters.get_mut(self.count) {
+                *free = Parameter { of, along, bend };
+                self.count += 1;
+            }
+        };
+        match element.locus {
+            Locus::Point(_) => {}
+            Locus::Line(_, along) => push(along, DVec3::ZERO),
+            Locus::Cone(side) => push(side.axis, DVec3::ZERO),
+            Locus::Circle(circle) => {
+                let out = (place - circle.center) / circle.radius;
+                push(circle.axis.cross(out), -out / circle.radius);
+            }
+            Locus::Plane(..) => self.plane_of = Some(of),
+        }
+    }
+
+    /// `origin_a` is A's centre of mass in the world.
+    pub(crate) fn geometry(&self, origin_a: DVec3) -> ContactGeometry {
+        ContactGeometry {
+            point: origin_a + self.middle,
+            normal: self.place.normal,
+            separation: self.separation,
+            margin: self.margin,
+        }
+    }
+
+    /// Never nothing, for [`Self::new`] has asked for what the rates need.
+    pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
+        let velocity = self.relative_velocity(a, b);
+        let bending = match self.plane_of {
+            Some(plane) => self.bending_over_plane(plane, velocity, a, b),
+            None => self.bending(&self.rates(velocity, a, b)?, velocity, a, b),
+        };
+        Some(self.kinematics_with(bending, velocity, origin_a, a, b))
+    }
+
+    /// The same with how the contact moves.
+    pub(crate) fn with_motion(
+        &self,
+        origin_a: DVec3,
+        a: &Velocity,
+        b: &Velocity,
+    ) -> Option<(ContactKinematics, ContactMotion)> {
+        let velocity = self.relative_velocity(a, b);
+        let (rates, bending) = if let Some(plane) = self.plane_of {
+            (self.rates_over_plane(plane, a, b), self.bending_over_plane(plane, velocity, a, b))
+        } else {
+            let rates = self.rates(velocity, a, b)?;
+            let bending = self.bending(&rates, velocity, a, b);
+            (rates, bending)
+        };
+        let kinematics = self.kinematics_with(bending, velocity, origin_a, a, b);
+        Some((kinematics, self.motion(&rates, kinematics.separation_rate, a, b)))
+    }
+
+    /// From the centres of mass to the places on the two loci.
+    #[inline]
+    fn place_arms(&self) -> [DVec3; 2] {
+        [self.place.on_a, self.place.on_b - self.origin_b]
+    }
+
+    /// `v_A(x_A) - v_B(x_B)`.
+    #[inline]
+    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+        let [arm_a, arm_b] = self.place_arms();
+        (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b))
+    }
+
+    /// `velocity` is [`Self::relative_velocity`].
+    #[inline]
+    fn kinematics_with(
+        &self,
+        bending: f64,
+        velocity: DVec3,
+        origin_a: DVec3,
+        a: &Velocity,
+        b: &Velocity,
+    ) -> ContactKinematics {
+        let n = self.place.normal;
+        let [arm_a, arm_b] = self.place_arms();
+        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        ContactKinematics {
+            geometry: self.geometry(origin_a),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: n.dot(centripetal) + bending,
+        }
+    }
+
+    /// How the contact point moves: with a place on a locus, which wanders, and from there along the normal, which turns.
+    /// The place is A's; on a plane there is nothing that wanders of its own accord, and the place is the other one.
+    fn motion(&self, rates: &Rates, separation_rate: f64, a: &Velocity, b: &Velocity) -> ContactMotion {
+        let n = self.place.normal;
+        let from = if self.plane_of == Some(Side::A) { Side::B } else { Side::A };
+        let [place_a, place_b] = self.place_arms();
+        let (velocity, arm, on_locus, outwards) = match from {
+            Side::A => (a, place_a, self.place.on_a, -1.0),
+            Side::B => (b, place_b, self.place.on_b, 1.0),
+        };
+        let mut wandering = DVec3::ZERO;
+        let mut growth = 0.5 * separation_rate;
+        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
+            if parameter.of == from {
+                wandering += parameter.along * rate;
+                growth -= outwards * n.dot(parameter.along) * rate;
+            }
+        }
+        // The contact point stands off the place by `outwards` times the radius and half the separation along n.
+        let stand_off = n.dot(self.middle - on_locus);
+        let rate = velocity.angular.cross(arm) + wandering + rates.normal * stand_off + n * (outwards * growth);
+        let approach = a.linear - b.linear;
+        ContactMotion {
+            normal: n,
+            normal_rate: rates.normal,
+            arms: [self.middle, self.middle - self.origin_b],
+            point_rates: match from {
+                Side::A => [rate, rate + approach],
+                Side::B => [rate - approach, rate],
+            },
+        }
+    }
+
+    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2.
+    #[inline]
+    fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
+        let n = self.place.normal;
+        let mut bending = rates.normal.dot(velocity);
+        for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
+            let (sign, spin) = sign_and_spin(parameter, a, b);
+            bending += sign * rate * n.dot(spin.cross(parameter.along));
+        }
+        bending
+    }
+
+    /// The same where one element is a plane, whose normal turns with its body: in closed form, for at touch the system of
+    /// the rates would give the normal's with the rounding of the velocity over that of the separation.
+    #[inline]
+    fn bending_over_plane(&self, plane_of: Side, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
+        let n = self.place.normal;
+        let turning = self.turning_of_plane(plane_of, a, b);
+        let apart = n.dot(self.place.on_a - self.place.on_b);
+        let bend = |parameter: &Parameter| {
+            let (sign, spin) = sign_and_spin(parameter, a, b);
+            let curvature = n.dot(parameter.bend);
+            let turned = turning.dot(parameter.along) + n.dot(spin.cross(parameter.along));
+            // Where all places of the circle are as good, its place is held still.
+            if curvature == 0.0 { 0.0 } else { -sign * turned * turned / curvature }
+        };
+        let wandering: f64 = self.parameters[..self.count].iter().map(bend).sum();
+        2.0 * turning.dot(velocity) - apart * turning.length_squared() + wandering
+    }
+
+    /// `n'` of a plane's normal.
+    #[inline]
+    fn turning_of_plane(&self, plane_of: Side, a: &Velocity, b: &Velocity) -> DVec3 {
+        if plane_of == Side::A { a.angular } else { b.angular }.cross(self.place.normal)
+    }
+
+    /// `n'` and `z'` where one element is a plane.
+    fn rates_over_plane(&self, plane_of: Side, a: &Velocity, b: &Velocity) -> Rates {
+        let n = self.place.normal;
+        let normal = self.turning_of_plane(plane_of, a, b);
+        let mut parameters = [0.0; 2];
+        for (rate, parameter) in parameters.iter_mut().zip(&self.parameters[..self.count]) {
+            let (_, spin) = sign_and_spin(parameter, a, b);
+            let curvature = n.dot(parameter.bend);
+            // Where all places of the circle are as good, its place is held still.
+            if curvature != 0.0 {
+                *rate = -(normal.dot(parameter.along) + n.dot(spin.cross(parameter.along))) / curvature;
+            }
+        }
+        Rates { normal, parameters }
+    }
+
+    /// Whether the normal has a rate for every motion.
+    fn turns_steadily(&self) -> bool {
+        self.plane_of.is_some() || solve(self.system().matrix, [0.0; MOST], NORMAL_UNKNOWNS + self.count).is_some()
+    }
+
+    /// What stands on the left of the conditions of the rates.
+    fn system(&self) -> System {
+        let n = self.place.normal;
+        let first = n.any_orthonormal_vector();
+        let tangents = [first, n.cross(first)];
+        let apart = n.dot(self.place.on_a - self.place.on_b);
+        let parameters = &self.parameters[..self.count];
+        let radius = |p: &Parameter| Some(p.bend.length().recip()).filter(|r| r.is_finite());
+        let length = parameters.iter().filter_map(radius).fold(apart.abs().max(self.size), f64::max);
+        let mut system = System { matrix: [[0.0; MOST]; MOST], tangents, length, units: [length; 2] };
+        for row in 0..tangents.len() {
+            system.matrix[row][row] = apart / length;
+        }
+        for (index, parameter) in parameters.iter().enumerate() {
+            let sign = if parameter.of == Side::A { 1.0 } else { -1.0 };
+            let (row, unit) = (NORMAL_UNKNOWNS + index, radius(parameter).unwrap_or(length));
+            for (column, tangent) in tangents.iter().enumerate() {
+                system.matrix[column][row] = -sign * tangent.dot(parameter.along) * (unit / length);
+                system.matrix[row][column] = tangent.dot(parameter.along);
+            }
+            system.matrix[row][row] = unit * n.dot(parameter.bend);
+            system.units[index] = unit;
+        }
+        system
+    }
+
+    /// `n'` and `z'`.
+    fn rates(&self, velocity: DVec3, a: &Velocity, b: &Velocity) -> Option<Rates> {
+        let System { matrix, tangents, length, units } = self.system();
+        let mut right = [0.0; MOST];
+        for (row, tangent) in tangents.iter().enumerate() {
+            right[row] = tangent.dot(velocity);
+        }
+        for (index, parameter) in self.parameters[..self.count].iter().enumerate() {
+            let (_, spin) = sign_and_spin(parameter, a, b);
+            right[NORMAL_UNKNOWNS + index] = -length * self.place.normal.dot(spin.cross(parameter.along));
+        }
+        let solution = solve(matrix, right, NORMAL_UNKNOWNS + self.count)?;
+        Some(Rates {
+            normal: (tangents[0] * solution[0] + tangents[1] * solution[1]) / length,
+            parameters: [solution[2] * (units[0] / length), solution[3] * (units[1] / length)],
+        })
+    }
+}
+
+/// The linear system of the rates. Rows and columns are scaled by lengths, so that all entries are numbers without unit:
+/// those of the normal by the longest (where two lines cross their gap says nothing of the rounding of the velocity), those
+/// of an arc by its radius, for a small rim may stand far from the other element.
+struct System {
+    matrix: [[f64; MOST]; MOST],
+    /// Two unit vectors perpendicular to the normal and to each other.
+    tangents: [DVec3; 2],
+    /// The longest length, m.
+    length: f64,
+    /// Of the parameters, m.
+    units: [f64; 2],
+}
+
+/// The unknowns begin with the two of the normal.
+const NORMAL_UNKNOWNS: usize = 2;
+
+struct Rates {
+    normal: DVec3,
+    parameters: [f64; 2],
+}
+
+/// The sign and the angular velocity of a parameter's body.
+fn sign_and_spin(parameter: &Parameter, a: &Velocity, b: &Velocity) -> (f64, DVec3) {
+    if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) }
+}
+
+/// Gaussian elimination with exchange of rows. A parameter whose pivot is zero to rounding does not matter, for every
+/// place of its element is as good (a ball on the axis of a ring), and is held still; nothing when it is the normal's.
+fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -> Option<[f64; MOST]> {
+    let largest = matrix.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    for column in 0..size {
+        let pivot = (column..size).max_by(|&i, &j| matrix[i][column].abs().total_cmp(&matrix[j][column].abs()))?;
+        matrix.swap(column, pivot);
+        right.swap(column, pivot);
+        let pivot = matrix[column][column];
+        if pivot.is_nan() {
+            return None;
+        }
+        if pivot.abs() <= SMALLEST_PIVOT * largest {
+            if column < NORMAL_UNKNOWNS {
+                return None;
+            }
+            matrix[column] = [0.0; MOST];
+            matrix[column][column] = 1.0;
+            right[column] = 0.0;
+            continue;
+        }
+        for row in column + 1..size {
+            let factor = matrix[row][column] / pivot;
+            for k in column..size {
+                matrix[row][k] -= factor * matrix[column][k];
+            }
+            right[row] -= factor * right[column];
+        }
+    }
+    let mut solution = [0.0; MOST];
+    for row in (0..size).rev() {
+        let known: f64 = (row + 1..size).map(|k| matrix[row][k] * solution[k]).sum();
+        solution[row] = (right[row] - known) / matrix[row][row];
+    }
+    Some(solution)
+}
+
+/// Whether a point lies on another, on a line or circle, or on the axis of a cone, where any motion may turn the normal at
+/// once.
+fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>, tolerance: f64) -> bool {
+    let point = |e: &Element<'_>| matches!(e.locus, Locus::Point(_));
+    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_) | Locus::Cone(_));
+    let known = (point(a) && (point(b) || curve(b))) || (point(b) && curve(a));
+    known && place.on_a.distance(place.on_b) <= tolerance
+}
+
+/// Of all common normals of two elements the one that makes a contact: on the named branch, within the borders of both
+/// elements if there is such a place, and of these the nearest places of two loci, or on a cone those that separate best; of
+/// a ring those whose middle line is nearest to the surface.
+pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
+    let cones = matches!(a.locus, Locus::Cone(_)) || matches!(b.locus, Locus::Cone(_));
+    let score = |place: &Place| {
+        if a.is_ring() || b.is_ring() {
+            -(place.separation(a, b) + a.ball + b.ball).abs()
+        } else if cones {
+            place.separation(a, b)
+        } else {
+            -place.on_a.distance_squared(place.on_b)
+        }
+    };
+    let border = |place: &Place| COINCIDENCE * (place.on_a.length() + place.on_b.length());
+    let within = |place: &Place| margin(place, a, b) >= -border(place);
+    let fitting = all.iter().filter(|place| branch::is_named(place, a, b)).map(|place| oriented(*place, a, b));
+    // An edge of a polyhedron has two normals in common with a cone, of which one leads through its own body.
+    let outwards = |place: &Place| place.normal.dot(b.outward - a.outward) >= 0.0;
+    let keys = |place: &Place| (outwards(place), within(place));
+    fitting.max_by(|p, q| keys(p).cmp(&keys(q)).then(score(p).total_cmp(&score(q))))
+}
+
+/// Distance from the border of either element, m.
+fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
+    let reach = place.on_a.distance(place.on_b);
+    a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
+}
+
+/// Two curves may have passed each other: the side to which the normal points is decided by what is outside. Axes and rings
+/// have no outside; there it points along `F`.
+fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
+    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
+    if !(curve(a) && curve(b)) {
+        return place;
+    }
+    let outward = |element: &Element<'_>, at: DVec3| match (element.locus, element.border) {
+        (Locus::Circle(circle), Border::Rim { radial, axial }) => {
+            // Halfway between the disc's normal and the side's, which is perpendicular to the way in which the side runs into
+            // the rim: all normals of the rim lie within a right angle of it, also where a flat cone's side looks backwards.
+            (at - circle.center) / circle.radius * axial + circle.axis * (1.0 - radial)
+        }
+        (Locus::Circle(circle), _) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,
+        _ => element.outward,
+    };
+    let toward_a = outward(b, place.on_b) - outward(a, place.on_a);
+    if place.normal.dot(toward_a) < 0.0 { place.turned_round() } else { place }
+}

@@ -1,0 +1,94 @@
+//! Distance of two convex bodies known by their support functions: the algorithm of Gilbert, Johnson and Keerthi.
+//!
+//! A simplex of at most four points of the difference of the bodies walks towards the origin: `v` is its nearest point,
+//! and the next point is the one farthest against `v`. `|v|` bounds the distance from above, the separation along `v`
+//! from below; the walk ends when the two meet to rounding, when the origin is inside, when nothing gets nearer any more,
+//! or after [`MAX_ITERATIONS`]. Lengths are compared only with the extent of the simplex, so that the result does not
+//! depend on units. Sources: docs/REFERENCES.md, Gilbert, Johnson and Keerthi 1988, Montanari 2017.
+
+use crate::query::simplex::{Difference, Simplex, unit};
+use glam::DVec3;
+
+/// Most points that are tried. Polytopes take about ten; curved bodies in near touch up to a hundred.
+pub(crate) const MAX_ITERATIONS: usize = 256;
+
+/// The bounds have met when they differ by this many epsilon of the extent of the difference.
+const MET_ULPS: f64 = 4.0;
+
+/// Bodies nearer than this many epsilon of the extent touch or overlap: the sign is below rounding.
+const TOUCH_ULPS: f64 = 16.0;
+
+/// How the walk ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum GjkStatus {
+    /// The bounds have met.
+    Converged,
+    /// The bodies overlap, or touch to rounding.
+    Touching,
+    /// Rounding stopped the walk; the bounds tell what is known.
+    Stalled,
+}
+
+/// What the walk found.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gjk {
+    pub(crate) status: GjkStatus,
+    /// Largest separation along a direction that was tried, m: a lower bound of the distance.
+    pub(crate) lower: f64,
+    /// Length of `v`, m: an upper bound of the distance.
+    pub(crate) upper: f64,
+    /// Unit vector from B to A: the direction of the lower bound.
+    pub(crate) normal: DVec3,
+    pub(crate) simplex: Simplex,
+    pub(crate) iterations: usize,
+}
+
+/// Distance of two bodies. `support` gives, for a direction, the points of A and of B that are farthest along it and
+/// against it; `start` is any point of the difference A - B.
+pub(crate) fn gjk(support: &dyn Fn(DVec3) -> (DVec3, DVec3), start: DVec3) -> Gjk {
+    let begin = if start == DVec3::ZERO { DVec3::X } else { unit(start) };
+    let (a, b) = support(-begin);
+    let mut simplex = Simplex::of(Difference::new(a, b));
+    let mut found = Gjk {
+        status: GjkStatus::Stalled,
+        lower: f64::NEG_INFINITY,
+        upper: f64::INFINITY,
+        normal: begin,
+        simplex,
+        iterations: 0,
+    };
+    let mut extent: f64 = 0.0;
+    for iteration in 1..=MAX_ITERATIONS {
+        found.iterations = iteration;
+        let nearest = simplex.reduce();
+        // Both bodies' own coordinates carry the rounding of their points.
+        extent = simplex.points().iter().fold(extent, |e, p| e.max(p.w.length()).max(p.a.length()).max(p.b.length()));
+        let length = nearest.point.length();
+        if nearest.encloses || length <= TOUCH_ULPS * f64::EPSILON * extent {
+            found.upper = found.upper.min(length);
+            return Gjk { status: GjkStatus::Touching, simplex, ..found };
+        }
+        if length >= found.upper {
+            return found;
+        }
+        found.upper = length;
+        found.simplex = simplex;
+        let direction = if nearest.direction == DVec3::ZERO { unit(nearest.point) } else { nearest.direction };
+        let (a, b) = support(-direction);
+        let next = Difference::new(a, b);
+        let along = direction.dot(next.w);
+        if along > found.lower {
+            found.lower = along;
+            found.normal = direction;
+        }
+        if found.upper - found.lower <= MET_ULPS * f64::EPSILON * extent {
+            found.status = GjkStatus::Converged;
+            return found;
+        }
+        if simplex.points().iter().any(|p| p.w == next.w) {
+            return found;
+        }
+        simplex.push(next);
+    }
+    found
+}
