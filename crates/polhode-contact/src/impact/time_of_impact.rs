@@ -27,7 +27,6 @@ use crate::impact::root_bracket::{Sample, last_open};
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
 use crate::narrow_phase::axis::separating_axis::{Axes, Workspace};
-use crate::narrow_phase::common_normal::places::nearest_on;
 use crate::narrow_phase::dispatch::separation::{search_axes, separation_with};
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
@@ -521,7 +520,7 @@ impl Search<'_> {
         };
         let Some(ring) = circles(self.shapes[other]).first().copied() else { return 0.0 };
         let y = now.poses[other].relative(&now.poses[this]).transform_point(ball.center);
-        let away = y - nearest_on(&ring, y);
+        let away = y - ring.nearest(y);
         let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
         let least = rho - speed * window.length();
         if least < HALF * rho || distance == 0.0 {

@@ -5,7 +5,8 @@
 //! inside the polytope at the start: distances of faces are signed, and a face with the origin outside is the nearest of
 //! all. Source: docs/REFERENCES.md, Van den Bergen 2001.
 
-use crate::query::simplex::{Difference, unit};
+use crate::query::simplex::Difference;
+use crate::shape::support::unit;
 use glam::DVec3;
 
 /// Most points that are added.

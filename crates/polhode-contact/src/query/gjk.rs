@@ -6,7 +6,8 @@
 //! or after [`MAX_ITERATIONS`]. Lengths are compared only with the extent of the simplex, so that the result does not
 //! depend on units. Sources: docs/REFERENCES.md, Gilbert, Johnson and Keerthi 1988, Montanari 2017.
 
-use crate::query::simplex::{Difference, Simplex, unit};
+use crate::query::simplex::{Difference, Simplex};
+use crate::shape::support::unit;
 use glam::DVec3;
 
 /// Most points that are tried. Polytopes take about ten; curved bodies in near touch up to a hundred.

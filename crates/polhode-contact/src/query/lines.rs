@@ -1,9 +1,9 @@
 //! Two segments: their nearest places in closed form.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::query::simplex::unit;
 use crate::shape::nearer_place::is_nearer;
 use crate::shape::support::farthest;
+use crate::shape::support::unit;
 use crate::shape::triangle::on_segment;
 use glam::DVec3;
 

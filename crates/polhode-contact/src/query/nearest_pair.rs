@@ -5,7 +5,7 @@ use super::FeatureKind;
 use super::element::{Core, Element};
 use super::lines::nearest_places;
 use super::penetration::Found;
-use crate::narrow_phase::terms::evaluate::face_margin;
+use crate::narrow_phase::feature::face_border::face_margin;
 use crate::shape::nearer_place::is_nearer;
 use glam::DVec3;
 

@@ -7,7 +7,7 @@ use super::polytopes::feature;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::separating_axis::Workspace;
 use crate::query::gjk::gjk;
-use crate::query::simplex::unit;
+use crate::shape::support::unit;
 use glam::DVec3;
 
 /// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and

@@ -12,7 +12,8 @@ use super::element::{Core, Element};
 use super::nearest_pair::nearest_pair;
 use super::penetration::{Found, by_all_axes};
 use crate::query::gjk::{Gjk, GjkStatus, gjk};
-use crate::query::simplex::{Difference, Simplex, unit};
+use crate::query::simplex::{Difference, Simplex};
+use crate::shape::support::unit;
 use glam::DVec3;
 
 /// Lower and upper bound of a distance meet within this many epsilon of the extent.

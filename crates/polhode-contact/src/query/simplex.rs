@@ -6,6 +6,7 @@
 //! the rule; weights are ratios of signed lengths, areas and volumes (docs/REFERENCES.md, Montanari 2017). No tolerance
 //! enters. The direction is that of the face's own perpendicular, which stays accurate where the distance vanishes.
 
+use crate::shape::support::unit;
 use glam::DVec3;
 
 /// A point of the difference of two bodies, `a - b`.
@@ -165,14 +166,4 @@ impl Simplex {
         let inside = parts.iter().all(|&v| v > 0.0) || parts.iter().all(|&v| v < 0.0);
         (inside && total != 0.0).then(|| parts.map(|v| v / total))
     }
-}
-
-/// The direction of a vector of any length, zero when it has none.
-pub(crate) fn unit(vector: DVec3) -> DVec3 {
-    let largest = vector.abs().max_element();
-    if !(largest > 0.0 && largest.is_finite()) {
-        return DVec3::ZERO;
-    }
-    let scaled = vector / largest;
-    scaled / scaled.length()
 }

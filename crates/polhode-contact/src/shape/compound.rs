@@ -7,7 +7,7 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// Numbers that a curved part takes of each kind of element: more than any such shape has.
-const CURVED_ELEMENTS: usize = 2 * crate::shape::round::RIM_POINTS as usize;
+const CURVED_ELEMENTS: usize = 2 * crate::shape::circle::RIM_POINTS as usize;
 
 /// Up to this many balls of parts the size is found over all pairs; beyond it the diagonal of the bounding box stands
 /// in, which is at most sqrt(3) times too large.

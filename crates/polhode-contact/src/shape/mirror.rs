@@ -4,7 +4,8 @@
 //! motion needs to know of shapes. A point x has the image `x - 2 (n.x - d) n` in the plane `n.x = d`.
 
 use crate::Shape;
-use crate::shape::round::{Circle, circles};
+use crate::shape::circle::Circle;
+use crate::shape::round::circles;
 use glam::DVec3;
 use polhode_spatial::UnitVector;
 

@@ -7,6 +7,7 @@
 
 pub mod approximate_decomposition;
 mod capsule;
+pub(crate) mod circle;
 mod compound;
 mod cone;
 mod cylinder;

@@ -15,54 +15,12 @@
 //! 15 on rim 1, of a cone 1 to 8; of a torus 0 to 7 on its middle line (centres of balls
 //! that just fill the tube).
 
+use super::circle::Circle;
+pub use super::circle::RIM_POINTS;
 use super::support::across;
 use crate::Shape;
-use crate::query::simplex::unit;
+use crate::shape::support::unit;
 use glam::DVec3;
-use polhode_spatial::Pose;
-use std::f64::consts::FRAC_1_SQRT_2;
-
-/// Points of a rim that stand for its disc.
-pub const RIM_POINTS: u32 = 8;
-
-/// Cosine and sine of the places of the stated points.
-const PLACES: [(f64, f64); RIM_POINTS as usize] = [
-    (1.0, 0.0),
-    (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
-    (0.0, 1.0),
-    (-FRAC_1_SQRT_2, FRAC_1_SQRT_2),
-    (-1.0, 0.0),
-    (-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
-    (0.0, -1.0),
-    (FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
-];
-
-/// A circle about an axis. Of a rim the axis points out of the disc.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Circle {
-    pub(crate) center: DVec3,
-    pub(crate) axis: DVec3,
-    pub(crate) radius: f64,
-}
-
-impl Circle {
-    /// The circle of a shape at a pose.
-    pub(crate) fn placed(&self, pose: &Pose) -> Self {
-        Self { center: pose.transform_point(self.center), axis: pose.rotation.rotate(self.axis), ..*self }
-    }
-
-    /// Largest coordinate of its points along a unit vector, m.
-    pub(crate) fn support(&self, n: DVec3) -> f64 {
-        n.dot(self.center) + self.radius * self.axis.cross(n).length()
-    }
-
-    /// A stated point; nothing beyond [`RIM_POINTS`].
-    pub(crate) fn point(&self, index: u32) -> Option<DVec3> {
-        let (cosine, sine) = *PLACES.get(index as usize)?;
-        let first = self.axis.any_orthonormal_vector();
-        Some(self.center + (first * cosine + self.axis.cross(first) * sine) * self.radius)
-    }
-}
 
 /// The circles of a smooth shape, at most two.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,6 @@
 //! Support functions: the point of a convex shape that is farthest along a direction.
 
 use super::{Cone, Cylinder};
-use crate::query::simplex::unit;
 use glam::DVec3;
 
 /// The first of the points that are farthest along a direction; the origin when there is none.
@@ -48,4 +47,14 @@ pub(crate) fn across(vector: DVec3, axis: DVec3) -> DVec3 {
     let again = axis * once.dot(axis);
     let most = 0.5 * once.abs().max_element();
     if again.abs().max_element() > most { DVec3::ZERO } else { once - again }
+}
+
+/// The direction of a vector of any length, zero when it has none.
+pub(crate) fn unit(vector: DVec3) -> DVec3 {
+    let largest = vector.abs().max_element();
+    if !(largest > 0.0 && largest.is_finite()) {
+        return DVec3::ZERO;
+    }
+    let scaled = vector / largest;
+    scaled / scaled.length()
 }

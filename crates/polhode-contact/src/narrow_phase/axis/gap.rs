@@ -8,7 +8,8 @@
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
 use crate::narrow_phase::axis::sieve::{Pass, Sieve, is_worse};
-use crate::narrow_phase::common_normal::places::{Place, places};
+use crate::narrow_phase::common_normal::place::Place;
+use crate::narrow_phase::common_normal::places::places;
 use crate::narrow_phase::dispatch::separation::separation;
 use crate::narrow_phase::feature::element::{Border, Element, Locus};
 use crate::shape::round::{support, support_point};

@@ -4,7 +4,7 @@
 //! Outside a convex body that distance is continuously differentiable, so that each minimum is a common normal of the middle
 //! line and the element of the body that is nearest there (`places.rs`). All elements are asked that come near enough, and of
 //! their common normals those count at which the element is the nearest: none is overlooked, also not one beside a lower one;
-//! only of several over the rim of one disc some may have no name that tells them from the others (`branch.rs`).
+//! only of several over the rim of one disc some may have no name that tells them from the others (`branch_offset.rs`).
 //!
 //! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
 //! lower bound of how far the ring would have to be moved. There the distance has corners, where the nearest element
@@ -14,12 +14,15 @@
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::gap::{self, Body, Gap};
 use crate::narrow_phase::axis::ring_samples::{Sample, Wanted, each_minimum};
-use crate::narrow_phase::common_normal::branch::{Branch, is_one_place, is_told};
-use crate::narrow_phase::common_normal::places::{Place, Places, lowest_of, nearest_on, places};
+use crate::narrow_phase::common_normal::branch_offset::{is_one_place, is_told};
+use crate::narrow_phase::common_normal::chosen_place::chosen;
+use crate::narrow_phase::common_normal::place::{Place, Places};
+use crate::narrow_phase::common_normal::places::places;
+use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
-use crate::narrow_phase::terms::stationary::chosen;
-use crate::shape::round::{Circle, circles, support};
+use crate::shape::circle::Circle;
+use crate::shape::round::{circles, support};
 use crate::shape::support::across;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
@@ -195,7 +198,7 @@ impl<'a> Ring<'a> {
 
     /// The one contact with a ball.
     fn to_point(&self, point: DVec3, radius: f64, b: SurfaceFeature) -> Gap {
-        let f = nearest_on(&self.circle, point) - point;
+        let f = self.circle.nearest(point) - point;
         let distance = f.length();
         let normal = if distance > 0.0 { f / distance } else { self.circle.axis };
         let separation = distance - radius - self.tube;
@@ -210,7 +213,7 @@ impl<'a> Ring<'a> {
             }
             Shape::Torus(torus) => {
                 let ring = Circle { center: torus.center, axis: torus.axis, radius: torus.major };
-                let f = p - nearest_on(&ring, p);
+                let f = p - ring.nearest(p);
                 let distance = f.length();
                 let normal = if distance > 0.0 { f / distance } else { ring.axis };
                 FromPoint { distance: distance - torus.minor, feature: SurfaceFeature::Rim(0), normal }
@@ -246,7 +249,7 @@ impl<'a> Ring<'a> {
         let least = self.nearest(self.place(0.0)).distance + self.tolerance;
         let wanted = Nearest { reach: reach + self.tube, least, above: None };
         let wanted = self.each_of_elements(&rim, wanted, &mut report);
-        // Of places over a rim some have no name of their own (`branch.rs`): then the samples say how near they are.
+        // Of places over a rim some have no name of their own (`branch_offset.rs`): then the samples say how near they are.
         let all_named = circles(self.other).is_empty();
         if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
             self.each_corner(&rim, wanted, report);
@@ -262,7 +265,7 @@ impl<'a> Ring<'a> {
             let asked = self.comes_within(feature, now.limit());
             let Some(element) = body.element(feature).filter(|_| asked) else { return };
             if let Locus::Plane(_, normal) = element.locus {
-                parallel |= lowest_of(&self.circle, normal).is_none();
+                parallel |= self.circle.lowest(normal).is_none();
             }
             let limit = now.limit();
             self.each_common_normal(rim, &element, feature, limit, |_, gap| {

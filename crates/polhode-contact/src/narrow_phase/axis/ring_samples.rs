@@ -10,7 +10,7 @@
 //! element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions would be needed.
 
 use crate::SurfaceFeature;
-use crate::shape::round::Circle;
+use crate::shape::circle::Circle;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 

@@ -16,8 +16,8 @@
 //! crossings.
 
 use crate::narrow_phase::common_normal::minima::{Height, falling_root};
-use crate::narrow_phase::common_normal::places::{Place, Places, nearest_on};
-use crate::shape::round::Circle;
+use crate::narrow_phase::common_normal::place::{Place, Places};
+use crate::shape::circle::Circle;
 use crate::shape::support::across;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -137,7 +137,7 @@ fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
 
 /// Two circles: along the first, half the square of the distance from the second, which is nearest at a closed form.
 pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
-    let [east, north] = radii(first);
+    let [east, north] = first.radii();
     let between = first.center - second.center;
     let linear = [east, north].map(|radius| between.dot(radius));
     let seen = [between, east, north].map(|v| across(v, second.axis));
@@ -145,17 +145,11 @@ pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
     Height::new(linear, second.radius, seen).each_least(|angle| {
         let (sine, cosine) = libm::sincos(angle);
         let on_first = first.center + east * cosine + north * sine;
-        if let Some(place) = polished(first, second, on_first, nearest_on(second, on_first)) {
+        if let Some(place) = polished(first, second, on_first, second.nearest(on_first)) {
             found.push(place);
         }
     });
     found
-}
-
-/// Two radii of a circle at right angles, the second one anticlockwise from the first.
-pub(crate) fn radii(circle: &Circle) -> [DVec3; 2] {
-    let east = circle.axis.any_orthonormal_vector() * circle.radius;
-    [east, circle.axis.cross(east)]
 }
 
 /// Newton's method on `|F|^2/2` in the two angles.

@@ -12,84 +12,11 @@
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::common_normal::curves;
 use crate::narrow_phase::common_normal::minima::Height;
+use crate::narrow_phase::common_normal::place::{Place, Places};
 use crate::narrow_phase::feature::element::{ConeSide, Element, Locus};
-use crate::shape::round::Circle;
+use crate::shape::circle::Circle;
 use crate::shape::support::across;
 use glam::DVec3;
-
-/// Sine of the angle between a circle's axis and a direction below which all its points are equally low: its stated points
-/// then stand for the lowest one to 1e-12 of its radius.
-const FLAT_SINE: f64 = 1e-11;
-
-/// A common normal of two elements.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
-    /// Unit vector from B to A; with two curves of no radius its sign is open.
-    pub(crate) normal: DVec3,
-    /// Places on the two loci, m.
-    pub(crate) on_a: DVec3,
-    pub(crate) on_b: DVec3,
-}
-
-impl Place {
-    /// Signed separation, m.
-    pub(crate) fn separation(&self, a: &Element<'_>, b: &Element<'_>) -> f64 {
-        self.normal.dot(self.on_a - self.on_b) - a.radius_at(self.on_a) - b.radius_at(self.on_b)
-    }
-
-    pub(crate) fn turned_round(self) -> Self {
-        Self { normal: -self.normal, ..self }
-    }
-
-    fn swapped(self) -> Self {
-        Self { normal: -self.normal, on_a: self.on_b, on_b: self.on_a }
-    }
-}
-
-/// A few places.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Places {
-    items: [Place; Self::MOST],
-    count: usize,
-}
-
-impl Places {
-    /// As many as are told of a height (`minima.rs`); of other elements there are two at most.
-    const MOST: usize = 8;
-
-    pub(crate) const fn none() -> Self {
-        let empty = Place { normal: DVec3::ZERO, on_a: DVec3::ZERO, on_b: DVec3::ZERO };
-        Self { items: [empty; Self::MOST], count: 0 }
-    }
-
-    /// Adds a place with a normal that is a number.
-    pub(crate) fn push(&mut self, place: Place) {
-        if self.count < Self::MOST && place.normal.is_finite() && place.normal != DVec3::ZERO {
-            self.items[self.count] = place;
-            self.count += 1;
-        }
-    }
-
-    fn one(place: Option<Place>) -> Self {
-        let mut places = Self::none();
-        if let Some(place) = place {
-            places.push(place);
-        }
-        places
-    }
-
-    fn swapped(mut self) -> Self {
-        self.items[..self.count].iter_mut().for_each(|place| *place = place.swapped());
-        self
-    }
-}
-
-impl std::ops::Deref for Places {
-    type Target = [Place];
-    fn deref(&self) -> &[Place] {
-        &self.items[..self.count]
-    }
-}
 
 /// All places of two elements; none for loci that have no common normal of their own (a plane and a line, parallel lines).
 pub(crate) fn places(a: &Element<'_>, b: &Element<'_>) -> Places {
@@ -99,14 +26,14 @@ pub(crate) fn places(a: &Element<'_>, b: &Element<'_>) -> Places {
             Places::one(Some(off_curve(p, middle + along * along.dot(p - middle), along)))
         }
         (Locus::Point(p), Locus::Circle(circle)) => {
-            let nearest = nearest_on(&circle, p);
+            let nearest = circle.nearest(p);
             let tangent = circle.axis.cross(nearest - circle.center).normalize_or_zero();
             Places::one(Some(off_curve(p, nearest, tangent)))
         }
         (Locus::Point(p), Locus::Cone(side)) => Places::one(point_on_cone(p, &side)),
         (Locus::Point(p), Locus::Plane(through, normal)) => Places::one(Some(onto_plane(p, through, normal))),
         (Locus::Circle(circle), Locus::Plane(through, normal)) => {
-            let lowest = lowest_of(&circle, normal);
+            let lowest = circle.lowest(normal);
             Places::one(lowest.map(|lowest| onto_plane(lowest, through, normal)))
         }
         (Locus::Line(p, u), Locus::Line(q, v)) => line_line((p, u), (q, v)),
@@ -145,20 +72,6 @@ fn off_curve(p: DVec3, nearest: DVec3, tangent: DVec3) -> Place {
 
 fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {
     Place { normal, on_a: p, on_b: p - normal * normal.dot(p - through) }
-}
-
-/// The nearest point of a circle; some point of it for a point on its axis.
-pub(crate) fn nearest_on(circle: &Circle, p: DVec3) -> DVec3 {
-    let radial = across(p - circle.center, circle.axis);
-    let radial = radial.try_normalize().unwrap_or_else(|| circle.axis.any_orthonormal_vector());
-    circle.center + radial * circle.radius
-}
-
-/// The point of a circle that is lowest along a unit vector; nothing when all are equally low to rounding.
-pub(crate) fn lowest_of(circle: &Circle, up: DVec3) -> Option<DVec3> {
-    let radial = across(up, circle.axis);
-    let sine = radial.length();
-    (sine > FLAT_SINE).then(|| circle.center - radial * (circle.radius / sine))
 }
 
 /// The foot of a point on the side of a cone; on the axis itself some generator is as good as all.
@@ -240,7 +153,7 @@ fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
 
 /// A ring against a cone: where the distance of the circle's places from the side is least.
 fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
-    let [east, north] = curves::radii(circle);
+    let [east, north] = circle.radii();
     let linear = [east, north].map(|radius| side.sine * side.axis.dot(radius));
     let seen = [circle.center - side.apex, east, north].map(|v| across(v, side.axis));
     let mut found = Places::none();

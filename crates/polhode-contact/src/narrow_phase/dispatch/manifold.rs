@@ -14,6 +14,7 @@ use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
 use crate::narrow_phase::axis::separating_axis::{Axes, EdgeAxis, Workspace};
 use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::parts::composite::{compound_manifold, is_composite};
 use crate::narrow_phase::parts::mesh_pair::mesh_manifold;
@@ -29,11 +30,6 @@ use crate::shape::round::is_round;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// Normals within this angle belong to one contact region (cosine; 0.01 rad): bodies that lie on each other and rock, as
-/// opposed to bodies that touch at an angle. Contacts are measured against the normal of the face that decides, and this
-/// face, where a crossing decides, against the crossing's.
-pub(crate) const ALIKE: f64 = 0.999_95;
 
 /// Directions whose components differ by less than this are the same when one of several equal axes is chosen.
 const SAME_DIRECTION: f64 = 1e-9;

@@ -1,7 +1,7 @@
 //! The feature of a convex polyhedron that is nearest to a point.
 
 use crate::SurfaceFeature;
-use crate::narrow_phase::terms::evaluate::face_margin;
+use crate::narrow_phase::feature::face_border::face_margin;
 use crate::shape::nearer_place::is_nearer;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::farthest;

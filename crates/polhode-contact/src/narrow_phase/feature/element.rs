@@ -5,18 +5,16 @@
 //! normals `o` satisfy `o.e = 0` on a line along `e`, `o.a = sin(alpha)` on a cone with axis `a` towards its apex and half
 //! angle `alpha`, and are fixed on a plane.
 
-use crate::narrow_phase::common_normal::branch::Branch;
+use crate::narrow_phase::feature::alike::ALIKE_SINE;
+use crate::narrow_phase::feature::branch::Branch;
+use crate::narrow_phase::feature::face_border::face_margin;
 use crate::narrow_phase::feature::mesh_feature::patch_margin;
-use crate::narrow_phase::terms::evaluate::face_margin;
 use crate::shape::TriangleMesh;
-use crate::shape::round::{Circle, circles, fixed_point};
+use crate::shape::circle::Circle;
+use crate::shape::round::{circles, fixed_point};
 use crate::{ConvexPolyhedron, Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// Sine of the angle by which a normal may leave the normals of a rim, cap, apex or corner before the contact has left it
-/// (0.01 rad): both ends of a body that lies on its side and rocks stay contacts.
-pub(crate) const ALIKE_SINE: f64 = 0.01;
 
 /// Where the axes' points of an element lie.
 #[derive(Debug, Clone, Copy)]

@@ -1,46 +1,14 @@
-//! Faces, edges and vertices of a triangle mesh: their distance from a place, and the normals they may have.
+//! Faces, edges and vertices of a triangle mesh: where they end, and the normals they may have.
 //!
 //! A face has the normal of its patch. An edge or a vertex has those normals `v` across whose plane all its triangles
 //! fall away, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
 //! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
-use crate::SurfaceFeature;
 use crate::bounding::Bounds;
 use crate::clearance::COINCIDENCE;
-use crate::narrow_phase::terms::evaluate::{Distance, from_plane, from_point};
 use crate::shape::TriangleMesh;
 use crate::shape::triangle::{Part, from_triangle};
 use glam::DVec3;
-
-/// Distance of a place from a feature of the mesh, in the mesh's frame.
-pub(crate) fn distance_of(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<Distance> {
-    match feature {
-        SurfaceFeature::Face(face) => {
-            let plane = mesh.face_plane(face)?;
-            let value = plane.normal.dot(y) - plane.offset;
-            Some(from_plane(plane.normal, value, patch_margin(mesh, face, y - plane.normal * value)))
-        }
-        SurfaceFeature::Edge(edge) => {
-            let line = mesh.edges.get(edge as usize)?;
-            let from = mesh.vertices[line.vertices[0] as usize];
-            let w = y - from;
-            let along = line.direction.dot(w);
-            let mut found = from_point(w - line.direction * along, COINCIDENCE * line.length, f64::INFINITY)?;
-            found.along = line.direction;
-            let ends = along.min(line.length - along);
-            found.margin = mesh.sides_at_edge(edge).map(|side| side.dot(w)).fold(ends, f64::min);
-            Some(found)
-        }
-        SurfaceFeature::Vertex(vertex) => {
-            let x = *mesh.vertices.get(vertex as usize)?;
-            let w = y - x;
-            let beyond = |corner: DVec3| (x - corner).dot(w) / (x - corner).length();
-            let margin = mesh.neighbours(vertex).map(beyond).fold(f64::INFINITY, f64::min);
-            from_point(w, COINCIDENCE * mesh.face_size(vertex), margin)
-        }
-        _ => None,
-    }
-}
 
 /// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
 /// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
@@ -116,7 +84,7 @@ impl TriangleMesh {
     }
 
     /// Length of the first edge at a vertex, m.
-    fn face_size(&self, vertex: u32) -> f64 {
+    pub(crate) fn face_size(&self, vertex: u32) -> f64 {
         let x = self.vertices.get(vertex as usize).copied().unwrap_or_default();
         self.neighbours(vertex).next().map_or(0.0, |w| w.distance(x))
     }

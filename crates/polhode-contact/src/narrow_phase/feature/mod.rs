@@ -1,7 +1,25 @@
 //! Features of shapes: what a contact may name.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `part_feature` | numbers among all parts of a compound, and within one part |
+//! | `contact_name` | the name of a contact of two parts of surfaces |
+//! | `alike` | the angle within which two normals belong to one region |
+//! | `edge_line` | an edge of a polyhedron or of a mesh |
+//! | `face_border` | how far a place is from the border of a polyhedron's face |
+//! | `mesh_feature` | faces, edges and vertices of a triangle mesh |
+//! | `branch` | names of two places of a circle |
+//! | `element` | the parts of surfaces that can touch, as loci blown up by balls |
+//! | `closest_feature` | the feature of a polyhedron that is nearest to a point |
+//! | `counterpart` | the other half of the contact of two vertices |
 
+pub(crate) mod alike;
+pub(crate) mod branch;
 pub(crate) mod closest_feature;
+pub(crate) mod contact_name;
 pub mod counterpart;
+pub(crate) mod edge_line;
 pub(crate) mod element;
+pub(crate) mod face_border;
 pub(crate) mod mesh_feature;
 pub(crate) mod part_feature;

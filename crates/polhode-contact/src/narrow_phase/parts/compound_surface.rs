@@ -12,8 +12,8 @@
 //! Fails for gaps and steps between parts that are shorter than the probe ([`PROBE`]), which count as closed.
 
 use crate::bounding::Bounds;
+use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
 use crate::narrow_phase::parts::composite::Candidate;
-use crate::narrow_phase::terms::evaluate::face_margin;
 use crate::shape::Compound;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, Shape, Side, SurfaceFeature};
@@ -133,38 +133,6 @@ fn element(feature: ContactFeature, side: Side) -> Element {
         },
         _ => Element::Other,
     }
-}
-
-/// Where on a face of the other body a vertex lies.
-pub(crate) enum Border {
-    Inside,
-    /// On an edge with this direction, its frame.
-    Edge(DVec3),
-    Vertex(u32),
-    /// The other body's feature is no face of a polyhedron.
-    Unknown,
-}
-
-/// Where on the face that a vertex-face contact names the place `y` (frame of the face's body) lies.
-pub(crate) fn at_border(other: &Shape, feature: ContactFeature, y: DVec3, tolerance: f64) -> Border {
-    if matches!((other, feature), (Shape::HalfSpace(_), ContactFeature::VertexFace { .. })) {
-        return Border::Inside;
-    }
-    let (Shape::Convex(polyhedron), ContactFeature::VertexFace { face, .. }) = (other, feature) else {
-        return Border::Unknown;
-    };
-    let Some(face) = polyhedron.face(face as usize) else { return Border::Unknown };
-    let mut edge = Border::Inside;
-    for ((&vertex, side), &number) in face.vertices.iter().zip(face.sides).zip(face.edges) {
-        let from = y - polyhedron.vertices[vertex as usize];
-        if (from - face.normal * face.normal.dot(from)).length() <= tolerance {
-            return Border::Vertex(vertex);
-        }
-        if side.dot(from).abs() <= tolerance {
-            edge = Border::Edge(polyhedron.edges[number as usize].direction);
-        }
-    }
-    edge
 }
 
 impl Place<'_> {

@@ -2,10 +2,11 @@
 
 use crate::narrow_phase::axis::gap::{Body, Gap};
 use crate::narrow_phase::axis::separating_axis::Workspace;
-use crate::narrow_phase::dispatch::manifold::{ALIKE, is_upward, manifold_into};
+use crate::narrow_phase::dispatch::manifold::{is_upward, manifold_into};
 use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::feature::alike::ALIKE;
+use crate::narrow_phase::feature::face_border::{Border, at_border};
 use crate::narrow_phase::feature::mesh_feature::Flatness;
-use crate::narrow_phase::parts::compound_surface::{Border, at_border};
 use crate::narrow_phase::parts::mesh_pair::{DEEPER, MeshContact, SAME_PLACE};
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};

@@ -14,7 +14,8 @@
 //! Fails where a piece of a ridge is shorter than a probe ([`PROBE`]), or bends by less than rounding shows over a probe.
 
 use crate::bounding::Bounds;
-use crate::narrow_phase::terms::crossed_edges::{CrossedEdges, EdgeLine};
+use crate::narrow_phase::feature::edge_line::EdgeLine;
+use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::triangle::from_triangle;
 use crate::shape::{Compound, TriangleMesh};

@@ -4,9 +4,9 @@
 //! normals of the two faces and the places of their edges. Features whose normal keeps nothing apart are left out before
 //! they are measured.
 
-use crate::narrow_phase::dispatch::manifold::ALIKE;
+use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::terms::crossed_edges::{CrossedEdges, Perpendicular, PlacedEdge};
-use crate::narrow_phase::terms::evaluate::vertex_above_face;
+use crate::narrow_phase::terms::point_on_surface::vertex_above_face;
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{Contact, ContactFeature, ContactGeometry, Side};
 use glam::DVec3;

@@ -15,8 +15,8 @@
 use crate::ContactFeature;
 use crate::Side;
 use crate::narrow_phase::axis::separating_axis::Workspace;
+use crate::narrow_phase::feature::face_border::face_margin;
 use crate::narrow_phase::region::face_pair;
-use crate::narrow_phase::terms::evaluate::face_margin;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, Face};
 use glam::DVec3;
 use polhode_spatial::Pose;

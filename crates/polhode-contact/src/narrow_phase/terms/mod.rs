@@ -1,6 +1,17 @@
 //! The terms of one contact: its geometry, the time derivatives of its separation, its slip.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`tangential`] | the slip, from how a contact moves |
+//! | `crossed_edges` | an edge across an edge |
+//! | `surface_distance` | the distance of a place from a feature |
+//! | `point_on_surface` | a point on a surface |
+//! | `stationary` | two elements at a common normal |
+//! | [`evaluate`] | any contact, by the kind of its features |
 
 pub(crate) mod crossed_edges;
 pub mod evaluate;
+pub(crate) mod point_on_surface;
 pub(crate) mod stationary;
+pub(crate) mod surface_distance;
 pub mod tangential;

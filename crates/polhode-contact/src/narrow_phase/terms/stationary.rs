@@ -28,9 +28,11 @@
 //! (which is zero but on a cone).
 
 use crate::clearance::COINCIDENCE;
-use crate::narrow_phase::common_normal::branch;
-use crate::narrow_phase::common_normal::places::{Place, places};
-use crate::narrow_phase::feature::element::{Border, Element, Locus};
+use crate::narrow_phase::common_normal::branch_offset;
+use crate::narrow_phase::common_normal::chosen_place::{chosen, margin};
+use crate::narrow_phase::common_normal::place::Place;
+use crate::narrow_phase::common_normal::places::places;
+use crate::narrow_phase::feature::element::{Element, Locus};
 use crate::narrow_phase::terms::tangential::ContactMotion;
 use crate::{ContactGeometry, ContactKinematics, Side};
 use glam::DVec3;
@@ -84,7 +86,7 @@ impl Stationary {
             place,
             separation,
             middle: place.on_a - place.normal * (a.radius_at(place.on_a) + 0.5 * separation),
-            margin: margin(&place, a, b).min(branch::margin(&place, &all, a, b)),
+            margin: margin(&place, a, b).min(branch_offset::margin(&place, &all, a, b)),
             origin_b,
             size: tolerance / COINCIDENCE,
             plane_of: None,
@@ -393,53 +395,4 @@ fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>, tolerance: 
     let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_) | Locus::Cone(_));
     let known = (point(a) && (point(b) || curve(b))) || (point(b) && curve(a));
     known && place.on_a.distance(place.on_b) <= tolerance
-}
-
-/// Of all common normals of two elements the one that makes a contact: on the named branch, within the borders of both
-/// elements if there is such a place, and of these the nearest places of two loci, or on a cone those that separate best; of
-/// a ring those whose middle line is nearest to the surface.
-pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
-    let cones = matches!(a.locus, Locus::Cone(_)) || matches!(b.locus, Locus::Cone(_));
-    let score = |place: &Place| {
-        if a.is_ring() || b.is_ring() {
-            -(place.separation(a, b) + a.ball + b.ball).abs()
-        } else if cones {
-            place.separation(a, b)
-        } else {
-            -place.on_a.distance_squared(place.on_b)
-        }
-    };
-    let border = |place: &Place| COINCIDENCE * (place.on_a.length() + place.on_b.length());
-    let within = |place: &Place| margin(place, a, b) >= -border(place);
-    let fitting = all.iter().filter(|place| branch::is_named(place, a, b)).map(|place| oriented(*place, a, b));
-    // An edge of a polyhedron has two normals in common with a cone, of which one leads through its own body.
-    let outwards = |place: &Place| place.normal.dot(b.outward - a.outward) >= 0.0;
-    let keys = |place: &Place| (outwards(place), within(place));
-    fitting.max_by(|p, q| keys(p).cmp(&keys(q)).then(score(p).total_cmp(&score(q))))
-}
-
-/// Distance from the border of either element, m.
-fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
-    let reach = place.on_a.distance(place.on_b);
-    a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
-}
-
-/// Two curves may have passed each other: the side to which the normal points is decided by what is outside. Axes and rings
-/// have no outside; there it points along `F`.
-fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
-    let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
-    if !(curve(a) && curve(b)) {
-        return place;
-    }
-    let outward = |element: &Element<'_>, at: DVec3| match (element.locus, element.border) {
-        (Locus::Circle(circle), Border::Rim { radial, axial }) => {
-            // Halfway between the disc's normal and the side's, which is perpendicular to the way in which the side runs into
-            // the rim: all normals of the rim lie within a right angle of it, also where a flat cone's side looks backwards.
-            (at - circle.center) / circle.radius * axial + circle.axis * (1.0 - radial)
-        }
-        (Locus::Circle(circle), _) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,
-        _ => element.outward,
-    };
-    let toward_a = outward(b, place.on_b) - outward(a, place.on_a);
-    if place.normal.dot(toward_a) < 0.0 { place.turned_round() } else { place }
 }

@@ -20,31 +20,9 @@
 //! a ring takes the first that does ([`is_told`]), and its [`margin`] ends where its own or the other place crosses the
 //! border.
 
-use crate::SurfaceFeature;
-use crate::narrow_phase::common_normal::places::Place;
+use crate::narrow_phase::common_normal::place::Place;
+use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::element::{Element, Locus};
-
-/// Which of two places of a circle is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Branch {
-    /// The nearest.
-    Nearest,
-    /// Where the other curve leaves the disc.
-    Exit,
-    /// Where it enters it.
-    Entry,
-}
-
-impl Branch {
-    /// The name of the place on a rim.
-    pub(crate) const fn of_rim(self, index: u32) -> SurfaceFeature {
-        match self {
-            Self::Nearest => SurfaceFeature::Rim(index),
-            Self::Exit => SurfaceFeature::RimExit(index),
-            Self::Entry => SurfaceFeature::RimEntry(index),
-        }
-    }
-}
 
 /// Offsets of a ring below this part of its radius have no sign: to either side places stand for each other. Bodies about
 /// one axis with a ring have such offsets all round; the distances of two such places differ by `1e-14` of the radius.

@@ -1,0 +1,38 @@
+//! An edge of a polyhedron or of a triangle mesh, in its body's frame.
+
+use crate::{ConvexPolyhedron, Shape, TriangleMesh};
+use glam::DVec3;
+
+/// An edge in its body's frame.
+pub(crate) struct EdgeLine {
+    pub(crate) ends: [DVec3; 2],
+    pub(crate) direction: DVec3,
+    pub(crate) length: f64,
+    /// A direction out of the body.
+    pub(crate) outward: DVec3,
+}
+
+impl EdgeLine {
+    pub(crate) fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
+        let edge = polyhedron.edges.get(index as usize)?;
+        let ends = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+    }
+
+    pub(crate) fn of_mesh(mesh: &TriangleMesh, index: u32) -> Option<Self> {
+        let edge = mesh.edges.get(index as usize)?;
+        let ends = edge.vertices.map(|v| mesh.vertices[v as usize]);
+        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+    }
+}
+
+impl Shape {
+    /// An edge by its number; nothing where the shape has none.
+    pub(crate) fn edge_line(&self, index: u32) -> Option<EdgeLine> {
+        match self {
+            Self::Convex(polyhedron) => EdgeLine::of_polyhedron(polyhedron, index),
+            Self::TriangleMesh(mesh) => EdgeLine::of_mesh(mesh, index),
+            _ => None,
+        }
+    }
+}
