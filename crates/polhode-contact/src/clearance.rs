@@ -2,7 +2,7 @@
 //!
 //! Two lengths decide: the *joint size*, the smaller of the two sizes, which says how finely features must be told
 //! apart, and the *scale*, the largest length that enters the arithmetic, which says how finely they can be.
-//! Of a compound the size of its smallest part counts for places (`composite.rs`).
+//! Of a compound the size of its smallest part counts for places (`compound_pair.rs`).
 
 use crate::Shape;
 use glam::DVec3;

@@ -55,7 +55,6 @@ pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{
     ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_further_impact, time_of_impact,
 };
-pub use narrow_phase::axis::separating_axis::Workspace;
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential, tangential};
@@ -65,6 +64,7 @@ pub use narrow_phase::persistent::{
 };
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
+pub use narrow_phase::workspace::Workspace;
 pub use query::{
     ClosestPoints, FeatureKind, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point,
     contains, distance, overlap, ray_cast,

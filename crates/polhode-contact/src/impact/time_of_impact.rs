@@ -21,16 +21,19 @@ use crate::impact::arc_cuts::Cuts;
 use crate::impact::composite_impact::{Parts, find_composite};
 use crate::impact::fine_time::refined;
 use crate::impact::impact_bounds::Window;
+use crate::impact::quadratic_bound::Quadratic;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
 use crate::impact::root_bracket::{Sample, last_open};
+use crate::narrow_phase::axis::axes::Axes;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
-use crate::narrow_phase::axis::separating_axis::{Axes, Workspace};
-use crate::narrow_phase::dispatch::separation::{search_axes, separation_with};
+use crate::narrow_phase::axis::separating_axis::search_axes;
+use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::dispatch::workspace::Workspace;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
-use crate::narrow_phase::parts::composite::is_composite;
+use crate::narrow_phase::parts::compound_pair::is_composite;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
@@ -194,6 +197,7 @@ pub(crate) fn find_in_parts(
         motions,
         settings,
         workspace: Workspace::default(),
+        bounds: [Vec::new(), Vec::new()],
         axes: None,
         gap: None,
         evaluations: 0,
@@ -220,6 +224,8 @@ struct Search<'a> {
     motions: [&'a dyn Motion; 2],
     settings: &'a ImpactSearch,
     workspace: Workspace,
+    /// Buffers of the bounds.
+    bounds: [Vec<Quadratic>; 2],
     /// Best axes at the last look, for two polyhedra.
     axes: Option<Axes>,
     /// Best axis at the last look, for a round shape and another convex one.
@@ -297,7 +303,7 @@ impl Search<'_> {
         self.evaluations += 1;
         let [pose_a, pose_b] = &poses;
         let separation = if let [Shape::Convex(a), Shape::Convex(b)] = self.shapes {
-            let axes = search_axes(&mut self.workspace, a, pose_a, b, pose_b, f64::INFINITY);
+            let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
             self.axes = Some(axes);
             axes.separation(a, pose_a, b, pose_b)
         } else if self.shapes.into_iter().any(is_ring) && !self.shapes.into_iter().any(is_half_space) {
@@ -372,10 +378,10 @@ impl Search<'_> {
     /// As [`Self::safe_step`], by bounds that hold over a window of this length.
     fn clear_for(&mut self, now: &Moment, length: f64) -> Result<f64, ImpactError> {
         let end = now.t + length;
-        let mut buffers = std::mem::take(&mut self.workspace.bounds);
+        let mut buffers = std::mem::take(&mut self.bounds);
         let window = Window::new(self.motions, now.poses, now.t, end, &mut buffers);
         let step = window.map(|mut window| self.clear_in(now, &mut window));
-        self.workspace.bounds = buffers;
+        self.bounds = buffers;
         step.ok_or(ImpactError::NotFinite { t: now.t })
     }
 
@@ -626,14 +632,14 @@ impl Search<'_> {
     /// Whether by the `j`-th departure time a point can have moved by what closes a pair (`CLOSED`).
     fn can_have_moved(&mut self, start: &Moment, t1: f64, j: u32) -> Result<bool, ImpactError> {
         let length = (t1 - start.t) * halved(j);
-        let mut buffers = std::mem::take(&mut self.workspace.bounds);
+        let mut buffers = std::mem::take(&mut self.bounds);
         let apart = (start.poses[0].translation - start.poses[1].translation).length();
         // A half-space has no radius; what matters is how far the other body reaches from its centre.
         let reach = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
         let [a, b] = self.shapes;
         let speed = Window::new(self.motions, start.poses, start.t, start.t + length, &mut buffers)
             .map(|window| window.largest_speed(reach(a, b), reach(b, a)));
-        self.workspace.bounds = buffers;
+        self.bounds = buffers;
         let speed = speed.ok_or(ImpactError::NotFinite { t: start.t })?;
         let path = speed * length;
         Ok(path.is_nan() || path >= CLOSED * self.touch(start))

@@ -22,7 +22,6 @@ pub(crate) mod parts;
 pub(crate) mod region;
 pub(crate) mod terms;
 
-pub use dispatch::{manifold, persistent, separation};
+pub use dispatch::{convex_method, manifold, persistent, separation, workspace};
 pub use feature::counterpart;
-pub use pair::convex_method;
 pub use terms::{evaluate, tangential};

@@ -5,7 +5,7 @@ use super::FeatureKind;
 use super::element::{Core, Element};
 use super::polytopes::feature;
 use crate::clearance::place_tolerance;
-use crate::narrow_phase::axis::separating_axis::Workspace;
+use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::query::gjk::gjk;
 use crate::shape::support::unit;
 use glam::DVec3;
@@ -35,9 +35,9 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
     };
     if let (Core::Polyhedron(p), Core::Polyhedron(q)) = (a.core, b.core) {
         let x_ab = a.pose.relative(&b.pose);
-        let mut workspace = Workspace::default();
-        workspace.place(q, &x_ab);
-        let axes = workspace.search(p, q, &x_ab, f64::INFINITY);
+        let mut search = AxisSearch::default();
+        search.place(q, &x_ab);
+        let axes = search.search(p, q, &x_ab, f64::INFINITY);
         offer(-a.pose.rotation.rotate(p.faces[axes.face_a.face as usize].normal));
         offer(b.pose.rotation.rotate(q.faces[axes.face_b.face as usize].normal));
         if let Some(edges) = axes.edges {

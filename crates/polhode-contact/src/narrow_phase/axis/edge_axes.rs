@@ -12,7 +12,8 @@
 //! it is when `q` is no higher above the neighbour than above the face, again because of the cap.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::narrow_phase::axis::separating_axis::{Axes, EdgeAxis, FaceAxis, Workspace, plane_of_b};
+use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
+use crate::narrow_phase::axis::axis_search::{AxisSearch, EdgeBuffers, plane_of_b};
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -28,50 +29,10 @@ const NEARLY_PARALLEL_SINE: f64 = 0.03;
 /// The sine of the angle between edges up to which their cross product is nothing but rounding.
 const ROUNDING_SINE: f64 = 16.0 * f64::EPSILON;
 
-/// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
-/// are only just not parallel ([`PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
-pub(crate) const AXIS_SLACK: f64 = 1e-8;
-
 /// Rounding of a square of a sum of products, relative to it, with room.
 pub(crate) const SQUARE_SLACK: f64 = 1e-9;
 
-/// What the search for edges keeps from call to call.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct EdgeBuffers {
-    /// `normal . vertex` of every vertex of the other body for each face of A, then of B, m.
-    pub(crate) heights_a: Vec<f64>,
-    pub(crate) heights_b: Vec<f64>,
-    /// The edges that are searched, ascending.
-    pub(crate) of_a: Vec<u32>,
-    pub(crate) of_b: Vec<u32>,
-}
-
-impl Axes {
-    /// Pairs of edges that separate by no more than this need not be found: faces do as well to rounding, or the bodies
-    /// touch anyway.
-    pub(crate) fn edge_threshold(&self, stop: f64) -> f64 {
-        (self.face_separation() + self.rounding).min(0.0).min(stop)
-    }
-
-    /// Separations below which edges of A and of B are left out, m: those of the best face, or touch, less a margin.
-    pub(crate) fn edge_limits(
-        &self,
-        a: &ConvexPolyhedron,
-        b: &ConvexPolyhedron,
-        x_ab: &Pose,
-        margins: [f64; 2],
-    ) -> [f64; 2] {
-        let best = self.face_separation().min(0.0) - axis_slack(a, b, x_ab);
-        margins.map(|margin| best - margin)
-    }
-}
-
-/// Rounding of a separation along any axis of the pair, m.
-pub(crate) fn axis_slack(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> f64 {
-    AXIS_SLACK * (a.size + b.size + x_ab.translation.length())
-}
-
-impl Workspace {
+impl AxisSearch {
     /// Chooses the edges whose arcs may hold a direction that separates by at least the limit of their body (negative).
     /// The faces must have been searched.
     pub(crate) fn select_edges(
@@ -247,7 +208,7 @@ struct OverFace {
 }
 
 impl OverBestFaces {
-    fn new(workspace: &Workspace, a: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) -> Self {
+    fn new(search: &AxisSearch, a: &ConvexPolyhedron, x_ab: &Pose, axes: &Axes) -> Self {
         let over = |FaceAxis { separation, face }: FaceAxis, normal: DVec3, points: &[DVec3]| OverFace {
             face: face as usize,
             normal,
@@ -255,10 +216,10 @@ impl OverBestFaces {
             point: lowest_point(points, normal),
         };
         let normal_a = a.faces[axes.face_a.face as usize].normal;
-        let normal_b = workspace.normals[axes.face_b.face as usize];
+        let normal_b = search.normals[axes.face_b.face as usize];
         Self {
             tolerance: axes.tolerance,
-            a: over(axes.face_a, normal_a, &workspace.vertices),
+            a: over(axes.face_a, normal_a, &search.vertices),
             b: over(axes.face_b, normal_b, &a.vertices),
             translation: x_ab.translation,
         }
@@ -271,11 +232,11 @@ impl OverBestFaces {
         })
     }
 
-    fn leaves_b(&self, workspace: &Workspace, b: &ConvexPolyhedron, index: u32) -> bool {
+    fn leaves_b(&self, search: &AxisSearch, b: &ConvexPolyhedron, index: u32) -> bool {
         let edge = &b.edges[index as usize];
-        let (direction, from) = (workspace.directions[index as usize], workspace.vertices[edge.vertices[0] as usize]);
+        let (direction, from) = (search.directions[index as usize], search.vertices[edge.vertices[0] as usize]);
         self.b.leaves(edge, direction, from, self.tolerance, |face, point| {
-            let normal = workspace.normals[face];
+            let normal = search.normals[face];
             normal.dot(point) - (normal.dot(self.translation) + b.faces[face].offset)
         })
     }

@@ -7,24 +7,15 @@
 //! a lower bound, so that a candidate too many does no harm. A tie goes to faces and discs.
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
+use crate::narrow_phase::axis::body::{Body, framed};
+use crate::narrow_phase::axis::half_space::height_above;
 use crate::narrow_phase::axis::sieve::{Pass, Sieve, is_worse};
 use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::common_normal::places::places;
-use crate::narrow_phase::dispatch::separation::separation;
-use crate::narrow_phase::feature::element::{Border, Element, Locus};
-use crate::shape::round::{support, support_point};
+use crate::narrow_phase::feature::element::{Element, Locus};
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// A convex body in the frame of the search: a shape at a pose, or one point of a cloud.
-#[derive(Clone, Copy)]
-pub(crate) struct Body<'a> {
-    pub(crate) shape: &'a Shape,
-    pub(crate) pose: Pose,
-    /// The point, when the body is one point (of a cloud: its index there).
-    pub(crate) point: Option<(u32, DVec3)>,
-}
 
 /// The best axis.
 #[derive(Debug, Clone, Copy)]
@@ -38,99 +29,6 @@ pub(crate) struct Gap {
     pub(crate) b: SurfaceFeature,
     /// Distance up to which features are in one place, m.
     pub(crate) tolerance: f64,
-}
-
-impl<'a> Body<'a> {
-    pub(crate) const fn whole(shape: &'a Shape, pose: Pose) -> Self {
-        Self { shape, pose, point: None }
-    }
-
-    /// A point of the frame; `shape` is not looked at.
-    pub(crate) const fn at_point(shape: &'a Shape, point: DVec3) -> Self {
-        Self { shape, pose: Pose::IDENTITY, point: Some((0, point)) }
-    }
-
-    /// Largest coordinate along a unit vector, m.
-    pub(crate) fn support(&self, n: DVec3) -> f64 {
-        let local = self.pose.rotation.inverse_rotate(n);
-        let own = match self.point {
-            Some((_, point)) => local.dot(point),
-            None => support(self.shape, local),
-        };
-        own + n.dot(self.pose.translation)
-    }
-
-    /// A point of the body that reaches as far; the frame's origin for a direction of no length and for a body without points.
-    pub(crate) fn support_point(&self, n: DVec3) -> DVec3 {
-        let local = self.pose.rotation.inverse_rotate(n);
-        let own = match self.point {
-            Some((_, point)) => point,
-            None => support_point(self.shape, local),
-        };
-        self.pose.transform_point(own)
-    }
-
-    pub(crate) fn element(&self, feature: SurfaceFeature) -> Option<Element<'a>> {
-        if let Some((_, point)) = self.point {
-            return Some(Element::new(Locus::Point(self.pose.transform_point(point)), 0.0, Border::Open));
-        }
-        Element::of(self.shape, feature, &self.pose)
-    }
-
-    fn size(&self) -> f64 {
-        if self.point.is_some() { 0.0 } else { self.shape.size() }
-    }
-
-    /// Calls `visit` with the faces and discs.
-    pub(crate) fn each_plane(&self, mut visit: impl FnMut(SurfaceFeature)) {
-        let count = match self.shape {
-            _ if self.point.is_some() => 0,
-            Shape::Convex(polyhedron) => polyhedron.face_count() as u32,
-            Shape::Cylinder(_) => 2,
-            Shape::Cone(_) => 1,
-            _ => 0,
-        };
-        (0..count).map(SurfaceFeature::Face).for_each(&mut visit);
-    }
-
-    /// Calls `visit` with all other elements.
-    pub(crate) fn each_other(&self, mut visit: impl FnMut(SurfaceFeature)) {
-        use SurfaceFeature::{Cap, Edge, Rim, Side, Sphere, Vertex};
-        let mut list = |features: &[SurfaceFeature]| features.iter().copied().for_each(&mut visit);
-        if let Some((index, _)) = self.point {
-            return list(&[Vertex(index)]);
-        }
-        match self.shape {
-            Shape::Capsule(_) => list(&[Side(0), Cap(0), Cap(1)]),
-            Shape::Cylinder(_) => list(&[Side(0), Rim(0), Rim(1)]),
-            Shape::Cone(_) => list(&[Side(0), Rim(0), Vertex(0)]),
-            Shape::Sphere(_) => list(&[Sphere]),
-            // Only its lowest place above a half-space is asked for.
-            Shape::Torus(_) => list(&[Rim(0)]),
-            Shape::Convex(polyhedron) => {
-                (0..polyhedron.edges.len() as u32).map(Edge).for_each(&mut visit);
-                (0..polyhedron.vertices.len() as u32).map(Vertex).for_each(&mut visit);
-            }
-            _ => {}
-        }
-    }
-
-    /// The element that reaches farthest along a unit vector; the first of equal ones.
-    pub(crate) fn farthest(&self, n: DVec3) -> SurfaceFeature {
-        let mut best = (f64::NEG_INFINITY, SurfaceFeature::Vertex(0));
-        self.each_other(|feature| {
-            let Some(element) = self.element(feature) else { return };
-            let reach = match element.locus {
-                Locus::Point(point) => n.dot(point),
-                Locus::Circle(circle) => circle.support(n),
-                _ => return,
-            } + element.ball;
-            if reach > best.0 {
-                best = (reach, feature);
-            }
-        });
-        best.1
-    }
 }
 
 /// The best axis; the search ends early, with what it has, when a face or disc separates by more than `stop` (m).
@@ -275,20 +173,6 @@ fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place
     [Some(place), open.then(|| place.turned_round())]
 }
 
-/// The bodies of a pair in the frame of the polyhedron, or of A when there is none, and that frame's pose in the world.
-pub(crate) fn framed<'a>(
-    shape_a: &'a Shape,
-    pose_a: &Pose,
-    shape_b: &'a Shape,
-    pose_b: &Pose,
-) -> (Body<'a>, Body<'a>, Pose) {
-    if matches!(shape_b, Shape::Convex(_)) {
-        (Body::whole(shape_a, pose_b.relative(pose_a)), Body::whole(shape_b, Pose::IDENTITY), *pose_b)
-    } else {
-        (Body::whole(shape_a, Pose::IDENTITY), Body::whole(shape_b, pose_a.relative(pose_b)), *pose_a)
-    }
-}
-
 /// The best axis of a pair of which at least one is round; of a cloud that of its nearest point. The normal is in the
 /// world. Nothing for pairs of other kinds.
 pub(crate) fn between(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, stop: f64) -> Option<Gap> {
@@ -337,15 +221,17 @@ pub(crate) fn above_half_space((shape_a, pose_a): (&Shape, &Pose), (shape_b, pos
     let on_a = matches!(shape_a, Shape::HalfSpace(_));
     let (plane, plane_pose, shape, pose) =
         if on_a { (shape_a, pose_a, shape_b, pose_b) } else { (shape_b, pose_b, shape_a, pose_a) };
-    let up = match plane {
-        Shape::HalfSpace(half_space) => plane_pose.rotation.rotate(half_space.normal),
-        _ => DVec3::Z,
+    let (up, separation) = match plane {
+        Shape::HalfSpace(half_space) => {
+            (plane_pose.rotation.rotate(half_space.normal), height_above(half_space, plane_pose, shape, pose))
+        }
+        _ => (DVec3::Z, f64::INFINITY),
     };
     let between = pose.translation - plane_pose.translation;
     let lowest = Body::whole(shape, *pose).farthest(-up);
     let face = SurfaceFeature::Face(0);
     Gap {
-        separation: separation(shape_a, pose_a, shape_b, pose_b),
+        separation,
         normal: if on_a { -up } else { up },
         a: if on_a { face } else { lowest },
         b: if on_a { lowest } else { face },

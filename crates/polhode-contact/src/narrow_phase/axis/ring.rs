@@ -12,7 +12,8 @@
 //! them (`ring_samples.rs`, which says what samples may miss), and each is found by a golden-section search.
 
 use crate::clearance::place_tolerance;
-use crate::narrow_phase::axis::gap::{self, Body, Gap};
+use crate::narrow_phase::axis::body::Body;
+use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring_samples::{Sample, Wanted, each_minimum};
 use crate::narrow_phase::common_normal::branch_offset::{is_one_place, is_told};
 use crate::narrow_phase::common_normal::chosen_place::chosen;

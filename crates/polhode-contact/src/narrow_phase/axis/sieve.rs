@@ -6,7 +6,7 @@
 //! that come that near to the other body's box count.
 //! When the bodies are apart, those that reach far towards the other body are tried first.
 
-use crate::narrow_phase::axis::gap::Body;
+use crate::narrow_phase::axis::body::Body;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 

@@ -13,11 +13,11 @@
 //! The contacts of two faces that lie on each other are kept in the same way (`kept_region.rs`). No geometry is kept,
 //! only which features need not be looked at and which ones touch.
 
-use crate::narrow_phase::axis::edge_axes::axis_slack;
-use crate::narrow_phase::axis::separating_axis::{Axes, Workspace, lowest, plane_of_b};
+use crate::narrow_phase::axis::axes::{Axes, axis_slack};
+use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest, plane_of_b};
+use crate::narrow_phase::axis::drift::Drift;
 use crate::narrow_phase::region::kept_region::KeptRegion;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// How far below the best face an axis must stay to be left out, relative to the length that turns into its change: about
@@ -34,33 +34,6 @@ enum Verdict {
     Apart { family: usize, separation: f64 },
     /// Only some features can decide.
     Close,
-}
-
-/// How the bodies lay when something was kept.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Drift {
-    /// Pose of B in A's frame.
-    relative: Pose,
-    /// Lengths that turn into changes of heights above the faces of A and of B, m.
-    levers: [f64; 2],
-}
-
-impl Drift {
-    /// From now on.
-    pub(crate) fn since(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
-        Self { relative: *x_ab, levers: [radius(&b.vertices), radius(&a.vertices) + x_ab.translation.length()] }
-    }
-
-    /// How much heights above planes of A and of B may have changed, m.
-    #[inline]
-    pub(crate) fn changes(&self, x_ab: &Pose) -> [f64; 2] {
-        let shift = (x_ab.translation - self.relative.translation).length();
-        let (before, now) = (self.relative.rotation.quaternion(), x_ab.rotation.quaternion());
-        // A quaternion and its negative are the same rotation.
-        let nearest = (now - before).length_squared().min((now + before).length_squared());
-        let turn = 2.0 * nearest.sqrt();
-        self.levers.map(|lever| shift + lever * turn)
-    }
 }
 
 /// What is known of a pair of polyhedra.
@@ -100,14 +73,14 @@ impl Coherence {
     /// The axes that a full search would find, as far as they matter to the contacts within `reach`. B is placed.
     pub(crate) fn search(
         &mut self,
-        workspace: &mut Workspace,
+        search: &mut AxisSearch,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         x_ab: &Pose,
         reach: f64,
     ) -> Axes {
-        workspace.place(b, x_ab);
-        if let Some(axes) = self.search_again(workspace, a, b, x_ab, reach) {
+        search.place(b, x_ab);
+        if let Some(axes) = self.search_again(search, a, b, x_ab, reach) {
             return axes;
         }
         if self.counts != counts(a, b) {
@@ -116,7 +89,7 @@ impl Coherence {
         self.verdict = Verdict::Unknown;
         self.counts = counts(a, b);
         self.drift = Drift::since(a, b, x_ab);
-        let mut axes = match workspace.search_faces(a, b, x_ab, reach) {
+        let mut axes = match search.search_faces(a, b, x_ab, reach) {
             Ok(axes) => {
                 let family = usize::from(axes.face_b.separation > axes.face_a.separation);
                 // Less its rounding, which is more than that of one nearby when the bodies are far apart.
@@ -127,24 +100,24 @@ impl Coherence {
             Err(axes) => axes,
         };
         self.limits = axes.edge_limits(a, b, x_ab, self.drift.levers.map(|lever| MARGIN * lever));
-        workspace.select_edges(a, b, x_ab, self.limits);
+        search.select_edges(a, b, x_ab, self.limits);
         if self.limits.into_iter().all(f64::is_finite) {
-            self.keep(workspace);
+            self.keep(search);
         }
-        workspace.deciding_edges(a, b, x_ab, &mut axes, reach);
+        search.deciding_edges(a, b, x_ab, &mut axes, reach);
         axes
     }
 
     /// Keeps the features that may decide nearby.
-    fn keep(&mut self, workspace: &Workspace) {
+    fn keep(&mut self, search: &AxisSearch) {
         self.verdict = Verdict::Close;
-        let along = [&workspace.along_faces_a, &workspace.along_faces_b];
+        let along = [&search.along_faces_a, &search.along_faces_b];
         for ((faces, along), limit) in self.faces.iter_mut().zip(along).zip(self.limits) {
             faces.clear();
             let above = along.iter().enumerate().filter(|(_, separation)| **separation >= limit);
             faces.extend(above.map(|(face, _)| face as u32));
         }
-        for (edges, chosen) in self.edges.iter_mut().zip([&workspace.edges.of_a, &workspace.edges.of_b]) {
+        for (edges, chosen) in self.edges.iter_mut().zip([&search.edges.of_a, &search.edges.of_b]) {
             edges.clone_from(chosen);
         }
     }
@@ -152,7 +125,7 @@ impl Coherence {
     /// The search over the kept features alone; nothing when others may matter.
     fn search_again(
         &self,
-        workspace: &mut Workspace,
+        search: &mut AxisSearch,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         x_ab: &Pose,
@@ -162,19 +135,19 @@ impl Coherence {
             return None;
         }
         let mut axes = Axes::none(a, b, x_ab);
-        workspace.along_faces_a.clear();
-        workspace.along_faces_a.resize(a.faces.len(), f64::NEG_INFINITY);
+        search.along_faces_a.clear();
+        search.along_faces_a.resize(a.faces.len(), f64::NEG_INFINITY);
         for face in self.faces[0].iter().map(|&face| face as usize) {
-            let separation = lowest(&workspace.vertices, a.faces[face].normal) - a.faces[face].offset;
-            workspace.along_faces_a[face] = separation;
+            let separation = lowest(&search.vertices, a.faces[face].normal) - a.faces[face].offset;
+            search.along_faces_a[face] = separation;
             axes.face_a.take(separation, face);
         }
-        workspace.along_faces_b.clear();
-        workspace.along_faces_b.resize(b.faces.len(), f64::NEG_INFINITY);
+        search.along_faces_b.clear();
+        search.along_faces_b.resize(b.faces.len(), f64::NEG_INFINITY);
         for face in self.faces[1].iter().map(|&face| face as usize) {
-            let normal = workspace.normals[face];
+            let normal = search.normals[face];
             let separation = lowest(&a.vertices, normal) - plane_of_b(b, face, normal, x_ab);
-            workspace.along_faces_b[face] = separation;
+            search.along_faces_b[face] = separation;
             axes.face_b.take(separation, face);
         }
         // Faces within the tolerance of the best and those that lie against them within as much again are compared.
@@ -184,9 +157,9 @@ impl Coherence {
             return None;
         }
         if axes.face_separation() <= reach {
-            workspace.edges.of_a.clone_from(&self.edges[0]);
-            workspace.edges.of_b.clone_from(&self.edges[1]);
-            workspace.deciding_edges(a, b, x_ab, &mut axes, reach);
+            search.edges.of_a.clone_from(&self.edges[0]);
+            search.edges.of_b.clone_from(&self.edges[1]);
+            search.deciding_edges(a, b, x_ab, &mut axes, reach);
         }
         Some(axes)
     }
@@ -194,9 +167,4 @@ impl Coherence {
 
 fn counts(a: &ConvexPolyhedron, b: &ConvexPolyhedron) -> [usize; 4] {
     [a.faces.len(), a.edges.len(), b.faces.len(), b.edges.len()]
-}
-
-/// Largest distance of some points from the origin, m.
-fn radius(points: &[DVec3]) -> f64 {
-    points.iter().map(|p| p.length_squared()).fold(0.0, f64::max).sqrt()
 }

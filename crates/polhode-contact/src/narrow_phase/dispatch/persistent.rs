@@ -6,9 +6,11 @@
 //! start), and all buffers: once these are large enough, a step allocates nothing. Pairs that end leave their buffers to
 //! pairs that begin.
 
-use crate::narrow_phase::axis::separating_axis::Workspace;
 use crate::narrow_phase::dispatch::coherence::Coherence;
-use crate::narrow_phase::dispatch::manifold::{Placed, along_axes, manifold_into, near_manifold_into};
+use crate::narrow_phase::dispatch::manifold::{manifold_into, near_manifold_into};
+use crate::narrow_phase::dispatch::workspace::Workspace;
+use crate::narrow_phase::pair::measure::Placed;
+use crate::narrow_phase::pair::polyhedra::along_axes;
 use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 use thiserror::Error;
@@ -326,6 +328,7 @@ fn find(
     if let Some(separation) = coherence.apart(polyhedron_a, polyhedron_b, &x_ab, reach) {
         return found.set_empty(separation, SeparatingAxis::None);
     }
-    let axes = coherence.search(workspace, polyhedron_a, polyhedron_b, &x_ab, reach);
-    along_axes(workspace, (polyhedron_a, a), (polyhedron_b, b), (&axes, Some(&mut coherence.region)), reach, found);
+    let buffers = workspace.pair();
+    let axes = coherence.search(&mut buffers.search, polyhedron_a, polyhedron_b, &x_ab, reach);
+    along_axes(buffers, (polyhedron_a, a), (polyhedron_b, b), (&axes, Some(&mut coherence.region)), reach, found);
 }

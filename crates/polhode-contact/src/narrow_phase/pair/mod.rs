@@ -1,3 +1,15 @@
 //! Two shapes without parts.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `measure` | features with their geometry |
+//! | `facing` | which faces of two polyhedra lie on each other |
+//! | `polyhedra` | the contacts of two polyhedra whose best axes are known |
+//! | `pair_separation` | the separation of any two |
+//! | `pair_manifold` | the contacts of any two |
 
-pub mod convex_method;
+pub(crate) mod facing;
+pub(crate) mod measure;
+pub(crate) mod pair_manifold;
+pub(crate) mod pair_separation;
+pub(crate) mod polyhedra;

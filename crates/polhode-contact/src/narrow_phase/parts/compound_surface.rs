@@ -13,10 +13,9 @@
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
-use crate::narrow_phase::parts::composite::Candidate;
 use crate::shape::Compound;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::{ContactFeature, Shape, Side, SurfaceFeature};
+use crate::{ContactFeature, ContactGeometry, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -32,6 +31,18 @@ const IN_PLANE: f64 = 1e-9;
 
 /// Cosine above which two edges run along each other.
 const ALONG: f64 = 1.0 - 1e-12;
+
+/// A contact of one part of each body.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Candidate {
+    /// With numbers within the parts.
+    pub(crate) feature: ContactFeature,
+    pub(crate) parts: [usize; 2],
+    /// About A's origin.
+    pub(crate) geometry: ContactGeometry,
+    /// A vertex that has taken the place of one of the other body.
+    pub(crate) replaced: bool,
+}
 
 /// A place on the surface of a part, in the compound's frame.
 struct Place<'a> {

@@ -1,17 +1,21 @@
 //! Contacts of one triangle of a mesh, in the mesh's frame with the mesh as A.
 
-use crate::narrow_phase::axis::gap::{Body, Gap};
-use crate::narrow_phase::axis::separating_axis::Workspace;
-use crate::narrow_phase::dispatch::manifold::{is_upward, manifold_into};
-use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::axis::body::Body;
+use crate::narrow_phase::axis::gap::Gap;
+
 use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::face_border::{Border, at_border};
 use crate::narrow_phase::feature::mesh_feature::Flatness;
-use crate::narrow_phase::parts::mesh_pair::{DEEPER, MeshContact, SAME_PLACE};
+use crate::narrow_phase::pair::pair_manifold::pair_manifold;
+use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
+use crate::narrow_phase::parts::same_places::SAME_PLACE;
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};
 use crate::narrow_phase::region::face_pair;
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::narrow_phase::region::round_region;
+use crate::narrow_phase::region::upward::is_upward;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
@@ -21,6 +25,19 @@ use crate::shape::triangle::{Part, from_triangle};
 use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
+
+/// How much deeper along a triangle's axis than as a whole a body may overlap there.
+pub(crate) const DEEPER: f64 = 1.5;
+
+/// A contact in the mesh's frame, the mesh being A.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeshContact {
+    pub(crate) contact: Contact,
+    /// Its place among those found.
+    pub(crate) order: u32,
+    /// It lies on an edge or corner of its triangle at which the surface falls away on all sides.
+    pub(crate) on_convex_edge: bool,
+}
 
 /// A mesh, A, and another body, B, in the mesh's frame.
 #[derive(Clone, Copy)]
@@ -43,11 +60,11 @@ impl<'a> MeshPair<'a> {
 }
 
 /// Places a polyhedron in the mesh's frame, and gives the offsets of its faces there, m.
-pub(crate) fn place_other(workspace: &mut Workspace, other: &Shape, x: &Pose, offsets: &mut Vec<f64>) {
+pub(crate) fn place_other(search: &mut AxisSearch, other: &Shape, x: &Pose, offsets: &mut Vec<f64>) {
     offsets.clear();
     if let Shape::Convex(polyhedron) = other {
-        workspace.place(polyhedron, x);
-        let faces = polyhedron.faces.iter().zip(&workspace.normals);
+        search.place(polyhedron, x);
+        let faces = polyhedron.faces.iter().zip(&search.normals);
         offsets.extend(faces.map(|(face, normal)| normal.dot(x.translation) + face.offset));
     }
 }
@@ -69,38 +86,38 @@ impl FlatTriangle {
 
 /// The contacts of a triangle with a polyhedron that has been placed.
 pub(crate) fn of_polyhedron(
-    workspace: &mut Workspace,
+    buffers: &mut PairBuffers,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
     axes: &TriangleAxes,
-    (flat, contacts): (&mut FlatTriangle, &mut Vec<MeshContact>),
+    (flat, contacts, bends): (&mut FlatTriangle, &mut Vec<MeshContact>, &mut Vec<DVec3>),
 ) {
     let (tolerance, reach) = (pair.tolerance, pair.reach);
-    workspace.features.clear();
+    buffers.features.clear();
     let mut deciding: Option<[Option<DVec3>; 2]> = None;
-    if let Some((side, face)) = faces_of(workspace, triangle, polyhedron, axes, tolerance) {
+    if let Some((side, face)) = faces_of(&buffers.search, triangle, polyhedron, axes, tolerance) {
         let outward = if side == 0 { triangle.normal } else { -triangle.normal };
         let upper = if is_upward(-outward) { Side::A } else { Side::B };
         let Shape::Convex(flat) = flat.set(triangle) else { return };
-        face_pair::collect(workspace, flat, polyhedron, (side, face), (tolerance, reach), upper);
-        let of_face = workspace.normals[face as usize];
+        face_pair::collect(buffers, flat, polyhedron, (side, face), (tolerance, reach), upper);
+        let of_face = buffers.search.normals[face as usize];
         // Normals from B to A.
         deciding = Some(match axes.decision {
             Decision::Side(_) => [Some(-outward), None],
-            Decision::Face(face) => [Some(workspace.normals[face as usize]), None],
+            Decision::Face(face) => [Some(buffers.search.normals[face as usize]), None],
             Decision::Edges(..) => [Some(-outward), Some(of_face)],
         });
     } else if let Decision::Edges(k, edge_b, _) = axes.decision {
-        workspace.features.push(ContactFeature::EdgeEdge { edge_a: k as u32, edge_b });
+        buffers.features.push(ContactFeature::EdgeEdge { edge_a: k as u32, edge_b });
     }
-    let features = std::mem::take(&mut workspace.features);
+    let features = std::mem::take(&mut buffers.features);
     let judge = OnTriangle { pair, triangle };
     let touching = pair.touching();
     for &feature in &features {
         // Where a ridge bends, what a triangle has by itself is none of the surface: the ridges are crossed there.
         let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
-        workspace.ridges.places.extend(place.map(|geometry| geometry.point));
+        bends.extend(place.map(|geometry| geometry.point));
         let Some(found) = judge.on_surface(feature) else { continue };
         let geometry = found.contact.geometry;
         let alike = |normal: &DVec3| geometry.normal.dot(*normal) >= ALIKE;
@@ -111,12 +128,12 @@ pub(crate) fn of_polyhedron(
             contacts.push(found);
         }
     }
-    workspace.features = features;
+    buffers.features = features;
 }
 
 /// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
 pub(crate) fn deciding_contact(
-    workspace: &Workspace,
+    search: &AxisSearch,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
     axes: &TriangleAxes,
@@ -128,12 +145,12 @@ pub(crate) fn deciding_contact(
     let feature = match axes.decision {
         Decision::Edges(k, edge_b, _) => ContactFeature::EdgeEdge { edge_a: k as u32, edge_b },
         Decision::Face(face) => {
-            let vertex = deepest(&triangle.corners, workspace.normals[face as usize]);
+            let vertex = deepest(&triangle.corners, search.normals[face as usize]);
             ContactFeature::VertexFace { vertex_of: Side::A, vertex, face }
         }
         Decision::Side(face) => {
             let outward = if face == 0 { triangle.normal } else { -triangle.normal };
-            ContactFeature::VertexFace { vertex_of: Side::B, vertex: deepest(&workspace.vertices, outward), face }
+            ContactFeature::VertexFace { vertex_of: Side::B, vertex: deepest(&search.vertices, outward), face }
         }
     };
     OnTriangle { pair, triangle }.measure(feature)
@@ -141,7 +158,7 @@ pub(crate) fn deciding_contact(
 
 /// The side of the triangle and the face of the polyhedron that lie on each other, when they do.
 fn faces_of(
-    workspace: &Workspace,
+    search: &AxisSearch,
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
     axes: &TriangleAxes,
@@ -149,15 +166,15 @@ fn faces_of(
 ) -> Option<(u32, u32)> {
     let outward = |side: u32| if side == 0 { triangle.normal } else { -triangle.normal };
     match axes.decision {
-        Decision::Side(side) => Some((side, lowest_face(workspace, polyhedron, outward(side), tolerance))),
+        Decision::Side(side) => Some((side, lowest_face(search, polyhedron, outward(side), tolerance))),
         Decision::Face(face) => {
-            let normal = workspace.normals[face as usize];
+            let normal = search.normals[face as usize];
             Some((u32::from(normal.dot(triangle.normal) > 0.0), face))
         }
         Decision::Edges(_, edge, v) => {
             let side = u32::from(triangle.normal.dot(v) < 0.0);
             let faces = polyhedron.edges[edge as usize].faces;
-            let against = |f: u32| -workspace.normals[f as usize].dot(v);
+            let against = |f: u32| -search.normals[f as usize].dot(v);
             let face = if against(faces[1]) > against(faces[0]) { faces[1] } else { faces[0] };
             (outward(side).dot(v) >= ALIKE && against(face) >= ALIKE).then_some((side, face))
         }
@@ -165,13 +182,13 @@ fn faces_of(
 }
 
 /// Of the faces at the lowest vertices along a direction, the one that lies most nearly against it.
-fn lowest_face(workspace: &Workspace, polyhedron: &ConvexPolyhedron, outward: DVec3, tolerance: f64) -> u32 {
-    let least = workspace.vertices.iter().map(|v| v.dot(outward)).fold(f64::INFINITY, f64::min);
+fn lowest_face(search: &AxisSearch, polyhedron: &ConvexPolyhedron, outward: DVec3, tolerance: f64) -> u32 {
+    let least = search.vertices.iter().map(|v| v.dot(outward)).fold(f64::INFINITY, f64::min);
     let mut best = (0, f64::NEG_INFINITY);
-    for (vertex, place) in workspace.vertices.iter().enumerate() {
+    for (vertex, place) in search.vertices.iter().enumerate() {
         if place.dot(outward) <= least + tolerance {
             for &face in polyhedron.faces_at.of(vertex) {
-                let against = -workspace.normals[face as usize].dot(outward);
+                let against = -search.normals[face as usize].dot(outward);
                 if against > best.1 {
                     best = (face, against);
                 }
@@ -402,7 +419,7 @@ const POINT_DEPTH: f64 = 64.0;
 
 /// The separation of a triangle from a body that is no polyhedron, m.
 pub(crate) fn separation_of_part(
-    workspace: &mut Workspace,
+    search: &mut AxisSearch,
     mesh: &TriangleMesh,
     triangle: &Triangle,
     other: &Shape,
@@ -417,20 +434,20 @@ pub(crate) fn separation_of_part(
             let near = |&c: &DVec3| NearTriangle::new(triangle, x.transform_point(c), side, tolerance).distance;
             centers.iter().map(near).fold(f64::INFINITY, f64::min) - radius
         }
-        _ => separation_with(workspace, flat.set(triangle), &Pose::IDENTITY, other, x),
+        _ => pair_separation(search, flat.set(triangle), &Pose::IDENTITY, other, x),
     }
 }
 
 /// The contacts of a triangle with a curved body, from the pair of a flat polyhedron and that body.
 pub(crate) fn of_parts(
-    workspace: &mut Workspace,
+    buffers: &mut PairBuffers,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
     (flat, manifold): (&mut FlatTriangle, &mut Manifold),
     contacts: &mut Vec<MeshContact>,
 ) -> f64 {
     let MeshPair { mesh, other, x, reach, .. } = pair;
-    manifold_into(workspace, flat.set(triangle), &Pose::IDENTITY, other, x, *reach, manifold);
+    pair_manifold(buffers, flat.set(triangle), &Pose::IDENTITY, other, x, *reach, manifold);
     let judge = OnTriangle { pair, triangle };
     let mut lost = false;
     for local in &manifold.contacts {
@@ -448,7 +465,7 @@ pub(crate) fn of_parts(
         }
     }
     if lost && is_round(other) {
-        on_own_face(workspace, &judge, flat.set(triangle), manifold, contacts);
+        on_own_face(&mut buffers.features, &judge, flat.set(triangle), manifold, contacts);
     }
     manifold.separation
 }
@@ -467,7 +484,7 @@ const fn is_on_face(feature: ContactFeature) -> bool {
 /// bottom of a valley a disc passes by the edge of either side, and a vertex of the mesh lies on the disc where a point of
 /// the rim lies on the face. The contacts of `manifold`, which have been taken over, make room for them.
 fn on_own_face(
-    workspace: &mut Workspace,
+    features: &mut Vec<ContactFeature>,
     judge: &OnTriangle<'_>,
     flat: &Shape,
     manifold: &mut Manifold,
@@ -492,7 +509,7 @@ fn on_own_face(
         let pair = ((flat, &Pose::IDENTITY), (*other, x));
         manifold.contacts.clear();
         let found = &mut manifold.contacts;
-        round_region::contacts_where(&mut workspace.features, pair.0, pair.1, &gap, *reach, is_on_face, found);
+        round_region::contacts_where(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
         let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
         let within = measured.filter(|contact| contact.geometry.margin >= -slack);
         contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));

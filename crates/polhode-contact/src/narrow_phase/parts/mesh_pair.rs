@@ -8,22 +8,18 @@
 //! All is computed in the mesh's frame, and the same whichever body is called A.
 
 use crate::clearance::place_tolerance;
-use crate::narrow_phase::axis::separating_axis::Workspace;
-use crate::narrow_phase::parts::composite::measure_again;
+use crate::narrow_phase::pair::measure::measure_again;
 use crate::narrow_phase::parts::mesh_contacts::{
-    FlatTriangle, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other, separation_of_part,
+    DEEPER, FlatTriangle, MeshContact, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other,
+    separation_of_part,
 };
-use crate::narrow_phase::parts::ridge_ends::crossings;
-use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes, triangle_axes};
+use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, crossings};
+use crate::narrow_phase::parts::same_places::{SAME_PLACE, SamePlaces};
+use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes, TriangleBuffers, triangle_axes};
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::TriangleMesh;
-use crate::{Contact, ContactFeature, Manifold, SeparatingAxis, Shape};
+use crate::{ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
-
-/// Places nearer than this many place tolerances are one.
-pub(crate) const SAME_PLACE: f64 = 8.0;
-
-/// How much deeper along a triangle's axis than as a whole a body may overlap there.
-pub(crate) const DEEPER: f64 = 1.5;
 
 /// The mesh of a pair and the other body; nothing when none is a mesh.
 fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
@@ -40,7 +36,7 @@ const fn never_meets(other: &Shape) -> bool {
 }
 
 /// The separation of a pair of which one is a mesh; nothing for other pairs.
-pub(crate) fn mesh_separation(workspace: &mut Workspace, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
+pub(crate) fn mesh_separation(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
     let (at, mesh, other) = sides_of(shapes)?;
     if never_meets(other) {
         return Some(f64::INFINITY);
@@ -48,22 +44,19 @@ pub(crate) fn mesh_separation(workspace: &mut Workspace, shapes: [&Shape; 2], po
     let x = poses[at].relative(poses[1 - at]);
     let bounds = other.bounds_at(&x);
     let tolerance = tolerance_of(mesh, other, &x);
-    let mut buffers = std::mem::take(&mut workspace.mesh);
-    let MeshBuffers { offsets, flat, .. } = &mut buffers;
-    place_other(workspace, other, &x, offsets);
+    let MeshBuffers { pair: bodies, axes, offsets, flat, .. } = buffers;
+    place_other(&mut bodies.search, other, &x, offsets);
     let mut measure = |index: u32, best: f64| {
         let triangle = Triangle::new(mesh, index);
         match other {
             Shape::Convex(polyhedron) => {
                 let limits = (tolerance, best.max(0.0));
-                triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, limits).separation
+                triangle_axes(&bodies.search, axes, offsets, mesh, &triangle, polyhedron, limits).separation
             }
-            _ => separation_of_part(workspace, mesh, &triangle, other, &x, flat),
+            _ => separation_of_part(&mut bodies.search, mesh, &triangle, other, &x, flat),
         }
     };
-    let least = mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure);
-    workspace.mesh = buffers;
-    Some(least)
+    Some(mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure))
 }
 
 fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
@@ -74,6 +67,9 @@ fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
 /// What is kept from call to call.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MeshBuffers {
+    /// Of a triangle and the other body.
+    pub(crate) pair: PairBuffers,
+    axes: TriangleBuffers,
     /// Offsets of the faces of the other body, a polyhedron, m.
     offsets: Vec<f64>,
     triangles: Vec<u32>,
@@ -82,11 +78,13 @@ pub(crate) struct MeshBuffers {
     flat: FlatTriangle,
     /// Of one triangle.
     of_part: Manifold,
+    ridges: RidgeBuffers,
+    same_places: SamePlaces,
 }
 
 /// All contacts of a pair of which one is a mesh; its separation only when it is within reach.
 pub(crate) fn mesh_manifold(
-    workspace: &mut Workspace,
+    buffers: &mut MeshBuffers,
     shapes: [&Shape; 2],
     poses: [&Pose; 2],
     reach: f64,
@@ -99,13 +97,11 @@ pub(crate) fn mesh_manifold(
     }
     let x = poses[at].relative(poses[1 - at]);
     let pair = MeshPair { shape: shapes[at], mesh, other, x, tolerance: tolerance_of(mesh, other, &x), reach };
-    let mut buffers = std::mem::take(&mut workspace.mesh);
-    of_triangles(workspace, &mut buffers, &pair, found);
+    of_triangles(buffers, &pair, found);
     let is_near = !(found.separation.is_nan() || reach.is_nan() || found.separation > reach);
     if is_near {
-        of_surface(workspace, &mut buffers, &pair, found);
+        of_surface(buffers, &pair, found);
     }
-    workspace.mesh = buffers;
     if is_near {
         if at == 1 {
             found.axis = swapped(found.axis);
@@ -119,10 +115,10 @@ pub(crate) fn mesh_manifold(
 }
 
 /// The separation of the triangles within reach and, of bodies that are no polyhedra, their contacts.
-fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
-    let MeshBuffers { offsets, triangles, near, contacts, flat, of_part } = buffers;
+fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_part, .. } = buffers;
     let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
-    place_other(workspace, other, x, offsets);
+    place_other(&mut bodies.search, other, x, offsets);
     triangles.clear();
     contacts.clear();
     near.clear();
@@ -138,7 +134,8 @@ fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &Mes
         let triangle = Triangle::new(mesh, index);
         match other {
             Shape::Convex(polyhedron) => {
-                let axes = triangle_axes(workspace, offsets, mesh, &triangle, polyhedron, (tolerance, reach));
+                let limits = (tolerance, reach);
+                let axes = triangle_axes(&bodies.search, of_axes, offsets, mesh, &triangle, polyhedron, limits);
                 note(axes.separation, axis_of(mesh, &triangle, axes.decision));
                 if axes.separation <= reach {
                     near.push((triangle, axes));
@@ -148,7 +145,7 @@ fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &Mes
                 note(of_centers(pair, &triangle, contacts), SeparatingAxis::Nearest);
             }
             _ => {
-                let least = of_parts(workspace, pair, &triangle, (flat, of_part), contacts);
+                let least = of_parts(bodies, pair, &triangle, (flat, of_part), contacts);
                 note(least, SeparatingAxis::Nearest);
             }
         }
@@ -156,25 +153,25 @@ fn of_triangles(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &Mes
 }
 
 /// The contacts of the whole surface, in the mesh's frame with the mesh as A.
-fn of_surface(workspace: &mut Workspace, buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
-    let MeshBuffers { near, contacts, flat, .. } = buffers;
+fn of_surface(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
+    let MeshBuffers { pair: bodies, near, contacts, flat, ridges, same_places, .. } = buffers;
     let tolerance = pair.tolerance;
     if let Shape::Convex(polyhedron) = pair.other {
         // A triangle along whose own axes the body overlaps more than it does as a whole touches it with a vertex or an
         // edge only, and the triangles beside it have the axis.
         near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE * tolerance);
         for (triangle, axes) in near.iter() {
-            of_polyhedron(workspace, pair, triangle, polyhedron, axes, (flat, contacts));
+            of_polyhedron(bodies, pair, triangle, polyhedron, axes, (flat, contacts, &mut ridges.places));
         }
     }
     one_on_convex_edges(contacts, SAME_PLACE * tolerance);
     found.contacts.extend(contacts.iter().map(|c| c.contact));
-    crossings(&mut workspace.ridges, pair.touching(), &mut found.contacts);
-    workspace.same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    crossings(ridges, pair.touching(), &mut found.contacts);
+    same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
     let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
     if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {
         // Bodies that touch have a contact, also where tolerances left none.
-        found.contacts.extend(deciding_contact(workspace, pair, triangle, axes));
+        found.contacts.extend(deciding_contact(&bodies.search, pair, triangle, axes));
     }
 }
 
@@ -194,16 +191,6 @@ fn axis_of(mesh: &TriangleMesh, triangle: &Triangle, decision: Decision) -> Sepa
         Decision::Face(face) => SeparatingAxis::FaceB(face),
         Decision::Edges(k, edge, _) => SeparatingAxis::Edges(mesh.edges_of[index][k], edge),
     }
-}
-
-/// A contact in the mesh's frame, the mesh being A.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct MeshContact {
-    pub(crate) contact: Contact,
-    /// Its place among those found.
-    pub(crate) order: u32,
-    /// It lies on an edge or corner of its triangle at which the surface falls away on all sides.
-    pub(crate) on_convex_edge: bool,
 }
 
 /// Of contacts of one vertex at a convex edge or corner, with each of its faces, the one with the lowest face stays.

@@ -1,8 +1,19 @@
 //! Compounds and triangle meshes: what pairs of their parts give, put together.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `same_places` | one contact for each place and normal |
+//! | `ridge_ends` | crossings of ridges that end where the bodies meet |
+//! | `triangle_axes` | separating axes of a triangle and a polyhedron |
+//! | `mesh_contacts` | the contacts of one triangle |
+//! | `mesh_pair` | a mesh against another body |
+//! | `compound_surface` | which contacts of a part are contacts of the whole |
+//! | `compound_pair` | compounds, and any pair part by part |
 
-pub(crate) mod composite;
+pub(crate) mod compound_pair;
 pub(crate) mod compound_surface;
 pub(crate) mod mesh_contacts;
 pub(crate) mod mesh_pair;
 pub(crate) mod ridge_ends;
+pub(crate) mod same_places;
 pub(crate) mod triangle_axes;

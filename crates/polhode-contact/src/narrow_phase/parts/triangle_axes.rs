@@ -6,8 +6,9 @@
 //! axes count that the surface has at the triangle's feature ([`TriangleMesh::supports_at_edge`]).
 
 use crate::clearance::PARALLEL_SINE;
-use crate::narrow_phase::axis::edge_axes::{AXIS_SLACK, AXIS_ULPS, SQUARE_SLACK};
-use crate::narrow_phase::axis::separating_axis::{Workspace, range};
+use crate::narrow_phase::axis::axes::AXIS_SLACK;
+use crate::narrow_phase::axis::axis_search::{AxisSearch, range};
+use crate::narrow_phase::axis::edge_axes::{AXIS_ULPS, SQUARE_SLACK};
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
@@ -53,14 +54,15 @@ pub(crate) struct TriangleAxes {
 /// Searches the axes; the polyhedron must have been placed in the mesh's frame, `offsets` are those of its faces there.
 /// Ends early with what it has when the triangle is apart by more than `stop`.
 pub(crate) fn triangle_axes(
-    workspace: &mut Workspace,
+    search: &AxisSearch,
+    buffers: &mut TriangleBuffers,
     offsets: &[f64],
     mesh: &TriangleMesh,
     triangle: &Triangle,
     polyhedron: &ConvexPolyhedron,
     (tolerance, stop): (f64, f64),
 ) -> TriangleAxes {
-    let (low, high) = range(&workspace.vertices, triangle.normal);
+    let (low, high) = range(&search.vertices, triangle.normal);
     let sides = [low - triangle.offset, triangle.offset - high];
     let outer = sides[0] >= sides[1] - tolerance;
     let best = if outer { sides[0] } else { sides[1] };
@@ -68,10 +70,9 @@ pub(crate) fn triangle_axes(
     if axes.separation > stop {
         return axes;
     }
-    let mut buffers = std::mem::take(&mut workspace.triangle);
     buffers.over_faces.clear();
     // Most triangles are apart, and of those nobody asks what the surface is like.
-    for (&normal, &offset) in workspace.normals.iter().zip(offsets) {
+    for (&normal, &offset) in search.normals.iter().zip(offsets) {
         let heights = triangle.corners.map(|c| c.dot(normal));
         let separation = least_of(heights) - offset;
         axes.separation = if separation > axes.separation { separation } else { axes.separation };
@@ -83,17 +84,16 @@ pub(crate) fn triangle_axes(
     if axes.separation <= stop {
         for (face, (&heights, &offset)) in buffers.over_faces.iter().zip(offsets).enumerate() {
             let separation = least_of(heights) - offset;
-            let outward = workspace.normals[face];
+            let outward = search.normals[face];
             if separation > axes.supported + tolerance && rests_on(mesh, triangle, -outward, heights, tolerance) {
                 axes.supported = separation;
                 axes.decision = Decision::Face(face as u32);
             }
         }
-        let rounding = AXIS_SLACK * (polyhedron.size + workspace.x_ab.translation.length());
+        let rounding = AXIS_SLACK * (polyhedron.size + search.x_ab.translation.length());
         buffers.select(polyhedron, offsets, axes.wanted(tolerance).min(0.0) - rounding);
-        search_edges(workspace, &mut buffers, mesh, triangle, polyhedron, (tolerance, stop), &mut axes);
+        search_edges(search, buffers, mesh, triangle, polyhedron, (tolerance, stop), &mut axes);
     }
-    workspace.triangle = buffers;
     axes
 }
 
@@ -161,7 +161,7 @@ fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3
 
 /// The chosen edges of the polyhedron against those of the triangle.
 fn search_edges(
-    workspace: &Workspace,
+    search: &AxisSearch,
     TriangleBuffers { edges, along_normals, .. }: &mut TriangleBuffers,
     mesh: &TriangleMesh,
     triangle: &Triangle,
@@ -175,7 +175,7 @@ fn search_edges(
         let along = (to - from) / mesh.edges[own[k] as usize].length;
         let out = mesh.sides[triangle.index as usize][k];
         along_normals.clear();
-        along_normals.extend(workspace.normals.iter().map(|normal| along.dot(*normal)));
+        along_normals.extend(search.normals.iter().map(|normal| along.dot(*normal)));
         for j in edges.iter().map(|&j| j as usize) {
             let edge = &polyhedron.edges[j];
             let [first, second] = edge.faces.map(|f| along_normals[f as usize]);
@@ -183,12 +183,12 @@ fn search_edges(
             if first * second >= 0.0 {
                 continue;
             }
-            let direction = workspace.directions[j];
+            let direction = search.directions[j];
             if first * direction.dot(triangle.normal) <= 0.0 {
                 continue;
             }
             let cross = along.cross(direction);
-            let between = workspace.vertices[edge.vertices[0] as usize] - from;
+            let between = search.vertices[edge.vertices[0] as usize] - from;
             let upward = cross.dot(out) >= 0.0;
             let wanted = axes.wanted(tolerance);
             if is_clearly_below(if upward { between.dot(cross) } else { -between.dot(cross) }, cross, between, wanted) {
@@ -207,9 +207,9 @@ fn search_edges(
             // Where an edge lies in the triangle's plane, rounding decides the signs above: both edges must be
             // outermost along the axis.
             let (level, base) =
-                (workspace.vertices[edge.vertices[0] as usize].dot(v) - tolerance, from.dot(v) + tolerance);
+                (search.vertices[edge.vertices[0] as usize].dot(v) - tolerance, from.dot(v) + tolerance);
             let behind = |p: &DVec3| p.dot(v) < level;
-            if workspace.vertices.iter().any(behind) || triangle.corners.iter().any(|c| c.dot(v) > base) {
+            if search.vertices.iter().any(behind) || triangle.corners.iter().any(|c| c.dot(v) > base) {
                 continue;
             }
             axes.separation = axes.separation.max(separation);

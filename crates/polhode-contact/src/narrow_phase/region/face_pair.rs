@@ -12,12 +12,12 @@
 //!    the bodies' own features and so follows the bodies as they turn, and does not ask which one is called A;
 //!  - edges along each other make no crossing; their ends are vertices on edges.
 //!
-//! Of faces with many vertices most are settled by a circle: a point nearer to the middle of a face than every side, both
-//! measured in the face's plane, is inside all sides by the difference; and a line that passes a circle round a face crosses
-//! none of its edges. Only what lies near the border of the other face is measured against single sides.
+//! Where the corners of either face lie against the sides of the other: `placed_face.rs`.
 
-use crate::narrow_phase::axis::edge_axes::axis_slack;
-use crate::narrow_phase::axis::separating_axis::{Workspace, plane_of_b};
+use crate::narrow_phase::axis::axes::axis_slack;
+use crate::narrow_phase::axis::axis_search::{AxisSearch, plane_of_b};
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
+use crate::narrow_phase::region::placed_face::{DEEP_PLACES, FacePairBuffers, following};
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Side};
 use glam::DVec3;
@@ -25,122 +25,14 @@ use glam::DVec3;
 /// Two vertices are in one place within this many tolerances: each may stand off the other's edges by one.
 const VERTEX_PLACES: f64 = 4.0;
 
-/// A corner is deep inside the other face when it is inside every side by this many tolerances: too far for a crossing
-/// of an edge between two such corners, and for a vertex of the other face in the same place.
-const DEEP_PLACES: f64 = 16.0;
-
-/// Rounding of a distance from the middle of a face relative to the lengths that enter it, with room.
-const CIRCLE_SLACK: f64 = 1e-9;
-
 /// Faces with fewer pairs of vertices than this are measured outright, which is as fast.
 const FEW_PAIRS: usize = 32;
 
-/// A face of each body in A's frame, and where their corners lie.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Buffers {
-    a: PlacedFace,
-    b: PlacedFace,
-    /// Corners of B's face that may be in one place with one of A's.
-    near: Vec<usize>,
-    /// By how much heights above the sides and the plane of A's face and of B's may change before the contacts are other
-    /// ones, m; not positive when that is not known.
-    pub(crate) clearances: [f64; 2],
-}
-
-/// Corners and outward sides of a face.
-#[derive(Debug, Clone, Default)]
-struct PlacedFace {
-    corners: Vec<DVec3>,
-    sides: Vec<DVec3>,
-    /// Whether each corner is far inside every side of the other face.
-    deep: Vec<bool>,
-    /// Whether each corner is a contact: outside no side of the other face.
-    kept: Vec<bool>,
-    /// Whether each side may be crossed by one of the other face.
-    crossable: Vec<bool>,
-    /// 1 where a corner is clearly outside a side of the other face, -1 where clearly inside; corner after corner.
-    signs: Vec<i8>,
-}
-
-impl PlacedFace {
-    /// Distance of a point outside a side, m.
-    fn outside(&self, point: DVec3, side: usize) -> f64 {
-        self.sides[side].dot(point - self.corners[side])
-    }
-
-    /// Which corners and sides are settled by circles about the middle of the other face, whose unit normal is given.
-    fn settle_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
-        let (corners, sides) = (self.corners.len(), other.corners.len());
-        self.deep.clear();
-        self.crossable.clear();
-        let margin = DEEP_PLACES * tolerance;
-        let middle = other.corners.iter().sum::<DVec3>() / sides as f64;
-        let inner = (0..sides).map(|j| -other.outside(middle, j)).fold(f64::INFINITY, f64::min) - margin;
-        let outer = other.corners.iter().map(|c| c.distance_squared(middle)).fold(0.0, f64::max).sqrt() + margin;
-        let far_inside = |corner: &DVec3| {
-            let between = *corner - middle;
-            let above = normal.dot(between);
-            let square = between.length_squared();
-            inner > 0.0 && square - above * above < inner * inner - CIRCLE_SLACK * (square + inner * inner)
-        };
-        self.deep.extend(self.corners.iter().map(far_inside));
-        for i in 0..corners {
-            let between_deep = self.deep[i] && self.deep[following(i, corners)];
-            let beyond = self.outside(middle, i).abs() > outer * (1.0 + CIRCLE_SLACK);
-            self.crossable.push(!(between_deep || beyond));
-        }
-    }
-
-    /// On which side of every side of the other face each corner is, and which corners are contacts. The least distance of a
-    /// corner from a side, m.
-    fn take_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
-        let (corners, sides) = (self.corners.len(), other.corners.len());
-        self.deep.clear();
-        self.deep.resize(corners, false);
-        self.kept.clear();
-        self.kept.resize(corners, true);
-        self.signs.clear();
-        self.signs.resize(corners * sides, 0);
-        let mut least = f64::INFINITY;
-        let rows = self.signs.chunks_exact_mut(sides);
-        for ((corner, kept), row) in self.corners.iter().zip(&mut self.kept).zip(rows) {
-            for ((from, side), sign) in other.corners.iter().zip(&other.sides).zip(row) {
-                let distance = side.dot(*corner - *from);
-                let outside = distance > tolerance;
-                *sign = if outside { 1 } else { -i8::from(distance < -tolerance) };
-                *kept &= !outside;
-                least = if distance.abs() < least { distance.abs() } else { least };
-            }
-        }
-        least
-    }
-
-    /// Which corners are contacts.
-    fn keep_inside(&mut self, other: &Self, tolerance: f64) {
-        let sides = other.corners.len();
-        self.kept.clear();
-        // The side that shut out one corner often shuts out the next.
-        let mut last = 0;
-        for (&corner, &deep) in self.corners.iter().zip(&self.deep) {
-            let inside = |j: usize| other.outside(corner, j) <= tolerance;
-            let shut_out = if deep {
-                None
-            } else if inside(last) {
-                (0..sides).find(|&j| !inside(j))
-            } else {
-                Some(last)
-            };
-            last = shut_out.unwrap_or(last);
-            self.kept.push(shut_out.is_none());
-        }
-    }
-}
-
-/// Adds the contacts of face `face_a` of A with face `face_b` of B to the workspace's features; vertices that are clearly
+/// Adds the contacts of face `face_a` of A with face `face_b` of B to the features of the buffers; vertices that are clearly
 /// higher than `reach` (m) above the other face may be left out. B must have been placed. `upper` is the body that the last
 /// rule for vertices on vertices prefers.
 pub(crate) fn collect(
-    workspace: &mut Workspace,
+    buffers: &mut PairBuffers,
     a: &ConvexPolyhedron,
     b: &ConvexPolyhedron,
     (index_a, index_b): (u32, u32),
@@ -148,7 +40,12 @@ pub(crate) fn collect(
     upper: Side,
 ) {
     let (Some(face_a), Some(face_b)) = (a.face(index_a as usize), b.face(index_b as usize)) else { return };
-    let Workspace { x_ab, vertices, normals, directions, features, face_pair: buffers, .. } = workspace;
+    let PairBuffers {
+        search: AxisSearch { x_ab, vertices, normals, directions, .. },
+        features,
+        face_pair: buffers,
+        ..
+    } = buffers;
     let normal_b = normals[index_b as usize];
     buffers.a.corners.clear();
     buffers.a.corners.extend(face_a.vertices.iter().map(|&v| a.vertices[v as usize]));
@@ -216,7 +113,7 @@ fn sides_of_placed<'a>(
 
 /// Of two vertices in one place one is dropped.
 fn drop_coincident(
-    buffers: &mut Buffers,
+    buffers: &mut FacePairBuffers,
     face_a: &Face<'_>,
     face_b: &Face<'_>,
     (index_a, index_b): (u32, u32),
@@ -249,7 +146,7 @@ fn drop_coincident(
 
 /// Edges whose ends lie clearly on both sides of each other's lines.
 fn cross_edges(
-    buffers: &Buffers,
+    buffers: &FacePairBuffers,
     face_a: &Face<'_>,
     face_b: &Face<'_>,
     tolerance: f64,
@@ -278,7 +175,7 @@ fn cross_edges(
 }
 
 /// As [`cross_edges`], of faces with few vertices.
-fn cross_by_signs(buffers: &Buffers, face_a: &Face<'_>, face_b: &Face<'_>, features: &mut Vec<ContactFeature>) {
+fn cross_by_signs(buffers: &FacePairBuffers, face_a: &Face<'_>, face_b: &Face<'_>, features: &mut Vec<ContactFeature>) {
     let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
     for j in 0..count_b {
         let next_j = following(j, count_b);
@@ -291,9 +188,4 @@ fn cross_by_signs(buffers: &Buffers, face_a: &Face<'_>, face_b: &Face<'_>, featu
             }
         }
     }
-}
-
-/// The corner after a corner of a loop.
-fn following(corner: usize, count: usize) -> usize {
-    if corner + 1 == count { 0 } else { corner + 1 }
 }

@@ -4,9 +4,9 @@
 //! heights above it. A pose at which no corner has moved by as much as the least of these distances and heights has the same
 //! contacts ([`Drift`] says how far corners move): the list is taken over as it is, and every contact measured anew.
 
-use crate::narrow_phase::axis::separating_axis::Workspace;
-use crate::narrow_phase::dispatch::coherence::Drift;
+use crate::narrow_phase::axis::drift::Drift;
 use crate::narrow_phase::region::face_pair;
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, Side};
 
@@ -27,30 +27,30 @@ impl KeptRegion {
         self.chosen = None;
     }
 
-    /// The features that [`face_pair::collect`] finds, sorted, instead of those that the workspace held. B must have been
+    /// The features that [`face_pair::collect`] finds, sorted, instead of those that the buffers held. B must have been
     /// placed.
     pub(crate) fn collect(
         &mut self,
-        workspace: &mut Workspace,
+        buffers: &mut PairBuffers,
         a: &ConvexPolyhedron,
         b: &ConvexPolyhedron,
         pair: (u32, u32),
         (tolerance, reach): (f64, f64),
         upper: Side,
     ) {
-        let changes = self.drift.changes(&workspace.x_ab);
+        let changes = self.drift.changes(&buffers.search.x_ab);
         if self.chosen == Some((pair, reach)) && (0..2).all(|k| changes[k] < self.clearances[k]) {
-            workspace.features.clone_from(&self.features);
+            buffers.features.clone_from(&self.features);
             return;
         }
-        workspace.features.clear();
-        face_pair::collect(workspace, a, b, pair, (tolerance, reach), upper);
-        workspace.features.sort_unstable();
-        self.clearances = workspace.face_pair.clearances;
+        buffers.features.clear();
+        face_pair::collect(buffers, a, b, pair, (tolerance, reach), upper);
+        buffers.features.sort_unstable();
+        self.clearances = buffers.face_pair.clearances;
         self.chosen = self.clearances.into_iter().all(|clearance| clearance > 0.0).then_some((pair, reach));
         if self.chosen.is_some() {
-            self.drift = Drift::since(a, b, &workspace.x_ab);
-            self.features.clone_from(&workspace.features);
+            self.drift = Drift::since(a, b, &buffers.search.x_ab);
+            self.features.clone_from(&buffers.features);
         }
     }
 }

@@ -14,9 +14,9 @@
 
 use crate::ContactFeature;
 use crate::Side;
-use crate::narrow_phase::axis::separating_axis::Workspace;
 use crate::narrow_phase::feature::face_border::face_margin;
 use crate::narrow_phase::region::face_pair;
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, Face};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -41,43 +41,43 @@ struct FaceBelow<'a> {
     tolerance: f64,
 }
 
-/// Visits the faces that separate by `best` (m) to within some tolerances, by body and number. The workspace must hold the
+/// Visits the faces that separate by `best` (m) to within some tolerances, by body and number. The buffers must hold the
 /// separations along all faces, as a search that did not end early leaves them.
 pub(crate) fn each(
-    workspace: &mut Workspace,
+    buffers: &mut PairBuffers,
     best: f64,
     tolerance: f64,
-    mut visit: impl FnMut(&mut Workspace, Side, u32),
+    mut visit: impl FnMut(&mut PairBuffers, Side, u32),
 ) {
     let least = best - TIED * tolerance;
-    for number in 0..workspace.along_faces_a.len() {
-        if workspace.along_faces_a[number] >= least {
-            visit(workspace, Side::A, number as u32);
+    for number in 0..buffers.search.along_faces_a.len() {
+        if buffers.search.along_faces_a[number] >= least {
+            visit(buffers, Side::A, number as u32);
         }
     }
-    for number in 0..workspace.along_faces_b.len() {
-        if workspace.along_faces_b[number] >= least {
-            visit(workspace, Side::B, number as u32);
+    for number in 0..buffers.search.along_faces_b.len() {
+        if buffers.search.along_faces_b[number] >= least {
+            visit(buffers, Side::B, number as u32);
         }
     }
 }
 
-/// Adds to the workspace's features those along one face. B must have been placed.
+/// Adds to the features of the buffers those along one face. B must have been placed.
 pub(crate) fn features(
-    workspace: &mut Workspace,
+    buffers: &mut PairBuffers,
     [a, b]: [&ConvexPolyhedron; 2],
     (side, number): (Side, u32),
     tolerance: f64,
 ) {
-    let x_ab = workspace.x_ab;
+    let x_ab = buffers.search.x_ab;
     let (polyhedron, other, pose) = if side == Side::A { (a, b, x_ab) } else { (b, a, x_ab.inverse()) };
     let Some(face) = polyhedron.face(number as usize) else { return };
     let below = FaceBelow { side, polyhedron, face, number, other, pose, tolerance };
     if let Some(flush) = below.flush_face() {
         let pair = if side == Side::A { (number, flush) } else { (flush, number) };
-        face_pair::collect(workspace, a, b, pair, (tolerance, f64::INFINITY), Side::A);
+        face_pair::collect(buffers, a, b, pair, (tolerance, f64::INFINITY), Side::A);
     } else {
-        below.collect(&mut workspace.features);
+        below.collect(&mut buffers.features);
     }
 }
 

@@ -1,0 +1,127 @@
+//! All contacts of two shapes without parts.
+//!
+//! Two polyhedra: `polyhedra.rs`. Capsules, cylinders, cones and tori: `round_region.rs`. Other pairs: every vertex or point
+//! below the reach; the nearest features of a sphere.
+
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::axis::gap::{self, Gap};
+use crate::narrow_phase::axis::ring;
+use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::pair::measure::{Placed, measure};
+use crate::narrow_phase::pair::pair_separation::pair_separation;
+use crate::narrow_phase::pair::polyhedra::along_axes;
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
+use crate::narrow_phase::region::round_region;
+use crate::shape::round::is_round;
+use crate::{ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
+use polhode_spatial::Pose;
+
+/// The contacts of two shapes of which neither is a compound or a mesh; see [`crate::manifold()`].
+pub(crate) fn pair_manifold(
+    buffers: &mut PairBuffers,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    reach: f64,
+    found: &mut Manifold,
+) {
+    if !(pose_a.is_finite() && pose_b.is_finite()) {
+        return found.set_empty(f64::NAN, SeparatingAxis::None);
+    }
+    let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
+    buffers.features.clear();
+    if let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (shape_a, shape_b) {
+        let x_ab = pose_a.relative(pose_b);
+        buffers.search.place(polyhedron_b, &x_ab);
+        let axes = buffers.search.search_deciding(polyhedron_a, polyhedron_b, &x_ab, reach);
+        return along_axes(buffers, (polyhedron_a, a), (polyhedron_b, b), (&axes, None), reach, found);
+    }
+    let ring = |shape: &Shape| matches!(shape, Shape::Torus(_));
+    if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || ring(shape)) {
+        return of_round(buffers, a, b, reach, found);
+    }
+    let separation = pair_separation(&mut buffers.search, shape_a, pose_a, shape_b, pose_b);
+    let axis = match (shape_a, shape_b) {
+        _ if separation == f64::INFINITY => SeparatingAxis::None,
+        (Shape::HalfSpace(_), _) => SeparatingAxis::FaceA(0),
+        (_, Shape::HalfSpace(_)) => SeparatingAxis::FaceB(0),
+        _ => SeparatingAxis::Nearest,
+    };
+    found.set_empty(separation, axis);
+    if separation.is_nan() || reach.is_nan() || separation > reach {
+        return;
+    }
+    match (shape_a, shape_b) {
+        (Shape::HalfSpace(_), _) => against_surface(&mut buffers.features, a, b, Side::B),
+        (_, Shape::HalfSpace(_)) => against_surface(&mut buffers.features, b, a, Side::A),
+        (Shape::Convex(_), _) => against_surface(&mut buffers.features, a, b, Side::B),
+        (_, Shape::Convex(_)) => against_surface(&mut buffers.features, b, a, Side::A),
+        (Shape::Sphere(_), Shape::Sphere(_)) => buffers.features.push(ContactFeature::SphereSphere),
+        (Shape::Sphere(_), _) => against_sphere(&mut buffers.features, shape_b, Side::B),
+        _ => against_sphere(&mut buffers.features, shape_a, Side::A),
+    }
+    measure(&mut buffers.features, a, b, reach, &mut found.contacts);
+}
+
+/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring that of
+/// every place at which it is nearest.
+fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
+    let features = &mut buffers.features;
+    let (pair_a, pair_b) = ((a.shape, a.pose), (b.shape, b.pose));
+    found.set_empty(f64::INFINITY, SeparatingAxis::None);
+    let mut add = |gap: Gap| {
+        if gap.separation < found.separation {
+            found.separation = gap.separation;
+            found.axis = match (gap.a, gap.b) {
+                (SurfaceFeature::Face(face), _) => SeparatingAxis::FaceA(face),
+                (_, SurfaceFeature::Face(face)) => SeparatingAxis::FaceB(face),
+                _ => SeparatingAxis::Nearest,
+            };
+        }
+        if gap.separation <= reach {
+            round_region::contacts(features, pair_a, pair_b, &gap, reach, &mut found.contacts);
+        }
+    };
+    let half_space = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
+    if half_space(a.shape) || half_space(b.shape) {
+        add(gap::above_half_space(pair_a, pair_b));
+    } else if matches!(a.shape, Shape::Torus(_)) || matches!(b.shape, Shape::Torus(_)) {
+        ring::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+        found.contacts.sort_unstable_by_key(|contact| contact.feature);
+        found.contacts.dedup_by_key(|contact| contact.feature);
+    } else {
+        gap::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+    }
+    found.contacts.sort_unstable_by_key(|contact| contact.feature);
+}
+
+/// Every point of a cloud, vertex or centre of body `of`, against the nearest feature of a half-space or polyhedron.
+fn against_surface(features: &mut Vec<ContactFeature>, surface: Placed<'_>, body: Placed<'_>, of: Side) {
+    let sphere = matches!(body.shape, Shape::Sphere(_));
+    let x = surface.pose.relative(body.pose);
+    for (index, &center) in body.shape.centers().0.iter().enumerate() {
+        let index = index as u32;
+        let against = match surface.shape {
+            Shape::Convex(polyhedron) => {
+                let tolerance = place_tolerance(polyhedron.size, polyhedron.size, x.translation);
+                nearest_feature(polyhedron, x.transform_point(center), tolerance).feature
+            }
+            _ => SurfaceFeature::Face(0),
+        };
+        features.push(match against {
+            SurfaceFeature::Face(face) if !sphere => ContactFeature::VertexFace { vertex_of: of, vertex: index, face },
+            _ => ContactFeature::Smooth { center_of: of, center: index, against },
+        });
+    }
+}
+
+/// Every point of a cloud against a sphere.
+fn against_sphere(features: &mut Vec<ContactFeature>, cloud: &Shape, of: Side) {
+    let points = 0..cloud.centers().0.len() as u32;
+    features.extend(points.map(|center| ContactFeature::Smooth {
+        center_of: of,
+        center,
+        against: SurfaceFeature::Sphere,
+    }));
+}

@@ -1,0 +1,202 @@
+//! The contacts of two convex polyhedra whose best separating axes are known.
+//!
+//! The best axis names a face of one body, and the face of the other that lies most nearly against it; every contact of the
+//! two faces is measured. When a pair of edges separates best, that crossing is the only contact, unless a face beside one
+//! of the edges is almost parallel to the other edge: then all contacts of the faces beside are given, so that a body that
+//! tips over an edge changes its contacts continuously.
+
+use crate::clearance::place_tolerance;
+use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};
+use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::feature::alike::ALIKE;
+use crate::narrow_phase::pair::facing::{deciding_faces, faces_beside, facing, is_better, normals_of};
+use crate::narrow_phase::pair::measure::{Placed, measure};
+use crate::narrow_phase::region::face_contacts::FacePair;
+use crate::narrow_phase::region::face_pair;
+use crate::narrow_phase::region::kept_region::KeptRegion;
+use crate::narrow_phase::region::pair_buffers::PairBuffers;
+use crate::narrow_phase::region::tied_faces;
+use crate::narrow_phase::region::upward::is_upward;
+use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
+use crate::narrow_phase::terms::evaluate::evaluate;
+use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
+use glam::DVec3;
+use polhode_spatial::Pose;
+
+/// A crossing within so many tolerances of a vertex is that vertex' contact.
+const SAME_PLACES: f64 = 4.0;
+
+/// The contacts of two polyhedra whose best axes are known. B must have been placed.
+pub(crate) fn along_axes(
+    buffers: &mut PairBuffers,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    (axes, kept): (&Axes, Option<&mut KeptRegion>),
+    reach: f64,
+    found: &mut Manifold,
+) {
+    let crossed =
+        axes.edges.and_then(|e| CrossedEdges::new(polyhedron_a, a.pose, e.edge_a, polyhedron_b, b.pose, e.edge_b));
+    let separation = axes.largest(crossed.as_ref());
+    // Edges in a tie with a face do not decide.
+    let edges = axes.deciding_edges();
+    let crossed = crossed.filter(|_| edges.is_some());
+    let axis = match edges {
+        Some(EdgeAxis { edge_a, edge_b, .. }) => SeparatingAxis::Edges(edge_a, edge_b),
+        None if axes.face_a.separation >= axes.face_b.separation => SeparatingAxis::FaceA(axes.face_a.face),
+        None => SeparatingAxis::FaceB(axes.face_b.face),
+    };
+    found.set_empty(separation, axis);
+    if separation.is_nan() || reach.is_nan() || separation > reach {
+        return;
+    }
+    buffers.features.clear();
+    let contacts = &mut found.contacts;
+    let pair = match edges {
+        Some(edges) => crossed.and_then(|crossed| {
+            faces_beside(&buffers.search, polyhedron_a, polyhedron_b, a.pose, edges, crossed.normal)
+        }),
+        None => Some(facing(&buffers.search, polyhedron_a, polyhedron_b, axes, a.pose)),
+    };
+    if let Some(pair) = pair {
+        let toward_a = -a.pose.rotation.rotate(polyhedron_a.faces[pair.0 as usize].normal);
+        let upper = if is_upward(toward_a) { Side::A } else { Side::B };
+        let limits = (axes.tolerance, reach);
+        if let Some(kept) = kept {
+            kept.collect(buffers, polyhedron_a, polyhedron_b, pair, limits, upper);
+        } else {
+            face_pair::collect(buffers, polyhedron_a, polyhedron_b, pair, limits, upper);
+            buffers.features.sort_unstable();
+        }
+        // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
+        // crossings of the two outlines do not keep the bodies apart.
+        let normals = normals_of(&buffers.search, polyhedron_a, pair, a.pose);
+        let alike = normals.map(|normal| crossed.is_none_or(|c| c.normal.dot(normal) >= ALIKE));
+        let deciding = deciding_faces(&buffers.search, axes, pair, alike);
+        let faces = FacePair {
+            polyhedra: [polyhedron_a, polyhedron_b],
+            poses: [a.pose, b.pose],
+            faces: [pair.0, pair.1],
+            deciding: [0, 1].map(|k| deciding[k].then_some(normals[k])),
+            reach,
+        };
+        faces.measure(&buffers.features, &mut buffers.placed_edges, contacts);
+        if let (Some(edges), Some(crossed), [false, true] | [true, false]) = (edges, crossed, alike) {
+            along_edge(contacts, edges, &crossed.geometry(), axes.tolerance);
+        }
+    } else {
+        if let Some(EdgeAxis { edge_a, edge_b, .. }) = edges {
+            buffers.features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
+        }
+        measure(&mut buffers.features, a, b, reach, contacts);
+        // Apart, the nearest places of the lines may lie beyond the ends of the edges.
+        contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
+    }
+    if contacts.len() < 2 && separation <= axes.tolerance {
+        touching(buffers, (polyhedron_a, a), (polyhedron_b, b), axes, reach, found);
+    }
+}
+
+/// Contacts of polyhedra that touch or overlap where the pair of faces has one or none: edges that lie along each other
+/// share more, and tolerances may leave none, but bodies that touch have a contact.
+fn touching(
+    buffers: &mut PairBuffers,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    axes: &Axes,
+    reach: f64,
+    found: &mut Manifold,
+) {
+    let contacts = &mut found.contacts;
+    if axes.deciding_edges().is_none() && found.separation.abs() <= SAME_PLACES * axes.tolerance {
+        let which = (found.separation, axes.tolerance, reach);
+        along_best_tied_face(buffers, (polyhedron_a, a), (polyhedron_b, b), which, contacts);
+    }
+    if contacts.is_empty() {
+        buffers.features.clear();
+        buffers.features.push(deciding_contact(&buffers.search, polyhedron_a, axes));
+        measure(&mut buffers.features, a, b, f64::INFINITY, contacts);
+    }
+}
+
+/// Instead of some contacts, where there are more, those along one of the faces that separate equally well: the one with
+/// most, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
+fn along_best_tied_face(
+    buffers: &mut PairBuffers,
+    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
+    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    (separation, tolerance, reach): (f64, f64, f64),
+    contacts: &mut Vec<Contact>,
+) {
+    let pair = [polyhedron_a, polyhedron_b];
+    let few = contacts.len() as f64;
+    let mut best: Option<(f64, DVec3, (Side, u32))> = None;
+    tied_faces::each(buffers, separation, tolerance, |buffers, side, face| {
+        buffers.features.clear();
+        tied_faces::features(buffers, pair, (side, face), tolerance);
+        let within = |feature: &&ContactFeature| {
+            evaluate(**feature, a.shape, a.pose, b.shape, b.pose).is_some_and(|g| g.separation <= reach)
+        };
+        let number = buffers.features.iter().filter(within).count() as f64;
+        let of_a = || polyhedron_a.faces[face as usize].normal;
+        let normal = if side == Side::A { of_a() } else { buffers.search.normals[face as usize] };
+        let direction = a.pose.rotation.rotate(normal).abs();
+        if number > few && best.is_none_or(|(n, d, _)| is_better((number, direction), (n, d))) {
+            best = Some((number, direction, (side, face)));
+        }
+    });
+    if let Some((_, _, face)) = best {
+        buffers.features.clear();
+        tied_faces::features(buffers, pair, face, tolerance);
+        measure(&mut buffers.features, a, b, reach, contacts);
+    }
+}
+
+/// The contacts of two polyhedra along each of the faces that separate them equally well, instead of those that the
+/// manifold held (`tied_faces.rs`). The buffers must be as the search that gave the manifold left it.
+pub(crate) fn along_tied_faces(
+    buffers: &mut PairBuffers,
+    (a, pose_a): (&Shape, &Pose),
+    (b, pose_b): (&Shape, &Pose),
+    reach: f64,
+    found: &mut Manifold,
+) {
+    found.contacts.clear();
+    let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (a, b) else { return };
+    let tolerance = place_tolerance(polyhedron_a.size, polyhedron_b.size, buffers.search.x_ab.translation);
+    buffers.features.clear();
+    tied_faces::each(buffers, found.separation, tolerance, |buffers, side, face| {
+        tied_faces::features(buffers, [polyhedron_a, polyhedron_b], (side, face), tolerance);
+    });
+    let (a, b) = (Placed { shape: a, pose: pose_a }, Placed { shape: b, pose: pose_b });
+    measure(&mut buffers.features, a, b, reach, &mut found.contacts);
+}
+
+/// Contacts of an edge that lies almost in a face: the other face beside the edge stands at an angle, so that its outline,
+/// seen along the face's normal, is not where its own sides say when the bodies overlap deeply. Crossings beyond the ends
+/// of their edges are left out, and the deciding one is always there.
+fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, crossing: &ContactGeometry, tolerance: f64) {
+    contacts.retain(|c| c.geometry.margin >= -tolerance);
+    let feature = ContactFeature::EdgeEdge { edge_a: edges.edge_a, edge_b: edges.edge_b };
+    let beside = |c: &Contact| c.geometry.point.distance(crossing.point) <= SAME_PLACES * tolerance;
+    if crossing.margin < -tolerance || contacts.iter().any(|c| c.feature == feature || beside(c)) {
+        return;
+    }
+    let place = contacts.partition_point(|c| c.feature < feature);
+    contacts.insert(place, Contact { feature, geometry: *crossing });
+}
+
+/// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
+fn deciding_contact(search: &AxisSearch, a: &ConvexPolyhedron, axes: &Axes) -> ContactFeature {
+    if let Some(EdgeAxis { edge_a, edge_b, .. }) = axes.deciding_edges() {
+        return ContactFeature::EdgeEdge { edge_a, edge_b };
+    }
+    let (vertex_of, face, points, normal) = if axes.face_a.separation >= axes.face_b.separation {
+        (Side::B, axes.face_a.face, &search.vertices, a.faces[axes.face_a.face as usize].normal)
+    } else {
+        (Side::A, axes.face_b.face, &a.vertices, search.normals[axes.face_b.face as usize])
+    };
+    let deepest = points.iter().enumerate().min_by(|(_, p), (_, q)| normal.dot(**p).total_cmp(&normal.dot(**q)));
+    ContactFeature::VertexFace { vertex_of, vertex: deepest.map_or(0, |(i, _)| i as u32), face }
+}

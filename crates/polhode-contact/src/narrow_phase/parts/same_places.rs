@@ -1,0 +1,87 @@
+//! One contact for each place and normal, where several parts have one there.
+//!
+//! A vertex on a face goes before others, then the higher face, vertex and edge number, then the upper body's: a rule that
+//! follows the bodies and not their names.
+
+use crate::narrow_phase::region::upward::is_upward;
+use crate::{Contact, ContactFeature, Side};
+use std::cmp::Ordering;
+
+/// Places nearer than this many place tolerances are one: each of two features may stand off by some.
+pub(crate) const SAME_PLACE: f64 = 8.0;
+
+/// Normals that differ by less (length of the difference) are one: that of two flush faces of a decomposition.
+const SAME_NORMAL: f64 = 1e-9;
+
+/// Buffers of [`SamePlaces::keep_one_each`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SamePlaces {
+    order: Vec<usize>,
+    dropped: Vec<bool>,
+}
+
+impl SamePlaces {
+    /// Keeps one contact for each place and normal, in the order of features.
+    pub(crate) fn keep_one_each(&mut self, contacts: &mut Vec<Contact>, tolerance: f64) {
+        let Self { order, dropped } = self;
+        contacts.sort_unstable_by_key(|contact| contact.feature);
+        contacts.dedup_by_key(|contact| contact.feature);
+        order.clear();
+        order.extend(0..contacts.len());
+        order.sort_unstable_by(|&i, &j| {
+            contacts[i].geometry.point.x.total_cmp(&contacts[j].geometry.point.x).then(i.cmp(&j))
+        });
+        dropped.clear();
+        dropped.resize(contacts.len(), false);
+        for (k, &i) in order.iter().enumerate() {
+            let first = contacts[i];
+            for &j in &order[k + 1..] {
+                let second = contacts[j];
+                if second.geometry.point.x - first.geometry.point.x > tolerance {
+                    break;
+                }
+                let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_NORMAL;
+                if alike
+                    && !dropped[i]
+                    && !dropped[j]
+                    && first.geometry.point.distance(second.geometry.point) <= tolerance
+                {
+                    dropped[if goes_before(&first, &second) { j } else { i }] = true;
+                }
+            }
+        }
+        let mut index = 0;
+        contacts.retain(|_| {
+            index += 1;
+            !dropped[index - 1]
+        });
+    }
+}
+
+/// Whether the first of two contacts in one place stays.
+fn goes_before(first: &Contact, second: &Contact) -> bool {
+    let upper = |contact: &Contact| if is_upward(contact.geometry.normal) { Side::A } else { Side::B };
+    let rank = |contact: &Contact| match contact.feature {
+        ContactFeature::VertexFace { vertex_of, vertex, face } => (3, face, vertex, vertex_of == upper(contact)),
+        ContactFeature::Smooth { center_of, center, against } => {
+            let (kind, number) = match against {
+                crate::SurfaceFeature::Face(face) => (2, face),
+                crate::SurfaceFeature::Edge(edge) => (1, edge),
+                crate::SurfaceFeature::Vertex(vertex) => (0, vertex),
+                _ => (0, 0),
+            };
+            (kind, number, center, center_of == upper(contact))
+        }
+        ContactFeature::EdgeEdge { edge_a, edge_b }
+        | ContactFeature::Spheres { center_a: edge_a, center_b: edge_b } => {
+            let turned = upper(contact) == Side::A;
+            (0, edge_a.max(edge_b), edge_a.min(edge_b), (edge_a > edge_b) == turned)
+        }
+        ContactFeature::SphereSphere => (0, 0, 0, true),
+        ContactFeature::Elements { a, b } => {
+            let (a, b) = (a.number(), b.number());
+            (0, a.max(b), a.min(b), (a > b) == (upper(contact) == Side::A))
+        }
+    };
+    rank(first).cmp(&rank(second)) != Ordering::Less
+}
