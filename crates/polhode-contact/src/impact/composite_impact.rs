@@ -13,7 +13,10 @@
 use crate::bounding::Bounds;
 use crate::bounding::aabb::{Aabb, Sweep};
 use crate::clearance::touch_tolerance;
-use crate::impact::time_of_impact::{ImpactError, ImpactReport, ImpactSearch, find_in_parts};
+use crate::impact::impact_error::ImpactError;
+use crate::impact::impact_report::ImpactReport;
+use crate::impact::impact_search::ImpactSearch;
+use crate::impact::pair_impact::find_in_parts;
 use crate::narrow_phase::dispatch::manifold::near_manifold_into;
 use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;

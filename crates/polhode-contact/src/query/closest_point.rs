@@ -1,8 +1,9 @@
 //! One point against a shape: the nearest place of its surface, and whether the shape contains it.
 
+use super::error::QueryError;
+use super::feature::{FeatureKind, QueryFeature};
 use super::pieces::{box_distance, offer_nearest};
 use super::signed_distance::signed_distance;
-use super::{FeatureKind, QueryError, QueryFeature};
 use crate::Shape;
 use crate::bounding::Bounds;
 use glam::DVec3;

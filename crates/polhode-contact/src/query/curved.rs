@@ -7,7 +7,8 @@
 //! normal found, and the normal between the two is taken, of which the normal of the least depth is a fixed point.
 
 use super::element::{Core, Element};
-use super::penetration::{Found, face_normals};
+use super::found::Found;
+use super::penetration::face_normals;
 use super::signed_distance::{signed, signed_distance};
 use crate::narrow_phase::axis::gap::between;
 use crate::query::epa::epa;

@@ -2,12 +2,14 @@
 
 use super::curved::{apart, by_expansion};
 use super::element::{Core, Element};
+use super::error::QueryError;
+use super::feature::{FeatureKind, QueryFeature};
+use super::found::Found;
 use super::lines::nearest_places;
-use super::penetration::Found;
 use super::pieces::{box_distance, offer_nearest};
+use super::polytopes;
 use super::signed_distance::{signed, signed_distance};
 use super::sweep::{along_circle, along_segment};
-use super::{FeatureKind, QueryError, QueryFeature, polytopes};
 use crate::Shape;
 use crate::bounding::Bounds;
 use glam::DVec3;

@@ -2,7 +2,7 @@
 //!
 //! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
 
-use super::{FeatureKind, QueryFeature};
+use super::feature::{FeatureKind, QueryFeature};
 use crate::bounding::Bounds;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};

@@ -17,6 +17,9 @@ mod curved;
 pub mod distance;
 mod element;
 mod epa;
+mod error;
+mod feature;
+mod found;
 mod gjk;
 mod lines;
 mod nearest_pair;
@@ -29,63 +32,13 @@ pub mod ray_cast;
 pub mod scene;
 mod signed_distance;
 pub(crate) mod simplex;
+mod spanned_feature;
 mod sweep;
 
 pub use closest_point::{SurfacePoint, closest_point, contains};
 pub use distance::{ClosestPoints, distance};
+pub use error::QueryError;
+pub use feature::{FeatureKind, QueryFeature};
 pub use overlap::overlap;
 pub use ray_cast::{Ray, RayHit, ray_cast};
 pub use scene::QueryScene;
-
-use thiserror::Error;
-
-/// The part of a body that a query met. Vertices, edges and faces are numbered as in the shape.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct QueryFeature {
-    /// Part of a compound, triangle of a mesh, point of a cloud; 0 for other shapes.
-    pub part: u32,
-    /// What of that part.
-    pub kind: FeatureKind,
-}
-
-/// A vertex, an edge, a face or a curved surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum FeatureKind {
-    /// A face of a polyhedron; a half-space is face 0, a triangle too; the base of a cone is face 0, the caps of a
-    /// cylinder 0 (against its axis) and 1.
-    Face(u32),
-    /// An edge of a polyhedron; edge `i` of a triangle runs from its corner `i` to the next; the rims of a cylinder are
-    /// numbered as its caps, that of a cone is edge 0.
-    Edge(u32),
-    /// A vertex of a polyhedron, a corner of a triangle, the apex of a cone (vertex 0).
-    Vertex(u32),
-    /// A curved surface: of a sphere, capsule or torus, the side of a cylinder or cone.
-    Surface,
-}
-
-/// Why a question has no answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum QueryError {
-    /// A pose or a coordinate is NaN or infinite.
-    #[error("{what} is not finite: give finite coordinates")]
-    NotFinite {
-        /// What it is.
-        what: &'static str,
-    },
-    /// Two half-spaces, which overlap without bound unless they face each other exactly.
-    #[error("two half-spaces have no distance: one of the two must be bounded")]
-    Unbounded,
-    /// A box without volume.
-    #[error("the box is flat or unbounded: every side must have a length that a shape may have")]
-    FlatBox,
-    /// More bodies than indices.
-    #[error("{count} bodies are given, at most {limit} are possible")]
-    TooManyBodies {
-        /// How many were given.
-        count: usize,
-        /// How many are possible.
-        limit: usize,
-    },
-}

@@ -1,10 +1,10 @@
 //! The nearest pair of features of two polytopes around given vertices: every edge that meets there against every edge,
 //! every vertex against every face.
 
-use super::FeatureKind;
 use super::element::{Core, Element};
+use super::feature::FeatureKind;
+use super::found::Found;
 use super::lines::nearest_places;
-use super::penetration::Found;
 use crate::narrow_phase::feature::face_border::face_margin;
 use crate::shape::nearer_place::is_nearer;
 use glam::DVec3;

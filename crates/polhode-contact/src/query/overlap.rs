@@ -1,6 +1,7 @@
 //! Whether two shapes share a point.
 
 use super::distance::distance;
+use super::error::QueryError;
 use crate::Shape;
 use crate::clearance::{joint_size, resolution};
 use polhode_spatial::Pose;
@@ -29,7 +30,7 @@ pub fn overlap(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -
             let touch = if curved { rounding.max(ITERATION * joint_size(shape_a, shape_b)) } else { rounding };
             found.distance <= touch
         }
-        Err(super::QueryError::Unbounded) => true,
+        Err(QueryError::Unbounded) => true,
         Err(_) => false,
     }
 }

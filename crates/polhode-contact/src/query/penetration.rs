@@ -1,26 +1,14 @@
 //! Depth of penetration of two convex polytopes, over all axes that may separate them, and where they touch once moved
 //! apart.
 
-use super::FeatureKind;
 use super::element::{Core, Element};
-use super::polytopes::feature;
+use super::found::Found;
+use super::spanned_feature::spanned_feature;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::query::gjk::gjk;
 use crate::shape::support::unit;
 use glam::DVec3;
-
-/// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and
-/// the features they lie on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Found {
-    pub(crate) distance: f64,
-    pub(crate) normal: DVec3,
-    pub(crate) on_a: DVec3,
-    pub(crate) on_b: DVec3,
-    pub(crate) kind_a: FeatureKind,
-    pub(crate) kind_b: FeatureKind,
-}
 
 /// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
 /// large ones a face of A is taken before one of B and before edges, lower indices first.
@@ -112,7 +100,7 @@ fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f6
         normal,
         on_a: touch + normal * distance,
         on_b: touch,
-        kind_a: feature(a, &vertices_a),
-        kind_b: feature(b, &vertices_b),
+        kind_a: spanned_feature(a, &vertices_a),
+        kind_b: spanned_feature(b, &vertices_b),
     }
 }

@@ -7,10 +7,11 @@
 //! not the tolerance of an iteration. It is accepted when it meets the upper bound; otherwise the nearest pair of features
 //! around those that GJK ended on is taken, and when the bodies overlap all axes are searched.
 
-use super::FeatureKind;
 use super::element::{Core, Element};
+use super::found::Found;
 use super::nearest_pair::nearest_pair;
-use super::penetration::{Found, by_all_axes};
+use super::penetration::by_all_axes;
+use super::spanned_feature::spanned_feature;
 use crate::query::gjk::{Gjk, GjkStatus, gjk};
 use crate::query::simplex::{Difference, Simplex};
 use crate::shape::support::unit;
@@ -77,7 +78,7 @@ fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Opt
         }
     }
     let (on_a, on_b) = walk.simplex.witnesses();
-    let [kind_a, kind_b] = [feature(a, &vertices[0]), feature(b, &vertices[1])];
+    let [kind_a, kind_b] = [spanned_feature(a, &vertices[0]), spanned_feature(b, &vertices[1])];
     if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= certified {
         // A vertex is nearest: the two points tell themselves how far apart they are, and in which direction. The direction
         // that confirmed it may be that of a face close by.
@@ -102,31 +103,4 @@ fn vertices_of(element: &Element<'_>, simplex: &Simplex, of: impl Fn(&Difference
     found.sort_unstable();
     found.dedup();
     found
-}
-
-/// The feature that some vertices span: one is a vertex, two may be an edge, otherwise a face that has them all.
-pub(crate) fn feature(element: &Element<'_>, vertices: &[u32]) -> FeatureKind {
-    let first = vertices.first().copied().unwrap_or(0);
-    match (&element.core, vertices.len()) {
-        (Core::Point(_) | Core::Segment(_) | Core::Triangle(_) | Core::Polyhedron(_), 0 | 1) => {
-            FeatureKind::Vertex(first)
-        }
-        (Core::Triangle(_), 2) => FeatureKind::Edge(if vertices == [0, 2] { 2 } else { first }),
-        (Core::Polyhedron(polyhedron), _) => {
-            let edges = polyhedron.edges_at.of(first as usize).iter();
-            let joins = |edge: &&u32| {
-                let ends = polyhedron.edges[**edge as usize].vertices;
-                vertices.len() == 2 && vertices.iter().all(|v| ends.contains(v))
-            };
-            if let Some(&edge) = edges.clone().find(joins) {
-                return FeatureKind::Edge(edge);
-            }
-            let mut faces = polyhedron.faces_at.of(first as usize).iter();
-            let shared = faces.find(|&&f| vertices.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(&f)));
-            FeatureKind::Face(shared.copied().unwrap_or(0))
-        }
-        (Core::Segment(_), _) => FeatureKind::Edge(0),
-        (Core::Triangle(_), _) => FeatureKind::Face(0),
-        _ => FeatureKind::Surface,
-    }
 }

@@ -8,10 +8,11 @@
 //! grazes to rounding is a hit when the rounded numbers say touch, and the same numbers give the same answer.
 
 use super::element::{Core, Element};
+use super::error::QueryError;
+use super::feature::{FeatureKind, QueryFeature};
 use super::pieces::{entered, offer_nearest};
 use super::quartic::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
-use super::{FeatureKind, QueryError, QueryFeature};
 use crate::bounding::Bounds;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::across;

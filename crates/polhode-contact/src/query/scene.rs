@@ -3,8 +3,8 @@
 //! A tree of bounding boxes tells which bodies may answer; every answer comes from the shapes. Bodies are named by their index, and of equal answers the lowest
 //! index is taken, so that nothing depends on the tree.
 
-use super::QueryError;
 use super::closest_point::{SurfacePoint, closest_point};
+use super::error::QueryError;
 use super::overlap::overlap;
 use super::pieces::{box_distance, entered};
 use super::ray_cast::{Ray, RayHit, ray_cast};

@@ -4,8 +4,8 @@
 //! place of the surface and on). Ties go to caps before sides, to the face with the lowest index, and on an axis of
 //! symmetry to a fixed direction perpendicular to it.
 
-use super::FeatureKind;
 use super::element::{Core, Element};
+use super::feature::FeatureKind;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::shape::support::across;
 use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};

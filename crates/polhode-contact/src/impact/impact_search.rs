@@ -1,0 +1,19 @@
+//! Settings of a search for an impact.
+
+/// Settings of the search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactSearch {
+    /// Separations up to this, relative to the joint size, count as touch at the start of the search
+    /// ([`crate::clearance::touch_tolerance`]). Range 1e-15 to 1e-3.
+    pub touch_relative: f64,
+    /// How often the interval is halved to look for the departure of a pair that touches at its start.
+    pub departure_halvings: u32,
+    /// Largest number of separations evaluated for one pair of parts; reaching it is an error.
+    pub max_evaluations: u32,
+}
+
+impl Default for ImpactSearch {
+    fn default() -> Self {
+        Self { touch_relative: 1e-11, departure_halvings: 48, max_evaluations: 100_000 }
+    }
+}

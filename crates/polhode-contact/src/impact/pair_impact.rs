@@ -1,0 +1,503 @@
+//! The impact of two shapes without parts, by conservative advancement and from touch: `time_of_impact.rs` says how.
+
+use crate::clearance::{place_tolerance, resolution, touch_tolerance};
+use crate::impact::arc_cuts::Cuts;
+use crate::impact::fine_time::refined;
+use crate::impact::impact_bounds::Window;
+use crate::impact::impact_error::ImpactError;
+use crate::impact::impact_report::ImpactReport;
+use crate::impact::impact_search::ImpactSearch;
+use crate::impact::quadratic_bound::Quadratic;
+use crate::impact::ring_arcs::RingArcs;
+use crate::impact::ring_pair::RingPair;
+use crate::impact::root_bracket::{Sample, last_open};
+use crate::narrow_phase::axis::axes::Axes;
+use crate::narrow_phase::axis::gap::{self, Gap};
+use crate::narrow_phase::axis::ring;
+use crate::narrow_phase::axis::separating_axis::search_axes;
+use crate::narrow_phase::dispatch::separation::separation_with;
+use crate::narrow_phase::dispatch::workspace::Workspace;
+use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
+use crate::shape::round::{Hull, circles, is_round};
+use crate::{Shape, Side, SurfaceFeature};
+use glam::DVec3;
+use polhode_spatial::{Motion, Pose};
+
+/// The impact of one part of each of two bodies; the whole bodies give the tolerances.
+pub(crate) fn find_in_parts(
+    shapes: [&Shape; 2],
+    wholes: [&Shape; 2],
+    motions: [&dyn Motion; 2],
+    (t0, t1): (f64, f64),
+    settings: &ImpactSearch,
+) -> Result<ImpactReport, ImpactError> {
+    let mut search = Search {
+        shapes,
+        wholes,
+        motions,
+        settings,
+        workspace: Workspace::default(),
+        bounds: [Vec::new(), Vec::new()],
+        axes: None,
+        gap: None,
+        evaluations: 0,
+        cuts: Cuts::new(),
+    };
+    let start = search.look(t0)?;
+    let (time, separation) =
+        if start.separation > search.touch(&start) { search.advance(start, t1)? } else { search.depart(start, t1)? };
+    Ok(ImpactReport { time, separation, evaluations: search.evaluations, cuts: search.cuts.made() })
+}
+
+/// The pair at a time.
+#[derive(Clone, Copy)]
+struct Moment {
+    t: f64,
+    poses: [Pose; 2],
+    separation: f64,
+}
+
+struct Search<'a> {
+    shapes: [&'a Shape; 2],
+    /// The bodies that the shapes are parts of.
+    wholes: [&'a Shape; 2],
+    motions: [&'a dyn Motion; 2],
+    settings: &'a ImpactSearch,
+    workspace: Workspace,
+    /// Buffers of the bounds.
+    bounds: [Vec<Quadratic>; 2],
+    /// Best axes at the last look, for two polyhedra.
+    axes: Option<Axes>,
+    /// Best axis at the last look, for a round shape and another convex one.
+    gap: Option<Gap>,
+    evaluations: u32,
+    cuts: Cuts,
+}
+
+/// The window is narrowed to this many times the first safe step when that was much shorter than the window: bounds
+/// that need not hold for long are tighter.
+const NARROWER: f64 = 4.0;
+
+/// A window that was clear to its end is widened this often at most.
+const MOST_WINDOWS: usize = 16;
+
+/// A change of separation by this many resolutions is a change, not rounding.
+const MEASURABLE: f64 = 4.0;
+
+/// A pair that touches has closed when its separation has fallen by this part of the touch tolerance: more than a held
+/// contact drifts, less than what counts as penetration.
+const NOTICED: f64 = 1.0 / 16.0;
+
+/// At the end of an interval, or before it opens again, the pair has closed by this part of the touch tolerance: a quarter of
+/// what is noticed within.
+const CLOSED: f64 = 1.0 / 64.0;
+
+/// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
+const HALF: f64 = 0.5;
+
+/// More halvings than this leave no interval of doubles.
+const MOST_HALVINGS: u32 = 1074;
+
+/// `2^-j` for `j` up to [`MOST_HALVINGS`], exactly.
+fn halved(j: u32) -> f64 {
+    libm::ldexp(1.0, -(j as i32))
+}
+
+const fn is_half_space(shape: &Shape) -> bool {
+    matches!(shape, Shape::HalfSpace(_))
+}
+
+const fn is_ring(shape: &Shape) -> bool {
+    matches!(shape, Shape::Torus(_))
+}
+
+/// Points of a hull above one plane that is fixed in the other body.
+fn points_clear_of_plane(
+    now: &Moment,
+    window: &mut Window<'_>,
+    of: Side,
+    hull: &Hull<'_>,
+    (normal, offset): (DVec3, f64),
+) -> f64 {
+    let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+    let x = now.poses[other].relative(&now.poses[this]);
+    let gap = |k: usize| normal.dot(x.transform_point(hull.points[k])) - offset - hull.ball;
+    window.above_planes(of, (&hull.points, hull.ball), |k| (normal, gap(k)))
+}
+
+/// Of a cloud the point that a feature names, of another shape all of it.
+fn only_point<'a>(shape: &Shape, hull: Hull<'a>, feature: SurfaceFeature) -> Hull<'a> {
+    match (shape, feature) {
+        (Shape::Points(_), SurfaceFeature::Vertex(index)) => hull.of_point(index),
+        _ => hull,
+    }
+}
+
+impl Search<'_> {
+    /// Poses and separation at a time.
+    fn look(&mut self, t: f64) -> Result<Moment, ImpactError> {
+        let poses = [self.motions[0].pose(t), self.motions[1].pose(t)];
+        if !(poses[0].is_finite() && poses[1].is_finite()) {
+            return Err(ImpactError::NotFinite { t });
+        }
+        self.evaluations += 1;
+        let [pose_a, pose_b] = &poses;
+        let separation = if let [Shape::Convex(a), Shape::Convex(b)] = self.shapes {
+            let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
+            self.axes = Some(axes);
+            axes.separation(a, pose_a, b, pose_b)
+        } else if self.shapes.into_iter().any(is_ring) && !self.shapes.into_iter().any(is_half_space) {
+            self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
+            self.gap.map_or(f64::INFINITY, |gap| gap.separation)
+        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(is_half_space) {
+            self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
+            self.gap.map_or(f64::INFINITY, |gap| gap.separation)
+        } else {
+            separation_with(&mut self.workspace, self.shapes[0], pose_a, self.shapes[1], pose_b)
+        };
+        if self.evaluations > self.settings.max_evaluations {
+            return Err(ImpactError::EvaluationLimit { t, separation, limit: self.settings.max_evaluations });
+        }
+        if separation.is_nan() { Err(ImpactError::NotFinite { t }) } else { Ok(Moment { t, poses, separation }) }
+    }
+
+    fn resolution(&self, at: &Moment) -> f64 {
+        resolution(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1])
+    }
+
+    fn touch(&self, at: &Moment) -> f64 {
+        touch_tolerance(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1], self.settings.touch_relative)
+    }
+
+    /// From a moment at which the pair is clear: the time of impact, if any, and the separation there or at the end.
+    fn advance(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+        let mut now = start;
+        loop {
+            if now.separation == f64::INFINITY {
+                return Ok((None, now.separation));
+            }
+            if now.separation <= self.resolution(&now) {
+                return self.refine(now, (start.t, t1)).map(|moment| (Some(moment.t), moment.separation));
+            }
+            if now.t >= t1 {
+                return Ok((None, now.separation));
+            }
+            let next = (now.t + self.safe_step(&now, t1 - now.t)?).min(t1);
+            // The gap closes before the next number that can be told from this time.
+            if next <= now.t {
+                return Ok((Some(now.t), now.separation));
+            }
+            now = self.look(next)?;
+        }
+    }
+
+    /// The impact found at `now`, finer than poses are rounded where the motions allow it (`fine_time.rs`).
+    fn refine(&mut self, now: Moment, (t0, t1): (f64, f64)) -> Result<Moment, ImpactError> {
+        let t = refined(self.shapes, self.motions, (t0, now.t, t1), self.touch(&now));
+        if t == now.t { Ok(now) } else { self.look(t) }
+    }
+
+    /// For how long the pair certainly stays clear, at most `remaining` (s).
+    fn safe_step(&mut self, now: &Moment, remaining: f64) -> Result<f64, ImpactError> {
+        let mut step = self.clear_for(now, remaining)?;
+        for _ in 0..MOST_WINDOWS {
+            let window = step * NARROWER;
+            if window >= remaining || step <= 0.0 {
+                break;
+            }
+            let longer = self.clear_for(now, window)?;
+            step = step.max(longer);
+            // Clear for all of a narrow window: its end says nothing, a wider one may do better.
+            if longer < window {
+                break;
+            }
+        }
+        Ok(step)
+    }
+
+    /// As [`Self::safe_step`], by bounds that hold over a window of this length.
+    fn clear_for(&mut self, now: &Moment, length: f64) -> Result<f64, ImpactError> {
+        let end = now.t + length;
+        let mut buffers = std::mem::take(&mut self.bounds);
+        let window = Window::new(self.motions, now.poses, now.t, end, &mut buffers);
+        let step = window.map(|mut window| self.clear_in(now, &mut window));
+        self.bounds = buffers;
+        step.ok_or(ImpactError::NotFinite { t: now.t })
+    }
+
+    fn clear_in(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let [a, b] = self.shapes;
+        match (a, b) {
+            (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
+            _ if is_half_space(a) && !circles(b).is_empty() || is_half_space(b) && !circles(a).is_empty() => {
+                self.circles_clear_of_half_space(now, window)
+            }
+            _ if is_ring(a) || is_ring(b) => self.ring_clear(now, window),
+            _ if (is_round(a) || is_round(b)) && !(is_half_space(a) || is_half_space(b)) => {
+                self.round_clear(now, window)
+            }
+            (Shape::HalfSpace(_), _) => self.clear_of_surface(now, window, Side::B),
+            (_, Shape::HalfSpace(_)) => self.clear_of_surface(now, window, Side::A),
+            (Shape::Convex(_), _) => self.clear_of_surface(now, window, Side::B),
+            (_, Shape::Convex(_)) => self.clear_of_surface(now, window, Side::A),
+            (Shape::Sphere(s), _) => window.around_center(Side::B, b.centers(), s.center(), s.radius()),
+            (_, Shape::Sphere(s)) => window.around_center(Side::A, a.centers(), s.center(), s.radius()),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The longest step over the best face of each body, the best pair of edges, and the best of these directions held
+    /// still (which is better for bodies that are far away and spin).
+    fn polyhedra_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let ([Shape::Convex(a), Shape::Convex(b)], Some(axes)) = (self.shapes, self.axes) else { return 0.0 };
+        let [pose_a, pose_b] = &now.poses;
+        let (points_a, points_b) = (self.shapes[0].centers(), self.shapes[1].centers());
+        let (hull_a, hull_b) = (Hull::of(self.shapes[0]), Hull::of(self.shapes[1]));
+        let mut step: f64 = 0.0;
+        let mut direction = (f64::NEG_INFINITY, DVec3::ZERO);
+        if axes.face_a.separation > 0.0 {
+            let face = &a.faces[axes.face_a.face as usize];
+            let x = pose_a.relative(pose_b);
+            let gap = |k: usize| face.normal.dot(x.transform_point(b.vertices[k])) - face.offset;
+            step = step.max(window.above_planes(Side::B, points_b, |k| (face.normal, gap(k))));
+            direction = (axes.face_a.separation, -pose_a.rotation.rotate(face.normal));
+        }
+        if axes.face_b.separation > 0.0 {
+            let face = &b.faces[axes.face_b.face as usize];
+            let x = pose_b.relative(pose_a);
+            let gap = |k: usize| face.normal.dot(x.transform_point(a.vertices[k])) - face.offset;
+            step = step.max(window.above_planes(Side::A, points_a, |k| (face.normal, gap(k))));
+            if axes.face_b.separation > direction.0 {
+                direction = (axes.face_b.separation, pose_b.rotation.rotate(face.normal));
+            }
+        }
+        let edges = axes.edges.filter(|e| e.separation > 0.0);
+        let crossed = edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+        if let Some(crossed) = crossed {
+            step = step.max(window.across_edges(&crossed, a, b));
+            if crossed.separation > direction.0 {
+                direction = (crossed.separation, crossed.normal);
+            }
+        }
+        let (nearly_parallel, out_of_a) = axes.along_nearly_parallel;
+        if nearly_parallel > 0.0 {
+            step = step.max(window.along_direction(-pose_a.rotation.rotate(out_of_a), &hull_a, &hull_b));
+        }
+        if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
+    }
+
+    /// Points or a sphere of body `of` against a half-space or a polyhedron: each has a plane of its own, through the
+    /// nearest feature.
+    fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
+        let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+        let points = self.shapes[this].centers();
+        let x = now.poses[other].relative(&now.poses[this]);
+        let polyhedron = match self.shapes[other] {
+            Shape::HalfSpace(h) => {
+                let gap = |k: usize| h.normal().dot(x.transform_point(points.0[k])) - h.offset() - points.1;
+                return window.above_planes(of, points, |k| (h.normal(), gap(k)));
+            }
+            Shape::Convex(polyhedron) => polyhedron,
+            _ => return 0.0,
+        };
+        let tolerance = place_tolerance(polyhedron.size(), polyhedron.size(), x.translation);
+        let nearest = |k: usize| nearest_feature(polyhedron, x.transform_point(points.0[k]), tolerance);
+        let step = window.above_planes(of, points, |k| {
+            let nearest = nearest(k);
+            (nearest.direction, nearest.distance - points.1)
+        });
+        // A single centre far from a spinning polyhedron: its direction held still.
+        if points.0.len() > 1 {
+            return step;
+        }
+        let away = now.poses[other].rotation.rotate(nearest(0).direction);
+        let direction = if of == Side::A { away } else { -away };
+        step.max(window.along_direction(direction, &Hull::of(self.shapes[0]), &Hull::of(self.shapes[1])))
+    }
+
+    /// A round shape or a ring above a half-space: its points and its circles.
+    fn circles_clear_of_half_space(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let (of, this, other) = if is_half_space(self.shapes[1]) { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
+        let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
+        let hull = Hull::of(self.shapes[this]);
+        let step = window.circles_above_plane(of, &hull, half_space.normal(), half_space.offset());
+        step.min(points_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset())))
+    }
+
+    /// A round shape and another convex one: the best axis held still, or the plane of the face or disc that decides. A
+    /// cloud stays clear as long as each of its points does.
+    fn round_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let ([a, b], [pose_a, pose_b]) = (self.shapes, now.poses);
+        let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
+        if matches!(a, Shape::Points(_)) || matches!(b, Shape::Points(_)) {
+            let mut step = f64::INFINITY;
+            gap::each(a, &pose_a, b, &pose_b, f64::INFINITY, |gap| {
+                let (hull_a, hull_b) = (only_point(a, hull_a, gap.a), only_point(b, hull_b, gap.b));
+                step = step.min(window.along_direction(gap.normal, &hull_a, &hull_b));
+            });
+            return step;
+        }
+        let Some(gap) = self.gap else { return 0.0 };
+        let step = window.along_direction(gap.normal, &hull_a, &hull_b);
+        let step = step.max(self.clear_beside_lines(now, window, &gap));
+        let of_plane = |shape: &Shape, feature: SurfaceFeature| {
+            let SurfaceFeature::Face(_) = feature else { return None };
+            match Element::of(shape, feature, &Pose::IDENTITY)?.locus {
+                Locus::Plane(through, normal) => Some((normal, normal.dot(through))),
+                _ => None,
+            }
+        };
+        let (of, hull, plane) = match (of_plane(a, gap.a), of_plane(b, gap.b)) {
+            (Some(plane), _) => (Side::B, hull_b, plane),
+            (_, Some(plane)) => (Side::A, hull_a, plane),
+            _ => return step,
+        };
+        let circles = window.circles_above_plane(of, &hull, plane.0, plane.1);
+        step.max(circles.min(points_clear_of_plane(now, window, of, &hull, plane)))
+    }
+
+    /// A ball and a ring. At a distance `rho` from the ring's axis the distance from its middle line bends towards the axis
+    /// with a curvature of `1/rho` at most, which a speed of `speed` (m/s) takes as an acceleration.
+    fn center_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
+        let (of, this, other, torus, ball) = match self.shapes {
+            [Shape::Torus(torus), Shape::Sphere(ball)] => (Side::B, 1, 0, torus, ball),
+            [Shape::Sphere(ball), Shape::Torus(torus)] => (Side::A, 0, 1, torus, ball),
+            _ => return 0.0,
+        };
+        let Some(ring) = circles(self.shapes[other]).first().copied() else { return 0.0 };
+        let y = now.poses[other].relative(&now.poses[this]).transform_point(ball.center);
+        let away = y - ring.nearest(y);
+        let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
+        let least = rho - speed * window.length();
+        if least < HALF * rho || distance == 0.0 {
+            return 0.0;
+        }
+        let gap = distance - torus.minor - ball.radius;
+        let points = self.shapes[this].centers();
+        window.above_surfaces(of, points, speed * speed / least, |_| (away / distance, gap))
+    }
+
+    /// As long as the normal of two elements of which one at least is straight separates, when it turns so as to stay
+    /// perpendicular to them.
+    fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
+        let [a, b] = self.shapes;
+        let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
+            let line = match Element::of(shape, feature, pose)?.locus {
+                Locus::Line(_, along) => along,
+                Locus::Cone(side) => side.axis - gap.normal * gap.normal.dot(side.axis),
+                _ => return None,
+            };
+            line.cross(gap.normal).try_normalize()
+        };
+        let lines = [along(a, gap.a, &now.poses[0]), along(b, gap.b, &now.poses[1])];
+        match window.turn_with(lines) {
+            Some(turn) => window.along_turning(gap.normal, turn, &Hull::of(a), &Hull::of(b)),
+            None => 0.0,
+        }
+    }
+
+    /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) arc by
+    /// arc, or the distance over the largest speed at which a point of one can move relative to the other.
+    fn ring_clear(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
+        let Some(gap) = self.gap else { return 0.0 };
+        let [a, b] = self.shapes;
+        let apart = (now.poses[0].translation - now.poses[1].translation).length();
+        let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
+        // The speed is the largest in the window, which says nothing of later.
+        let step = (now.separation / speed).min(window.length()).max(self.center_clear_of_ring(now, window, speed));
+        let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
+        let step = step.max(self.clear_beside_lines(now, window, &gap));
+        if step >= window.length() {
+            return step;
+        }
+        if let Some(rings) = RingPair::new(self.shapes, now.poses) {
+            return step.max(rings.clear(window, &mut self.cuts));
+        }
+        RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window, &mut self.cuts)))
+    }
+
+    /// From a moment at which the pair touches: see the module's description.
+    fn depart(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+        let rounding = self.resolution(&start);
+        // Below this the pair is measurably closer than it was: touching at rest it stays above.
+        let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
+        let level = if start.separation > rounding {
+            0.0
+        } else if start.separation >= -CLOSED * self.touch(&start) {
+            start.separation - noticed
+        } else {
+            // What overlaps visibly must not come to overlap by all that in addition.
+            (start.separation - MEASURABLE * rounding).min(-noticed)
+        };
+        let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
+        let (mut open, mut below, mut last): (_, Option<Moment>, _) = (start, None, start);
+        let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
+        while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {
+            halvings -= 1;
+        }
+        for j in (0..=halvings).rev() {
+            let t = if j == 0 { t1 } else { start.t + (t1 - start.t) * halved(j) };
+            if t <= last.t {
+                continue;
+            }
+            last = self.look(t)?;
+            let touch = self.touch(&last);
+            let dip = below.filter(|below| last.separation >= level && below.separation < closed);
+            if let Some(dip) = dip {
+                // It has closed, by less than a touch, and opens again.
+                let open = if open.separation >= closed { open } else { start };
+                return self.locate_closing(open, dip, closed, rounding);
+            }
+            if last.separation > touch {
+                return self.advance(last, t1);
+            }
+            if last.separation >= level {
+                (open, below) = (last, None);
+            } else {
+                below = below.or(Some(last));
+            }
+            // A pair that overlaps already has closed before; what counts then is that it overlaps more.
+            if last.separation < (-touch).min(start.separation - touch) {
+                return self.locate_closing(open, below.unwrap_or(last), level, rounding);
+            }
+        }
+        // Closed at the end, by less than a touch: a search from there takes this overlap for its start.
+        if last.separation < closed {
+            let open = if open.separation >= closed { open } else { start };
+            return self.locate_closing(open, last, closed, rounding);
+        }
+        Ok((None, last.separation))
+    }
+
+    /// Whether by the `j`-th departure time a point can have moved by what closes a pair (`CLOSED`).
+    fn can_have_moved(&mut self, start: &Moment, t1: f64, j: u32) -> Result<bool, ImpactError> {
+        let length = (t1 - start.t) * halved(j);
+        let mut buffers = std::mem::take(&mut self.bounds);
+        let apart = (start.poses[0].translation - start.poses[1].translation).length();
+        // A half-space has no radius; what matters is how far the other body reaches from its centre.
+        let reach = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
+        let [a, b] = self.shapes;
+        let speed = Window::new(self.motions, start.poses, start.t, start.t + length, &mut buffers)
+            .map(|window| window.largest_speed(reach(a, b), reach(b, a)));
+        self.bounds = buffers;
+        let speed = speed.ok_or(ImpactError::NotFinite { t: start.t })?;
+        let path = speed * length;
+        Ok(path.is_nan() || path >= CLOSED * self.touch(start))
+    }
+
+    /// The time between two moments at which the separation falls below a level.
+    fn locate_closing(
+        &mut self,
+        open: Moment,
+        below: Moment,
+        level: f64,
+        tolerance: f64,
+    ) -> Result<(Option<f64>, f64), ImpactError> {
+        let left = Sample { at: open.t, value: open.separation - level };
+        let right = Sample { at: below.t, value: below.separation - level };
+        let found = last_open(left, right, tolerance, |t| self.look(t).map(|moment| moment.separation - level))?;
+        Ok((Some(found.at), found.value + level))
+    }
+}

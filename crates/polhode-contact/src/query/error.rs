@@ -1,0 +1,29 @@
+//! Why a question has no answer.
+
+use thiserror::Error;
+
+/// Why a question has no answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum QueryError {
+    /// A pose or a coordinate is NaN or infinite.
+    #[error("{what} is not finite: give finite coordinates")]
+    NotFinite {
+        /// What it is.
+        what: &'static str,
+    },
+    /// Two half-spaces, which overlap without bound unless they face each other exactly.
+    #[error("two half-spaces have no distance: one of the two must be bounded")]
+    Unbounded,
+    /// A box without volume.
+    #[error("the box is flat or unbounded: every side must have a length that a shape may have")]
+    FlatBox,
+    /// More bodies than indices.
+    #[error("{count} bodies are given, at most {limit} are possible")]
+    TooManyBodies {
+        /// How many were given.
+        count: usize,
+        /// How many are possible.
+        limit: usize,
+    },
+}

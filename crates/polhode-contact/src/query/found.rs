@@ -1,0 +1,16 @@
+//! What is found of two cores: how far apart, and where.
+
+use super::feature::FeatureKind;
+use glam::DVec3;
+
+/// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and
+/// the features they lie on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) distance: f64,
+    pub(crate) normal: DVec3,
+    pub(crate) on_a: DVec3,
+    pub(crate) on_b: DVec3,
+    pub(crate) kind_a: FeatureKind,
+    pub(crate) kind_b: FeatureKind,
+}
