@@ -1,6 +1,6 @@
 //! Bounding spheres.
 
-use super::aabb::ROUNDING_ULPS;
+use super::axis_aligned_box::ROUNDING_ULPS;
 use crate::{Aabb, AabbError, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;

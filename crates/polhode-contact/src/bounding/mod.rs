@@ -9,6 +9,7 @@
 //! `box_tree` sorts many boxes into a tree. All volumes are rounded outwards: a volume contains every point of its shape, and an overlap is never missed.
 
 pub mod aabb;
+mod axis_aligned_box;
 pub mod bounding_sphere;
 pub(crate) mod box_tree;
 pub(crate) mod extent;

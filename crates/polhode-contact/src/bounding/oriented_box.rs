@@ -1,6 +1,6 @@
 //! Oriented bounding boxes.
 
-use super::aabb::ROUNDING_ULPS;
+use super::axis_aligned_box::ROUNDING_ULPS;
 use super::extent::extents;
 use crate::Shape;
 use glam::{DMat3, DVec3};

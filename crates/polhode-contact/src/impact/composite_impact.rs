@@ -251,7 +251,7 @@ fn parts_of(shape: &Shape) -> &[Shape] {
 /// A part of a body: of a mesh, a triangle as a flat polyhedron.
 fn part(shape: &Shape, index: u32) -> Option<Cow<'_, Shape>> {
     match shape {
-        Shape::TriangleMesh(mesh) => mesh.triangle_shape(index).map(Cow::Owned),
+        Shape::TriangleMesh(mesh) => mesh.flat_polyhedron(index).map(|flat| Cow::Owned(Shape::Convex(flat))),
         other => parts_of(other).get(index as usize).map(Cow::Borrowed),
     }
 }

@@ -1,7 +1,7 @@
 //! Compounds: bodies of several parts that are fixed to each other.
 
-use super::Shape;
 use super::error::ShapeError;
+use super::kinds::{Compound, FirstElements, Shape};
 use crate::bounding::{Bounds, BoxTree};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -12,25 +12,6 @@ const CURVED_ELEMENTS: usize = 2 * crate::shape::circle::RIM_POINTS as usize;
 /// Up to this many balls of parts the size is found over all pairs; beyond it the diagonal of the bounding box stands
 /// in, which is at most sqrt(3) times too large.
 const EXACT_SIZE_LIMIT: usize = 1024;
-
-/// Numbers of the first vertex (or centre), edge and face of a part among all of the compound.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct FirstElements {
-    pub(crate) vertex: u32,
-    pub(crate) edge: u32,
-    pub(crate) face: u32,
-}
-
-/// Parts that are fixed to each other and may touch or overlap. Their vertices (centres, points), edges and faces are
-/// numbered part after part, so that a feature of the compound names its part too.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Compound {
-    pub(crate) parts: Vec<Shape>,
-    /// Of every part, and one past the last.
-    pub(crate) first: Vec<FirstElements>,
-    pub(crate) tree: BoxTree,
-    size: f64,
-}
 
 impl Compound {
     /// From parts, each in the body's frame; a compound among them gives its own parts.

@@ -1,4 +1,4 @@
-//! How far shapes reach: balls whose convex hull holds a shape, its bounding box and its support.
+//! How far shapes reach: their size, the balls whose convex hull holds a shape, its bounding box.
 
 use super::Shape;
 use crate::bounding::Bounds;
@@ -6,6 +6,51 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 
 impl Shape {
+    /// Largest distance between two points of the shape, m; 0 for a half-space, whose extent says nothing.
+    pub fn size(&self) -> f64 {
+        match self {
+            Self::Convex(polyhedron) => polyhedron.size(),
+            Self::Sphere(s) => 2.0 * s.radius,
+            Self::HalfSpace(_) => 0.0,
+            Self::Points(c) => c.size(),
+            Self::Capsule(c) => c.size(),
+            Self::Cylinder(c) => c.size(),
+            Self::Cone(c) => c.size(),
+            Self::Torus(t) => t.size(),
+            Self::TriangleMesh(m) => m.size(),
+            Self::Compound(c) => c.size(),
+        }
+    }
+
+    /// Largest distance of a point of the shape from the frame's origin, m; infinite for a half-space.
+    pub fn radius(&self) -> f64 {
+        match self {
+            Self::HalfSpace(_) => f64::INFINITY,
+            Self::Cylinder(c) => c.center.length() + 0.5 * c.size(),
+            Self::Cone(c) => (c.base.length() + c.radius).max(c.apex().length()),
+            Self::Torus(t) => t.center.length() + 0.5 * t.size(),
+            Self::Compound(c) => c.parts.iter().map(Self::radius).fold(0.0, f64::max),
+            Self::TriangleMesh(m) => m.reach(),
+            _ => {
+                let (centers, rounding) = self.centers();
+                centers.iter().map(|c| c.length()).fold(0.0, f64::max) + rounding
+            }
+        }
+    }
+
+    /// The shape as the convex hull of points, blown up by a radius, m; no points for a half-space and where circles are
+    /// needed too.
+    pub(crate) fn centers(&self) -> (&[DVec3], f64) {
+        match self {
+            Self::Convex(polyhedron) => (polyhedron.vertices(), 0.0),
+            Self::Sphere(s) => (std::slice::from_ref(&s.center), s.radius),
+            Self::Points(c) => (&c.points, 0.0),
+            Self::Capsule(c) => (&c.ends, c.radius),
+            Self::TriangleMesh(m) => (&m.vertices, 0.0),
+            Self::HalfSpace(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) | Self::Compound(_) => (&[], 0.0),
+        }
+    }
+
     /// Calls `visit` with balls (centre and radius, m) whose convex hull holds the shape; none for a half-space.
     pub(crate) fn for_each_ball(&self, visit: &mut dyn FnMut(DVec3, f64)) {
         match self {

@@ -4,9 +4,10 @@
 //! between two faces join one of them and never bridge an edge. Vertices inside a face or inside an edge are left out.
 
 use crate::backend;
+use crate::shape::error::{ShapeError, check_point};
+use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
-use crate::shape::{ShapeError, check_point};
 use glam::{DMat3, DVec3};
 use polhode_spatial::PrincipalAxes;
 use std::collections::BTreeMap;
@@ -165,7 +166,7 @@ fn grow_regions(
         let [a, b, c] = corners(t);
         (b - a).cross(c - a)
     };
-    let tolerance = COPLANAR_TOLERANCE * crate::shape::largest_distance(vertices);
+    let tolerance = COPLANAR_TOLERANCE * largest_distance(vertices);
     let mut seeds: Vec<usize> = (0..triangles.len()).collect();
     seeds.sort_by(|&i, &j| area(j).length_squared().total_cmp(&area(i).length_squared()).then(i.cmp(&j)));
     let mut region = vec![usize::MAX; triangles.len()];

@@ -1,6 +1,7 @@
 //! Support functions: the point of a convex shape that is farthest along a direction.
 
-use super::{Cone, Cylinder};
+use super::cone::Cone;
+use super::cylinder::Cylinder;
 use glam::DVec3;
 
 /// The first of the points that are farthest along a direction; the origin when there is none.

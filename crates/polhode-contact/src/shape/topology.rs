@@ -3,8 +3,9 @@
 //! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula
 //! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex stands outside a face.
 
+use crate::shape::error::{ShapeError, check_length, check_point};
+use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord, Neighbours};
-use crate::shape::{ShapeError, check_length, check_point, largest_distance};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 

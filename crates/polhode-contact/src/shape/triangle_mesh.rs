@@ -7,9 +7,9 @@
 //! one place (equal coordinates) are joined and bear the lowest of their numbers; edges are numbered in the order in
 //! which the triangles first run along them.
 
-use super::Shape;
 use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
+use super::polyhedron::ConvexPolyhedron;
 use super::topology;
 use super::triangle::area_vector;
 use crate::bounding::{Bounds, BoxTree};
@@ -218,10 +218,10 @@ impl TriangleMesh {
     }
 
     /// A triangle as a polyhedron of two faces and no thickness, with the normals of its patch.
-    pub(crate) fn triangle_shape(&self, triangle: u32) -> Option<Shape> {
+    pub(crate) fn flat_polyhedron(&self, triangle: u32) -> Option<ConvexPolyhedron> {
         let corners = self.corners(triangle)?;
         let patch = self.patches[self.patch_of[triangle as usize] as usize];
-        Some(Shape::Convex(topology::flat_triangle(corners, patch.normal)))
+        Some(topology::flat_triangle(corners, patch.normal))
     }
 }
 

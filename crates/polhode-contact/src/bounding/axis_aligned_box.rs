@@ -1,0 +1,91 @@
+//! A box along the world's axes.
+
+use glam::DVec3;
+use thiserror::Error;
+
+/// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
+pub(crate) const ROUNDING_ULPS: f64 = 16.0;
+
+/// Why two corners make no box.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum AabbError {
+    /// A coordinate is NaN or a lower bound exceeds its upper bound.
+    #[error("bounds {min} to {max}: every lower bound must be a number that does not exceed its upper bound")]
+    Invalid {
+        /// Lower bounds, m.
+        min: DVec3,
+        /// Upper bounds, m.
+        max: DVec3,
+    },
+    /// The interval of time is reversed or not finite.
+    #[error("the interval of time {t0} s to {t1} s must be finite and in order")]
+    Interval {
+        /// Start, s.
+        t0: f64,
+        /// End, s.
+        t1: f64,
+    },
+}
+
+/// A box along the world's axes. Bounds may be infinite (a half-space), never NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Aabb {
+    /// All of space.
+    pub const UNBOUNDED: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
+
+    /// From its lower and upper bounds, m.
+    ///
+    /// # Errors
+    /// When a bound is NaN or the bounds are reversed.
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self, AabbError> {
+        if min.cmple(max).all() { Ok(Self { min, max }) } else { Err(AabbError::Invalid { min, max }) }
+    }
+
+    /// Lower bounds, m.
+    pub const fn min(&self) -> DVec3 {
+        self.min
+    }
+
+    /// Upper bounds, m.
+    pub const fn max(&self) -> DVec3 {
+        self.max
+    }
+
+    /// Whether the boxes share a point; touching counts.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Whether all of the other box is in this one; touching borders count.
+    pub fn encloses(&self, other: &Self) -> bool {
+        self.min.cmple(other.min).all() && other.max.cmple(self.max).all()
+    }
+
+    /// Whether the point (m) is in the box.
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.min.cmple(point).all() && point.cmple(self.max).all()
+    }
+
+    /// The smallest box that contains both.
+    pub fn merged(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether every bound is finite.
+    pub fn is_finite(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The box blown up by a distance on every side, m.
+    ///
+    /// # Errors
+    /// When the distance is NaN, or so negative that nothing is left.
+    pub fn inflated(&self, by: f64) -> Result<Self, AabbError> {
+        Self::new(self.min - by, self.max + by)
+    }
+}

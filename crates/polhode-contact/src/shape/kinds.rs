@@ -1,0 +1,60 @@
+//! The kinds of shapes.
+//!
+//! A compound is a shape whose parts are shapes: the two types stand together here, what they do in files of their own.
+
+use super::capsule::Capsule;
+use super::cone::Cone;
+use super::cylinder::Cylinder;
+use super::half_space::HalfSpace;
+use super::point_cloud::PointCloud;
+use super::polyhedron::ConvexPolyhedron;
+use super::sphere::Sphere;
+use super::torus::Torus;
+use super::triangle_mesh::TriangleMesh;
+use crate::bounding::BoxTree;
+
+/// A shape in its body's frame. Kinds will be added; match with a wildcard.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+#[allow(clippy::large_enum_variant, reason = "polyhedra are the common case, and a box would cost every query a jump")]
+pub enum Shape {
+    /// A convex polyhedron; a box is one.
+    Convex(ConvexPolyhedron),
+    /// A ball.
+    Sphere(Sphere),
+    /// A plane with everything below it.
+    HalfSpace(HalfSpace),
+    /// Points.
+    Points(PointCloud),
+    /// A cylinder with half-balls on its ends.
+    Capsule(Capsule),
+    /// A cylinder.
+    Cylinder(Cylinder),
+    /// A cone.
+    Cone(Cone),
+    /// A ring.
+    Torus(Torus),
+    /// A surface that does not move.
+    TriangleMesh(TriangleMesh),
+    /// Several parts.
+    Compound(Compound),
+}
+
+/// Parts that are fixed to each other and may touch or overlap. Their vertices (centres, points), edges and faces are
+/// numbered part after part, so that a feature of the compound names its part too.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Compound {
+    pub(crate) parts: Vec<Shape>,
+    /// Of every part, and one past the last.
+    pub(crate) first: Vec<FirstElements>,
+    pub(crate) tree: BoxTree,
+    pub(super) size: f64,
+}
+
+/// Numbers of the first vertex (or centre), edge and face of a part among all of the compound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct FirstElements {
+    pub(crate) vertex: u32,
+    pub(crate) edge: u32,
+    pub(crate) face: u32,
+}
