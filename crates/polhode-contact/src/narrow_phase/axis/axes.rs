@@ -7,7 +7,7 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
-/// are only just not parallel ([`PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
+/// are only just not parallel ([`crate::clearance::PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
 pub(crate) const AXIS_SLACK: f64 = 1e-8;
 
 /// The best axis of a kind.

@@ -1,7 +1,13 @@
 //! All contacts of a pair of shapes at given poses.
 //!
-//! Compounds go by their parts (`compound_pair.rs`), triangle meshes by their triangles (`mesh_pair.rs`), other pairs as
-//! `pair_manifold.rs` says.
+//! Two polyhedra: the best separating axis ([`crate::separation()`]) names a face of one body, and the face of the other
+//! that lies most nearly against it; [`crate::evaluate()`] measures every contact of the two faces. When a pair of edges
+//! separates best, that crossing is the only contact, unless a face beside one of the edges is almost parallel to the
+//! other edge: then all contacts of the faces beside are given, so that a body that tips over an edge changes its
+//! contacts continuously (`polyhedra.rs`).
+//!
+//! Capsules, cylinders, cones and tori: `round_region.rs`. Compounds: `compound_pair.rs`. Triangle meshes: `mesh_pair.rs`.
+//! Other pairs: every vertex or point below the reach; the nearest features of a sphere (`pair_manifold.rs`).
 
 use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;

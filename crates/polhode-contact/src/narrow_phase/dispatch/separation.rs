@@ -26,5 +26,5 @@ pub fn separation_with(
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return f64::NAN;
     }
-    separation_of_parts(&mut workspace.parts, [shape_a, shape_b], [pose_a, pose_b])
+    separation_of_parts(&mut workspace.parts.mesh, [shape_a, shape_b], [pose_a, pose_b])
 }

@@ -1,7 +1,5 @@
-//! All contacts of two shapes without parts.
-//!
-//! Two polyhedra: `polyhedra.rs`. Capsules, cylinders, cones and tori: `round_region.rs`. Other pairs: every vertex or point
-//! below the reach; the nearest features of a sphere.
+//! All contacts of two shapes without parts: by separating axes of polyhedra, element by element of round shapes, point by
+//! point of others.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::gap::{self, Gap};

@@ -1,9 +1,4 @@
-//! The contacts of two convex polyhedra whose best separating axes are known.
-//!
-//! The best axis names a face of one body, and the face of the other that lies most nearly against it; every contact of the
-//! two faces is measured. When a pair of edges separates best, that crossing is the only contact, unless a face beside one
-//! of the edges is almost parallel to the other edge: then all contacts of the faces beside are given, so that a body that
-//! tips over an edge changes its contacts continuously.
+//! The contacts of two convex polyhedra whose best separating axes are known: which ones, says `manifold.rs`.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};

@@ -3,8 +3,8 @@
 //! The separation is the least over the pairs of parts that can be nearest by their boxes. A manifold takes the contacts
 //! of every pair of parts within reach, leaves out those that are none of the whole body (`compound_surface.rs`), adds
 //! what re-entrant edges (`tied_faces.rs`) and bent ridges (`ridge_ends.rs`) hold instead, and keeps one for each place
-//! and normal (`same_places.rs`). All of it is computed about A's origin, so that a pair far away
-//! loses nothing; the geometry of the contacts that stay is [`evaluate`]'s at the poses given.
+//! and normal (`same_places.rs`). All of it is computed about A's origin, so that a pair far away loses nothing; the geometry
+//! of the contacts that stay is that of [`crate::evaluate()`] at the poses given.
 
 use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
@@ -42,11 +42,7 @@ pub(crate) struct CompoundBuffers {
 }
 
 /// The separation of any pair, part by part, m; see [`crate::separation()`].
-pub(crate) fn separation_of_parts(buffers: &mut CompoundBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> f64 {
-    least_of_parts(&mut buffers.mesh, shapes, poses)
-}
-
-fn least_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> f64 {
+pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> f64 {
     let compound = shapes.iter().enumerate().find_map(|(at, shape)| match shape {
         Shape::Compound(compound) => Some((at, compound)),
         _ => None,
@@ -62,7 +58,7 @@ fn least_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose;
     let mut measure = |part: u32, _: f64| {
         let mut pair = shapes;
         pair[at] = &compound.parts[part as usize];
-        least_of_parts(buffers, pair, poses)
+        separation_of_parts(buffers, pair, poses)
     };
     compound.tree.least(f64::INFINITY, 0.0, &near, &mut measure)
 }

@@ -3,7 +3,6 @@
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::Gap;
-
 use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::face_border::{Border, at_border};
 use crate::narrow_phase::feature::mesh_feature::Flatness;

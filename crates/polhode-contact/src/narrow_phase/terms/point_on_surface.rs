@@ -150,7 +150,7 @@ impl PointOnSurface {
     }
 }
 
-/// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, as [`evaluate`]
+/// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, as [`crate::evaluate()`]
 /// would give it; nothing when its separation exceeds `reach` (m).
 #[inline]
 pub(crate) fn vertex_above_face(
