@@ -26,6 +26,14 @@ pub(crate) const CHECKS: &[Check] = &[
         environment: &[("RUSTDOCFLAGS", "-D warnings")],
     },
     Check { arguments: &["test", "--workspace", "--no-fail-fast", "--quiet"], environment: &[] },
+    // The program that some cases run.
+    Check { arguments: &["build", "--release", "--package", "polhode-cli", "--quiet"], environment: &[] },
+];
+
+/// The same for `--quick`: what takes seconds when nothing has to be compiled.
+pub(crate) const QUICK_CHECKS: &[Check] = &[
+    Check { arguments: &["fmt", "--all", "--check"], environment: &[] },
+    Check { arguments: &["test", "--workspace", "--lib", "--bins", "--no-fail-fast", "--quiet"], environment: &[] },
 ];
 
 impl Check {

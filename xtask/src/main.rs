@@ -4,7 +4,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`verify`] | the command: steps in order, table, exit code |
+//! | [`verify`] | the command: which steps, table, exit code |
+//! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
@@ -32,6 +33,7 @@ mod readme;
 mod reference;
 mod rigid_ipc;
 mod row;
+mod schedule;
 mod table;
 mod verify;
 

@@ -4,17 +4,19 @@
 //! 4. golden trajectories.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
-//! wrong. Progress goes to stderr, the table (or, with `--json`, the array) to stdout.
+//! wrong; cases and golden trajectories run beside each other (`schedule.rs`). Progress goes to stderr, the table (or, with
+//! `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit tests, one case of each kind
+//! and the golden trajectories.
 
 use crate::cases::{self, Amount, Context};
 use crate::row::Row;
+use crate::schedule::{self, Company, Step};
 use crate::table::{self, Counts};
-use crate::{commands, golden, house, known};
+use crate::{commands, golden, house};
 use clap::Args;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
 
 /// Name of the rules of the house, as of a case.
 const HOUSE: &str = "house";
@@ -35,9 +37,20 @@ pub(crate) struct Options {
     /// Print the rows as JSON instead of a table.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    extent: Extent,
+}
+
+/// How much is run.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+struct Extent {
     /// Run random cases at full count instead of 1 % of it.
     #[arg(long)]
     full: bool,
+    /// Run what takes a minute: rules, formatting, unit tests, one case of each kind, golden trajectories.
+    #[arg(long, conflicts_with = "only")]
+    quick: bool,
 }
 
 /// Runs the command.
@@ -49,36 +62,41 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     if let Some(code) = golden::in_snapshot_environment(options.bless)? {
         return Ok(code);
     }
-    let amount = if options.full { Amount::Full } else { Amount::Part };
+    let amount = if options.extent.full { Amount::Full } else { Amount::Part };
     let context = Context::new(&root, amount)?;
-    let selected =
-        |name: &str| options.only.as_ref().is_none_or(|pattern| name.to_lowercase().contains(&pattern.to_lowercase()));
     let scenes = context.shipped.names()?;
-    let mut rows = Vec::new();
-    if !options.bless {
-        if selected(HOUSE) {
-            rows.extend(timed(HOUSE, || house::check(&root)));
-        }
-        if options.only.is_none() {
-            for check in commands::CHECKS {
-                rows.extend(timed(&check.name(), || vec![check.run(&root)]));
-            }
-        }
-        for case in cases::ALL.iter().filter(|case| selected(case.name)) {
-            rows.extend(timed(case.name, || case.run(&context)));
-        }
-    }
-    for (scene, name) in scenes.iter().map(|scene| (scene, golden::case_name(scene))) {
-        if selected(&name) {
-            rows.extend(timed(&name, || golden::check(&context, scene)));
-        }
-    }
-    if rows.is_empty() {
+    let steps = steps(options, &root, &context, &scenes);
+    if steps.is_empty() {
         return Err(no_such_case(options, &scenes).into());
     }
+    let rows = schedule::run(&steps);
     print(&rows, options)?;
     let failed = rows.iter().any(|row| row.verdict.fails_the_run());
     Ok(if failed { ExitCode::from(EXIT_FAILED) } else { ExitCode::SUCCESS })
+}
+
+/// What is run with these options, in the order of the rows.
+fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'a [String]) -> Vec<Step<'a>> {
+    let selected =
+        |name: &str| options.only.as_ref().is_none_or(|pattern| name.to_lowercase().contains(&pattern.to_lowercase()));
+    let mut steps = Vec::new();
+    if !options.bless {
+        if selected(HOUSE) {
+            steps.push(Step::new(HOUSE, Company::Alone, || house::check(root)));
+        }
+        if options.only.is_none() {
+            let checks = if options.extent.quick { commands::QUICK_CHECKS } else { commands::CHECKS };
+            steps.extend(checks.iter().map(|check| Step::new(check.name(), Company::Alone, || vec![check.run(root)])));
+        }
+        let runs = |name: &str| selected(name) && (!options.extent.quick || cases::QUICK.contains(&name));
+        steps.extend(cases::ALL.iter().filter(|case| runs(case.name)).map(|case| {
+            let company = if cases::ALONE.contains(&case.name) { Company::Alone } else { Company::Beside };
+            Step::new(case.name, company, || case.run(context))
+        }));
+    }
+    let goldens = scenes.iter().map(|scene| (scene, golden::case_name(scene))).filter(|(_, name)| selected(name));
+    steps.extend(goldens.map(|(scene, name)| Step::new(name, Company::Beside, || golden::check(context, scene))));
+    steps
 }
 
 fn no_such_case(options: &Options, scenes: &[String]) -> String {
@@ -86,22 +104,6 @@ fn no_such_case(options: &Options, scenes: &[String]) -> String {
     let names: Vec<String> = cases.chain(scenes.iter().map(|scene| golden::case_name(scene))).collect();
     let pattern = options.only.as_deref().unwrap_or_default();
     format!("no case contains \"{pattern}\"; the cases are: {}", names.join(", "))
-}
-
-/// Runs one step with its name, time and number of failures on stderr.
-fn timed(name: &str, step: impl FnOnce() -> Vec<Row>) -> Vec<Row> {
-    eprint!("{name} ...");
-    let start = Instant::now();
-    let mut rows = step();
-    known::mark(&mut rows);
-    let failures = rows.iter().filter(|row| row.verdict.fails_the_run()).count();
-    let seconds = start.elapsed().as_secs_f64();
-    if failures == 0 {
-        eprintln!(" {seconds:.1} s");
-    } else {
-        eprintln!(" {seconds:.1} s, {failures} of {} rows fail", rows.len());
-    }
-    rows
 }
 
 fn print(rows: &[Row], options: &Options) -> Result<(), Box<dyn Error>> {

@@ -8,6 +8,38 @@ use super::{
     rigid_ipc, snapshots, speed, stackings, stacks, table_edge, thesis_tier, tunnelling, valleys,
 };
 
+/// Cases that need the whole machine: they build, or show how long something takes.
+pub(crate) const ALONE: &[&str] = &["one dependency", "peers", "speed"];
+
+/// One case of each kind, for `--quick`; none of them builds anything.
+pub(crate) const QUICK: &[&str] = &[
+    "MP-10",
+    "meshes of primitives",
+    "random solids",
+    "convex pairs",
+    "tunnelling",
+    "FR-01",
+    "FR-03",
+    "exact drift: samples",
+    "NESC-2",
+    "HT-01",
+    "IM-01",
+    "IM-02",
+    "IM-06",
+    "RC-02",
+    "RC-05",
+    "RC-07",
+    "RC-10",
+    "falling shapes",
+    "diamond-4 for an hour",
+    "ledger",
+    "energy at e = 1",
+    "numerical loss",
+    "reductions",
+    "CD-03",
+    "snapshots",
+];
+
 /// All cases, the quick ones first.
 pub(crate) const ALL: &[Case] = &[
     Case { name: "MP-01", rows: mass_properties::mp_01 },
@@ -105,5 +137,13 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), ALL.len());
+    }
+
+    #[test]
+    fn lists_name_cases() {
+        for name in ALONE.iter().chain(QUICK) {
+            assert!(ALL.iter().any(|case| case.name == *name), "{name}");
+        }
+        assert!(!QUICK.iter().any(|name| ALONE.contains(name)));
     }
 }

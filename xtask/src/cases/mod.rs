@@ -65,6 +65,6 @@ mod valleys;
 
 pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};
-pub(crate) use list::ALL;
+pub(crate) use list::{ALL, ALONE, QUICK};
 pub(crate) use run::Run;
 pub(crate) use strict_hash::strict_hash;

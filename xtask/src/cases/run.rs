@@ -1,11 +1,10 @@
 //! Running scenes: one call that gives the report and everything that was observed.
 
 use polhode::{BodySample, Effects, Event, EventKind, Recorder, RunReport, Scene, Simulation};
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 /// A finished run.
@@ -74,16 +73,20 @@ fn reach_m(body: &polhode::Body) -> f64 {
     }
 }
 
+/// Where the run of a scene stands once it is made.
+type Place = Arc<Mutex<Option<Arc<Run>>>>;
+
 /// The scenes that the project ships, and their runs, each made when first asked for.
 #[derive(Debug)]
 pub(crate) struct ShippedScenes {
     folder: PathBuf,
-    planned: RefCell<BTreeMap<String, Rc<Run>>>,
+    /// One place for each scene, held while its run is made: whoever else asks for it waits.
+    planned: Mutex<BTreeMap<String, Place>>,
 }
 
 impl ShippedScenes {
     pub(super) fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_owned(), planned: RefCell::default() }
+        Self { folder: folder.to_owned(), planned: Mutex::default() }
     }
 
     /// Names of the scenes, in order.
@@ -120,12 +123,17 @@ impl ShippedScenes {
     ///
     /// # Errors
     /// When there is no such scene or it does not run to its end.
-    pub(crate) fn run(&self, name: &str) -> Result<Rc<Run>, Box<dyn Error>> {
-        if let Some(run) = self.planned.borrow().get(name) {
-            return Ok(Rc::clone(run));
+    pub(crate) fn run(&self, name: &str) -> Result<Arc<Run>, Box<dyn Error>> {
+        let place = {
+            let mut places = self.planned.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(places.entry(name.to_owned()).or_default())
+        };
+        let mut made = place.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(run) = made.as_ref() {
+            return Ok(Arc::clone(run));
         }
-        let run = Rc::new(Run::of(&self.load(name)?, Effects::Planned)?);
-        self.planned.borrow_mut().insert(name.to_owned(), Rc::clone(&run));
+        let run = Arc::new(Run::of(&self.load(name)?, Effects::Planned)?);
+        *made = Some(Arc::clone(&run));
         Ok(run)
     }
 }

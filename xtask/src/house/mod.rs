@@ -13,7 +13,9 @@
 //! | `project_file` | the files of the project |
 //! | `violation` | a place that breaks a rule |
 
+mod circles;
 mod docs;
+mod imports;
 mod layers;
 mod one_dependency;
 mod project_file;
@@ -37,6 +39,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     let sources: Vec<RustSource> =
         files.iter().filter(|file| file.is_rust()).map(|file| RustSource::new(&file.path, &file.text)).collect();
     let mut rows = vec![row("arrows between crates", &layers::check(root))];
+    rows.push(row("circles of files that import each other", &circles::check(&sources)));
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));

@@ -2,7 +2,8 @@
 //! of a pair do, and those of the pair with its names exchanged; rays end on surfaces and pass through none; no time of
 //! impact is late.
 
-use crate::{LARGE, Numbers, ROUNDING, Screw};
+use crate::screw::Screw;
+use crate::{LARGE, Numbers, ROUNDING};
 use polhode_contact::clearance::joint_size;
 use polhode_contact::{
     ContactFeature, ImpactSearch, Manifold, OrientedBox, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate,

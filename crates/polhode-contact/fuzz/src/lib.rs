@@ -12,13 +12,15 @@
 
 mod answers;
 mod memory;
+mod screw;
 
 pub use answers::check_answers;
 
 use polhode_contact::{
     Contact, ImpactSearch, Shape, evaluate, find_impact, kinematics, kinematics_with_tangential, manifold, separation,
 };
-use polhode_spatial::{DQuat, DVec3, Motion, MotionBounds, Pose, Rotation, UnitVector, Velocity};
+use polhode_spatial::{DQuat, DVec3, Pose, Rotation, UnitVector, Velocity};
+use screw::Screw;
 
 /// Bytes read as numbers, zeros after the end.
 struct Numbers<'a>(std::slice::Iter<'a, u8>);
@@ -91,28 +93,6 @@ impl Numbers<'_> {
         };
         let shape = shape.ok()?;
         if self.byte() % 4 == 0 { shape.placed(&self.pose()).ok() } else { Some(shape) }
-    }
-}
-
-/// A straight path and a steady spin.
-struct Screw(Pose, Velocity);
-
-impl Motion for Screw {
-    fn pose(&self, t: f64) -> Pose {
-        let turn = Rotation::from_rotation_vector(self.1.angular * t);
-        Pose::new(turn * self.0.rotation, self.0.translation + self.1.linear * t)
-    }
-
-    fn velocity(&self, _: f64) -> Velocity {
-        self.1
-    }
-
-    fn bounds(&self, _: f64, _: f64) -> MotionBounds {
-        MotionBounds {
-            speed: self.1.linear.length(),
-            angular_speed: self.1.angular.length(),
-            ..MotionBounds::default()
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The narrow phase with memory gives what one without gives, bit for bit, along any motion of two polyhedra.
 
-use crate::Screw;
+use crate::screw::Screw;
 use polhode_contact::{Manifold, NarrowPhase, Shape, manifold};
 use polhode_spatial::Motion;
 
