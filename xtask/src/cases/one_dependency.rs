@@ -2,8 +2,7 @@
 //! and finds what it asserts.
 //!
 //! Inside the workspace an example sees all that its crate depends on, for tests too, so that compiling there shows
-//! nothing. The packages stand in the folder of build products and share it, with the profiles of the workspace: what the
-//! workspace has compiled with the same features is not compiled again.
+//! nothing. The packages stand in the folder of build products and are kept, so that only the first run compiles much.
 
 use super::{CaseResult, Context};
 use crate::commands;
@@ -32,18 +31,9 @@ pub(super) fn examples(context: &Context) -> CaseResult {
         programs.extend(found.into_iter().map(|example| (name, example)));
     }
     let members = CRATES.map(|name| format!("\"user-of-{name}\"")).join(", ");
-    let profiles = profiles(&context.root)?;
-    let manifest = format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n\n{profiles}");
-    std::fs::write(users.join("Cargo.toml"), manifest)?;
+    std::fs::write(users.join("Cargo.toml"), format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n"))?;
     std::fs::copy(context.root.join("Cargo.lock"), users.join("Cargo.lock"))?;
-    programs.iter().map(|(name, example)| run(&users, folder, name, example)).collect()
-}
-
-/// The profiles in the manifest of the workspace.
-fn profiles(root: &Path) -> Result<String, Box<dyn Error>> {
-    let manifest: toml::Table = std::fs::read_to_string(root.join("Cargo.toml"))?.parse()?;
-    let profiles = manifest.into_iter().filter(|(key, _)| key == "profile").collect::<toml::Table>();
-    Ok(toml::to_string(&profiles)?)
+    programs.iter().map(|(name, example)| run(&users, name, example)).collect()
 }
 
 /// The examples of a crate that a user could have written, in order of their names.
@@ -78,11 +68,10 @@ fn write_package(root: &Path, users: &Path, name: &str, examples: &[PathBuf]) ->
     Ok(())
 }
 
-fn run(users: &Path, products: &Path, name: &str, example: &Path) -> Result<Row, Box<dyn Error>> {
+fn run(users: &Path, name: &str, example: &Path) -> Result<Row, Box<dyn Error>> {
     let mut command = commands::cargo(users);
     let package = format!("user-of-{name}");
     command.args(["run", "--quiet", "--offline", "--package", &package, "--bin", &stem(example)]);
-    command.arg("--target-dir").arg(products);
     let output = command.stdin(Stdio::null()).output()?;
     if !output.status.success() {
         eprintln!("\n{}", String::from_utf8_lossy(&output.stderr));
