@@ -31,7 +31,10 @@ pub(super) fn examples(context: &Context) -> CaseResult {
         programs.extend(found.into_iter().map(|example| (name, example)));
     }
     let members = CRATES.map(|name| format!("\"user-of-{name}\"")).join(", ");
-    std::fs::write(users.join("Cargo.toml"), format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n"))?;
+    // They are run once: nothing is gained by symbols for a debugger, nor by what makes the next build shorter.
+    let profile = "[profile.dev]\ndebug = false\nincremental = false\n";
+    let manifest = format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n\n{profile}");
+    std::fs::write(users.join("Cargo.toml"), manifest)?;
     std::fs::copy(context.root.join("Cargo.lock"), users.join("Cargo.lock"))?;
     programs.iter().map(|(name, example)| run(&users, name, example)).collect()
 }
