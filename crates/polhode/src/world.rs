@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
-/// struck together (docs/ARCHITECTURE.md, "Tolerances").
+/// struck together (docs/NOTATION.md, "touch").
 pub(crate) const TOUCH_RELATIVE: f64 = 1e-11;
 
 /// Overlap at the start that counts as touch and is moved out, relative to the size of the smaller body.
