@@ -46,7 +46,6 @@ mod dense_polynomial;
 pub mod dense_step;
 pub mod dop853;
 mod dop853_coefficients;
-mod double_double;
 pub mod energy;
 pub mod exact_rotation;
 pub mod field;

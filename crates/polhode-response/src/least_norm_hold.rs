@@ -28,11 +28,11 @@
 //! is refused; beyond ratios of 1e11 the rounds do not converge, and heavy bodies are held only in part.
 
 use crate::delassus::Delassus;
-use crate::dense::double_double::DoubleDouble;
 use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::precise;
 use crate::problem::ContactProblem;
+use polhode_spatial::DoubleDouble;
 
 /// The regularisation `eps`, relative to the unit diagonal. Eigenvalues are quadratic in distances: directions in
 /// which contacts differ by less than 1e-5 of the lever arm are left to the other rows. Rounding leaves forces of

@@ -4,8 +4,8 @@
 //! digits of the heavy body are gone, and forces found from `G` alone are good to 1e-10. The same sum taken body by
 //! body does not mix them; one step of iterative refinement with it gives forces to rounding (case RC-15).
 
-use crate::dense::double_double::DoubleDouble;
 use crate::problem::ContactProblem;
+use polhode_spatial::DoubleDouble;
 
 /// Largest diagonal entry over smallest pivot of a factor above which refinement uses this module (no unit). At 5e3
 /// plain refinement leaves 7e-13 in the forces; bodies of equal mass stay below 100 or so.

@@ -16,6 +16,7 @@
 //! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |
 //! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
 //! | [`compensated_sum`] | [`CompensatedSum`] after Neumaier |
+//! | [`double_double`] | [`DoubleDouble`]: twice the working precision |
 //!
 //! This crate is all that a program needs to name: the vectors, matrices and quaternions of glam that its signatures
 //! speak of are here too, and the crates above it pass all of it on as their module `spatial`, with the names that their
@@ -31,6 +32,7 @@
 //! ```
 
 pub mod compensated_sum;
+pub mod double_double;
 pub mod inertia;
 pub mod mass_properties;
 pub mod motion;
@@ -41,6 +43,7 @@ pub mod unit_vector;
 pub mod velocity;
 
 pub use compensated_sum::CompensatedSum;
+pub use double_double::DoubleDouble;
 pub use glam::{DMat3, DQuat, DVec3};
 pub use inertia::{Inertia, InertiaError};
 pub use mass_properties::{Density, Mass, MassProperties, MassPropertiesError};

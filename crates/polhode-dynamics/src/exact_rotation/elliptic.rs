@@ -38,10 +38,10 @@
 use super::canonical::Canonical;
 use super::complete_integral::complete_integral;
 use crate::carlson::rj_lanes;
-use crate::double_double::DoubleDouble;
 use crate::jacobi::{JacobiFunctions, JacobiLanes, JacobiValues};
 use crate::lanes::Lanes;
 use glam::{DMat3, DQuat, DVec3};
+use polhode_spatial::DoubleDouble;
 
 /// The middle axis, along which the momentum follows sn.
 const MIDDLE: usize = 1;
@@ -206,7 +206,7 @@ impl Elliptic {
 fn separatrix_distance([i1, i2, i3]: [f64; 3], [p1, _, p3]: [f64; 3]) -> f64 {
     let about_third = DoubleDouble::difference(i3, i2).times(i1).times(p3).times(p3);
     let about_first = DoubleDouble::difference(i2, i1).times(i3).times(p1).times(p1);
-    about_third.minus(about_first)
+    (about_third - about_first).value()
 }
 
 /// The three values with `sn^2 + cn^2 = 1` restored, which rounding has left within a few ulp.

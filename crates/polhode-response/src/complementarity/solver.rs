@@ -8,7 +8,6 @@ use crate::certificate::{
     row_scales,
 };
 use crate::delassus::Delassus;
-use crate::dense::double_double::DoubleDouble;
 use crate::dense::kernels::{axpy, largest};
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
@@ -17,6 +16,7 @@ use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::{FallbackPolicy, SolverSettings};
+use polhode_spatial::DoubleDouble;
 
 /// A Schur complement in twice the precision below this fraction of its terms is rounding, whatever the settings say
 /// (no unit): a hundred times the rounding unit.

@@ -2,7 +2,6 @@
 //! numbers of twice the working precision.
 
 pub(crate) mod cholesky;
-pub(crate) mod double_double;
 pub(crate) mod householder;
 pub(crate) mod kernels;
 pub(crate) mod scalar;

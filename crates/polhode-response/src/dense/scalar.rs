@@ -2,6 +2,7 @@
 //!
 //! One algorithm serves both. Decisions that only compare magnitudes are taken on [`Scalar::to_f64`].
 
+use polhode_spatial::DoubleDouble;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -49,5 +50,21 @@ impl Scalar for f64 {
     fn sqrt(self) -> Self {
         // The inherent function comes before that of the trait.
         self.sqrt()
+    }
+}
+
+impl Scalar for DoubleDouble {
+    const ROUNDING: f64 = 1e-27;
+
+    fn from_f64(value: f64) -> Self {
+        Self::new(value)
+    }
+
+    fn to_f64(self) -> f64 {
+        self.value()
+    }
+
+    fn sqrt(self) -> Self {
+        Self::sqrt(self)
     }
 }
