@@ -122,20 +122,20 @@ impl Pair<'_> {
             [Shape::TriangleMesh(_), Shape::TriangleMesh(_) | Shape::HalfSpace(_)]
             | [Shape::HalfSpace(_), Shape::TriangleMesh(_)] => return Ok(()),
             [Shape::TriangleMesh(mesh), other] => {
-                for (i, part) in parts_of(other).iter().enumerate() {
+                for (i, part) in other.parts().iter().enumerate() {
                     let bounds = self.in_frame_of_mesh(0, mesh, &swept(1, part)?, start, end);
                     mesh.tree.overlaps(&bounds, &mut |triangle| found.push([triangle, i as u32]));
                 }
             }
             [other, Shape::TriangleMesh(mesh)] => {
-                for (i, part) in parts_of(other).iter().enumerate() {
+                for (i, part) in other.parts().iter().enumerate() {
                     let bounds = self.in_frame_of_mesh(1, mesh, &swept(0, part)?, start, end);
                     mesh.tree.overlaps(&bounds, &mut |triangle| found.push([i as u32, triangle]));
                 }
             }
             [a, b] => {
                 let boxes = |at: usize, shape: &Shape| -> Result<Vec<Aabb>, ImpactError> {
-                    parts_of(shape).iter().map(|part| swept(at, part)).collect()
+                    shape.parts().iter().map(|part| swept(at, part)).collect()
                 };
                 let (boxes_a, boxes_b) = (boxes(0, a)?, boxes(1, b)?);
                 for (i, box_a) in boxes_a.iter().enumerate() {
@@ -241,17 +241,10 @@ impl Pair<'_> {
     }
 }
 
-fn parts_of(shape: &Shape) -> &[Shape] {
-    match shape {
-        Shape::Compound(compound) => compound.parts(),
-        other => std::slice::from_ref(other),
-    }
-}
-
 /// A part of a body: of a mesh, a triangle as a flat polyhedron.
 fn part(shape: &Shape, index: u32) -> Option<Cow<'_, Shape>> {
     match shape {
         Shape::TriangleMesh(mesh) => mesh.flat_polyhedron(index).map(|flat| Cow::Owned(Shape::Convex(flat))),
-        other => parts_of(other).get(index as usize).map(Cow::Borrowed),
+        other => other.parts().get(index as usize).map(Cow::Borrowed),
     }
 }

@@ -105,14 +105,6 @@ fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
 }
 
-const fn is_half_space(shape: &Shape) -> bool {
-    matches!(shape, Shape::HalfSpace(_))
-}
-
-const fn is_ring(shape: &Shape) -> bool {
-    matches!(shape, Shape::Torus(_))
-}
-
 /// Points of a hull above one plane that is fixed in the other body.
 fn points_clear_of_plane(
     now: &Moment,
@@ -148,10 +140,10 @@ impl Search<'_> {
             let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
             self.axes = Some(axes);
             axes.separation(a, pose_a, b, pose_b)
-        } else if self.shapes.into_iter().any(is_ring) && !self.shapes.into_iter().any(is_half_space) {
+        } else if self.shapes.into_iter().any(Shape::is_ring) && !self.shapes.into_iter().any(Shape::is_half_space) {
             self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
-        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(is_half_space) {
+        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(Shape::is_half_space) {
             self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else {
@@ -231,11 +223,11 @@ impl Search<'_> {
         let [a, b] = self.shapes;
         match (a, b) {
             (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
-            _ if is_half_space(a) && !circles(b).is_empty() || is_half_space(b) && !circles(a).is_empty() => {
+            _ if a.is_half_space() && !circles(b).is_empty() || b.is_half_space() && !circles(a).is_empty() => {
                 self.circles_clear_of_half_space(now, window)
             }
-            _ if is_ring(a) || is_ring(b) => self.ring_clear(now, window),
-            _ if (is_round(a) || is_round(b)) && !(is_half_space(a) || is_half_space(b)) => {
+            _ if a.is_ring() || b.is_ring() => self.ring_clear(now, window),
+            _ if (is_round(a) || is_round(b)) && !(a.is_half_space() || b.is_half_space()) => {
                 self.round_clear(now, window)
             }
             (Shape::HalfSpace(_), _) => self.clear_of_surface(now, window, Side::B),
@@ -319,7 +311,7 @@ impl Search<'_> {
 
     /// A round shape or a ring above a half-space: its points and its circles.
     fn circles_clear_of_half_space(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
-        let (of, this, other) = if is_half_space(self.shapes[1]) { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
+        let (of, this, other) = if self.shapes[1].is_half_space() { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
         let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
         let hull = Hull::of(self.shapes[this]);
         let step = window.circles_above_plane(of, &hull, half_space.normal(), half_space.offset());

@@ -218,7 +218,7 @@ pub(crate) fn each(
 
 /// The one axis of a half-space and a round shape.
 pub(crate) fn above_half_space((shape_a, pose_a): (&Shape, &Pose), (shape_b, pose_b): (&Shape, &Pose)) -> Gap {
-    let on_a = matches!(shape_a, Shape::HalfSpace(_));
+    let on_a = shape_a.is_half_space();
     let (plane, plane_pose, shape, pose) =
         if on_a { (shape_a, pose_a, shape_b, pose_b) } else { (shape_b, pose_b, shape_a, pose_a) };
     let (up, separation) = match plane {

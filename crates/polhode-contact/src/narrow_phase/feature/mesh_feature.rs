@@ -60,7 +60,7 @@ impl TriangleMesh {
     fn rises_at(&self, edge: u32, face: u32) -> bool {
         let Some(plane) = self.face_plane(face) else { return false };
         let height = COINCIDENCE * self.bounds_size();
-        let others = self.at_edge.of(edge).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
+        let others = self.at_edge.of(edge as usize).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
         others.flat_map(|&t| self.corner_places(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
     }
 
@@ -71,7 +71,7 @@ impl TriangleMesh {
 
     /// Unit vectors out of the triangles at an edge, in their planes.
     pub(crate) fn sides_at_edge(&self, edge: u32) -> impl Iterator<Item = DVec3> + '_ {
-        self.at_edge.of(edge).iter().filter_map(move |&t| {
+        self.at_edge.of(edge as usize).iter().filter_map(move |&t| {
             let k = self.edges_of[t as usize].iter().position(|&e| e == edge)?;
             Some(self.sides[t as usize][k])
         })
@@ -79,7 +79,7 @@ impl TriangleMesh {
 
     /// The corners of the triangles at a vertex but for itself; some occur twice.
     pub(crate) fn neighbours(&self, vertex: u32) -> impl Iterator<Item = DVec3> + '_ {
-        let others = self.at_vertex.of(vertex).iter().flat_map(|&t| self.joined[t as usize]);
+        let others = self.at_vertex.of(vertex as usize).iter().flat_map(|&t| self.joined[t as usize]);
         others.filter(move |&v| v != vertex).map(|v| self.vertices[v as usize])
     }
 
@@ -100,7 +100,7 @@ impl TriangleMesh {
         let Some(line) = self.edges.get(edge as usize) else { return false };
         let x = self.vertices[line.vertices[0] as usize];
         let falls = |&t: &u32| self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope));
-        self.at_edge.of(edge).iter().all(falls)
+        self.at_edge.of(edge as usize).iter().all(falls)
     }
 
     /// The same at a vertex.
@@ -110,14 +110,14 @@ impl TriangleMesh {
             // Of the vertex itself the step is zero.
             self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
         };
-        self.at_vertex.of(vertex).iter().all(falls)
+        self.at_vertex.of(vertex as usize).iter().all(falls)
     }
 
     /// How the surface goes on around a vertex within the plane across `v`.
     pub(crate) fn flatness(&self, vertex: u32, v: DVec3, tolerance: f64) -> Flatness {
         let Some(&x) = self.vertices.get(vertex as usize) else { return Flatness::Corner };
         let level = |w: DVec3| (w - x).dot(v).abs() <= tolerance;
-        let around = self.at_vertex.of(vertex);
+        let around = self.at_vertex.of(vertex as usize);
         let mut straight = None;
         for &t in around {
             let others = self.joined[t as usize].map(|n| self.vertices[n as usize]);

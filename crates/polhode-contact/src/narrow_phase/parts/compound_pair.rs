@@ -16,7 +16,7 @@ use crate::narrow_phase::pair::polyhedra::along_tied_faces;
 use crate::narrow_phase::parts::compound_surface::{Candidate, on_whole};
 use crate::narrow_phase::parts::mesh_pair::{MeshBuffers, mesh_manifold, mesh_separation};
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, TouchingPair, crossings};
-use crate::narrow_phase::parts::same_places::{SAME_PLACE, SamePlaces};
+use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
 use crate::shape::extent::turned;
 use crate::{Contact, Manifold, SeparatingAxis, Shape, Side};
 use polhode_spatial::Pose;
@@ -53,7 +53,7 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
     };
     let other = 1 - at;
     let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
-    let unbounded = matches!(shapes[other], Shape::HalfSpace(_));
+    let unbounded = shapes[other].is_half_space();
     let near = |of: &Bounds| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
     let mut measure = |part: u32, _: f64| {
         let mut pair = shapes;
@@ -108,7 +108,7 @@ fn of_compound(
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
     candidates.clear();
     pairs.clear();
-    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, pairs);
+    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance, pairs);
     let pair_of = |parts: [usize; 2]| [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
     kept.clear();
     for &parts in pairs.iter() {
@@ -135,7 +135,7 @@ fn of_compound(
     if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
         return found.set_empty(found.separation, SeparatingAxis::None);
     }
-    let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE * tolerance };
+    let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE_OF_PARTS * tolerance };
     // Where a ridge bends, what the parts have by themselves is none of the whole: the ridges are crossed there.
     let at_border = |c: &&Candidate| touching.is_at_border(&c.geometry);
     ridges.places.extend(candidates.iter().filter(at_border).map(|c| c.geometry.point));
@@ -146,7 +146,7 @@ fn of_compound(
     }
     let named = |c: &Candidate| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry };
     found.contacts.extend(kept.iter().map(named));
-    same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    same_places.keep_one_each(&mut found.contacts, SAME_PLACE_OF_PARTS * tolerance);
     measure_again(&mut found.contacts, shapes, poses, reach.max(tolerance));
 }
 
@@ -192,10 +192,7 @@ fn least_part(shape: &Shape) -> f64 {
 }
 
 fn part_of(shape: &Shape, part: usize) -> &Shape {
-    match shape {
-        Shape::Compound(c) => c.parts.get(part).unwrap_or(shape),
-        other => other,
-    }
+    shape.parts().get(part).unwrap_or(shape)
 }
 
 /// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
@@ -204,7 +201,7 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
     let whole = shapes[1].bounds_at(&Pose::IDENTITY).inflated(reach);
     let mut add = |i: usize, part: &Shape| {
         // A half-space has no box: it may meet anything.
-        let unbounded = matches!(part, Shape::HalfSpace(_)) || matches!(shapes[1], Shape::HalfSpace(_));
+        let unbounded = part.is_half_space() || shapes[1].is_half_space();
         let bounds = if unbounded { Bounds::ALL } else { part.bounds_at(&x_ba).inflated(reach) };
         match shapes[1] {
             Shape::Compound(b) => b.tree.overlaps(&bounds, &mut |j| pairs.push([i, j as usize])),
@@ -212,7 +209,7 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
             _ => {}
         }
     };
-    let everywhere = matches!(shapes[1], Shape::HalfSpace(_));
+    let everywhere = shapes[1].is_half_space();
     match shapes[0] {
         Shape::Compound(a) => {
             // The box of a part here takes all of its vertices: those of parts out of the other's way are not made.

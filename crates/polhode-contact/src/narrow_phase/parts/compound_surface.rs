@@ -9,18 +9,17 @@
 //!  - an edge or vertex between flush faces is none of the body: a crossing there is left out, and a vertex gives way to
 //!    the other body's vertex when there is one, so that the contacts are the vertices of the whole region.
 //!
-//! Fails for gaps and steps between parts that are shorter than the probe ([`PROBE`]), which count as closed.
+//! Fails for gaps and steps between parts that are shorter than the probe (`surface_probe.rs`), which count as closed.
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
+use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
+use crate::narrow_phase::parts::surface_probe::probe_length;
 use crate::shape::Compound;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, ContactGeometry, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// Length of a probe relative to the part: far above the tolerance of places (1e-12), far below a part.
-const PROBE: f64 = 1e-6;
 
 /// Directions that are probed around a place.
 const PROBES: u32 = 16;
@@ -71,7 +70,7 @@ pub(crate) fn on_whole(
     let x = pose.inverse_transform_point(geometry.point - geometry.normal * (0.5 * sign * geometry.separation));
     let v = pose.rotation.inverse_rotate(geometry.normal * sign);
     let part = candidate.parts[at];
-    let probe = (PROBE * compound.parts[part].size()).max(32.0 * tolerance);
+    let probe = probe_length(compound.parts[part].size(), tolerance);
     near.clear();
     let reach = Bounds { min: x, max: x }.inflated(2.0 * probe);
     compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
@@ -97,10 +96,10 @@ pub(crate) fn on_whole(
             let local = |direction: DVec3| poses[1 - at].rotation.inverse_rotate(pose.rotation.rotate(direction));
             let x_other = poses[1 - at]
                 .inverse_transform_point(geometry.point + geometry.normal * (0.5 * sign * geometry.separation));
-            let border = if geometry.margin > 8.0 * tolerance {
+            let border = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
                 Border::Inside
             } else {
-                at_border(shapes[1 - at], candidate.feature, x_other, 8.0 * tolerance)
+                at_border(shapes[1 - at], candidate.feature, x_other, SAME_PLACE_OF_PARTS * tolerance)
             };
             match border {
                 Border::Vertex(other) if !candidate.replaced => {

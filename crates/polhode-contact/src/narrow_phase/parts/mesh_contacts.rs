@@ -9,7 +9,8 @@ use crate::narrow_phase::feature::mesh_feature::Flatness;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
-use crate::narrow_phase::parts::same_places::SAME_PLACE;
+use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
+use crate::narrow_phase::parts::surface_probe::SLOPE;
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
@@ -54,7 +55,7 @@ impl<'a> MeshPair<'a> {
     /// The pair in the mesh's frame.
     pub(crate) const fn touching(&'a self) -> TouchingPair<'a> {
         let poses = [&Pose::IDENTITY, &self.x];
-        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE * self.tolerance }
+        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE_OF_PARTS * self.tolerance }
     }
 }
 
@@ -262,7 +263,7 @@ impl OnTriangle<'_> {
                 };
                 let on_body = contact.geometry.point - contact.geometry.normal * (0.5 * contact.geometry.separation);
                 let y = self.pair.x.inverse_transform_point(on_body);
-                match (at_border(self.pair.other, contact.feature, y, 8.0 * tolerance), straight) {
+                match (at_border(self.pair.other, contact.feature, y, SAME_PLACE_OF_PARTS * tolerance), straight) {
                     (Border::Vertex(vertex), _) => {
                         let side = u32::from(outward.dot(self.triangle.normal) < 0.0);
                         let face = 2 * mesh.patch_of[self.triangle.index as usize] + side;
@@ -297,7 +298,7 @@ impl OnTriangle<'_> {
 
     /// The part of the triangle in which a place lies.
     fn part_at(&self, place: DVec3) -> Part {
-        let limit = 8.0 * self.pair.tolerance;
+        let limit = SAME_PLACE_OF_PARTS * self.pair.tolerance;
         let corners = self.triangle.corners;
         if let Some(k) = corners.iter().position(|c| c.distance(place) <= limit) {
             return Part::Corner(k);
@@ -320,10 +321,6 @@ impl OnTriangle<'_> {
 /// Sine below which a straight border of the mesh runs along an edge of the body.
 const PARALLEL: f64 = 1e-6;
 
-/// Slope by which the neighbours of an edge may rise above the normal of a crossing: the rounding of that normal, which
-/// grows as the edges become parallel ([`crate::clearance::PARALLEL_SINE`]).
-const SLOPE: f64 = 1e-9;
-
 /// The centres of a sphere or the points of a cloud near a triangle: adds their contacts and gives the least distance, m.
 pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mut Vec<MeshContact>) -> f64 {
     let MeshPair { mesh, other, x, tolerance, reach, .. } = pair;
@@ -342,7 +339,7 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
         }
         let slope = tolerance / near.distance.abs().max(tolerance);
         let supported = judge.supports(near.part, near.direction, slope);
-        let over_face = near.lateral <= 8.0 * tolerance;
+        let over_face = near.lateral <= SAME_PLACE_OF_PARTS * tolerance;
         if !(supported || over_face) {
             continue;
         }
@@ -399,7 +396,7 @@ impl NearTriangle {
         let height = triangle.normal.dot(point) - triangle.offset;
         let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
         let length = away.length();
-        let over = lateral <= 8.0 * tolerance;
+        let over = lateral <= SAME_PLACE_OF_PARTS * tolerance;
         let side = match side {
             Some(side) => side,
             None => u32::from(height < -POINT_DEPTH * tolerance),
@@ -490,7 +487,7 @@ fn on_own_face(
     contacts: &mut Vec<MeshContact>,
 ) {
     let MeshPair { other, x, reach, tolerance, .. } = judge.pair;
-    let slack = 8.0 * *tolerance;
+    let slack = SAME_PLACE_OF_PARTS * *tolerance;
     let body = Body::whole(other, *x);
     for (side, sign) in [(0, 1.0), (1, -1.0)] {
         let outward = judge.triangle.normal * sign;

@@ -14,7 +14,7 @@ use crate::narrow_phase::parts::mesh_contacts::{
     separation_of_part,
 };
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, crossings};
-use crate::narrow_phase::parts::same_places::{SAME_PLACE, SamePlaces};
+use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes, TriangleBuffers, triangle_axes};
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::TriangleMesh;
@@ -122,7 +122,7 @@ fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Mani
     triangles.clear();
     contacts.clear();
     near.clear();
-    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE * tolerance);
+    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance);
     mesh.tree.overlaps(&bounds, &mut |triangle| triangles.push(triangle));
     triangles.sort_unstable();
     let mut note = |separation: f64, axis: SeparatingAxis| {
@@ -159,15 +159,15 @@ fn of_surface(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifo
     if let Shape::Convex(polyhedron) = pair.other {
         // A triangle along whose own axes the body overlaps more than it does as a whole touches it with a vertex or an
         // edge only, and the triangles beside it have the axis.
-        near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE * tolerance);
+        near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE_OF_PARTS * tolerance);
         for (triangle, axes) in near.iter() {
             of_polyhedron(bodies, pair, triangle, polyhedron, axes, (flat, contacts, &mut ridges.places));
         }
     }
-    one_on_convex_edges(contacts, SAME_PLACE * tolerance);
+    one_on_convex_edges(contacts, SAME_PLACE_OF_PARTS * tolerance);
     found.contacts.extend(contacts.iter().map(|c| c.contact));
     crossings(ridges, pair.touching(), &mut found.contacts);
-    same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    same_places.keep_one_each(&mut found.contacts, SAME_PLACE_OF_PARTS * tolerance);
     let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
     if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {
         // Bodies that touch have a contact, also where tolerances left none.

@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `same_places` | one contact for each place and normal |
+//! | `surface_probe` | how the surface is sampled beside a contact |
 //! | `ridge_ends` | crossings of ridges that end where the bodies meet |
 //! | `triangle_axes` | separating axes of a triangle and a polyhedron |
 //! | `mesh_contacts` | the contacts of one triangle |
@@ -16,4 +17,5 @@ pub(crate) mod mesh_contacts;
 pub(crate) mod mesh_pair;
 pub(crate) mod ridge_ends;
 pub(crate) mod same_places;
+mod surface_probe;
 pub(crate) mod triangle_axes;

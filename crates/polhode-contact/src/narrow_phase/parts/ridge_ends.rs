@@ -11,10 +11,11 @@
 //! place, along either edge, and when one of the bodies rises above the plane at the place itself: where neither does, the
 //! normal is one of many that a convex vertex or edge has, of which the separating axes choose.
 //!
-//! Fails where a piece of a ridge is shorter than a probe ([`PROBE`]), or bends by less than rounding shows over a probe.
+//! Fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or bends by less than rounding shows over a probe.
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
+use crate::narrow_phase::parts::surface_probe::{LEAST_PROBE, SLOPE, probe_length};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::triangle::from_triangle;
@@ -22,16 +23,6 @@ use crate::shape::{Compound, TriangleMesh};
 use crate::{Contact, ContactFeature, ContactGeometry, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// How far beside the place the surfaces are looked at, relative to the part or the edge: far above the tolerance of places
-/// (1e-12), far below a part.
-const PROBE: f64 = 1e-6;
-
-/// A probe is at least so many tolerances of places long.
-const LEAST_PROBE: f64 = 32.0;
-
-/// Slope by which a surface may rise above the plane of a crossing beside an edge: the rounding of that plane.
-const SLOPE: f64 = 1e-9;
 
 /// Buffers of [`crossings`].
 #[derive(Debug, Clone, Default)]
@@ -179,7 +170,7 @@ impl<'a> Looked<'a> {
             if (x - from - along * at.clamp(0.0, length)).length() > self.slack {
                 return;
             }
-            let probe = (PROBE * size).max(LEAST_PROBE * self.slack);
+            let probe = probe_length(size, self.slack);
             let beside = [at - probe, at + probe].map(|s| (0.0..=length).contains(&s).then_some(from + along * s));
             found.push(EdgeHere { number, beside, along });
         };

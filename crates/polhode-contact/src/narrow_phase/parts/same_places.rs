@@ -7,8 +7,10 @@ use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side};
 use std::cmp::Ordering;
 
-/// Places nearer than this many place tolerances are one: each of two features may stand off by some.
-pub(crate) const SAME_PLACE: f64 = 8.0;
+/// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than this
+/// many place tolerances. Each of the two may deviate from the exact place by some tolerances: this limit is wider than
+/// that within one pair of parts (`region/same_place.rs`).
+pub(crate) const SAME_PLACE_OF_PARTS: f64 = 8.0;
 
 /// Normals that differ by less (length of the difference) are one: that of two flush faces of a decomposition.
 const SAME_NORMAL: f64 = 1e-9;

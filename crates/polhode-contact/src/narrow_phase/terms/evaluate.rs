@@ -151,7 +151,7 @@ fn by_kind<T>(
 
 /// Whether the contacts of a shape are found element by element (`stationary.rs`).
 fn has_elements(shape: &Shape) -> bool {
-    is_round(shape) || matches!(shape, Shape::Torus(_))
+    is_round(shape) || shape.is_ring()
 }
 
 /// The elements of a contact of a round shape, in world axes relative to A's centre of mass.
