@@ -1,7 +1,7 @@
 //! Faces, edges and vertices of a triangle mesh: where they end, and the normals they may have.
 //!
-//! A face has the normal of its patch. An edge or a vertex has those normals `v` across whose plane all its triangles
-//! fall away, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
+//! A face has the normal of its patch. An edge or a vertex has the normals `v` for which all its triangles lie below the plane
+//! with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
 //! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
 use crate::bounding::Bounds;
@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
 /// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
-/// which the surface rises it is zero: what has sunk in there lies under both faces, and both bear it.
+/// which the surface rises it is zero: a body that penetrates there is below both faces, and has contacts with both.
 pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();

@@ -1,7 +1,8 @@
-//! One contact for each place and normal, where several parts have one there.
+//! Removal of duplicate contacts: one contact for each place and normal.
 //!
-//! A vertex on a face goes before others, then the higher face, vertex and edge number, then the upper body's: a rule that
-//! follows the bodies and not their names.
+//! Several parts may have a contact at the same place. The order of preference depends only on the features of the bodies, not
+//! on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number, then the feature of
+//! the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side};
@@ -12,7 +13,8 @@ use std::cmp::Ordering;
 /// that within one pair of parts (`region/same_place.rs`).
 pub(crate) const SAME_PLACE_OF_PARTS: f64 = 8.0;
 
-/// Normals that differ by less (length of the difference) are one: that of two flush faces of a decomposition.
+/// Normals that differ by less than this (length of the difference) are equal, as those of two coplanar faces of a
+/// decomposition.
 const SAME_NORMAL: f64 = 1e-9;
 
 /// Buffers of [`SamePlaces::keep_one_each`].
@@ -48,7 +50,7 @@ impl SamePlaces {
                     && !dropped[j]
                     && first.geometry.point.distance(second.geometry.point) <= tolerance
                 {
-                    dropped[if goes_before(&first, &second) { j } else { i }] = true;
+                    dropped[if is_preferred(&first, &second) { j } else { i }] = true;
                 }
             }
         }
@@ -60,8 +62,8 @@ impl SamePlaces {
     }
 }
 
-/// Whether the first of two contacts in one place stays.
-fn goes_before(first: &Contact, second: &Contact) -> bool {
+/// Whether the first of two contacts at the same place is kept.
+fn is_preferred(first: &Contact, second: &Contact) -> bool {
     let upper = |contact: &Contact| if is_upward(contact.geometry.normal) { Side::A } else { Side::B };
     let rank = |contact: &Contact| match contact.feature {
         ContactFeature::VertexFace { vertex_of, vertex, face } => (3, face, vertex, vertex_of == upper(contact)),
