@@ -11,7 +11,7 @@ pub(crate) struct Sample {
     pub(crate) value: f64,
 }
 
-/// More steps than halving needs to bring any bracket of doubles to neighbours.
+/// Largest number of steps: more than bisection needs to reduce any bracket to two neighbouring doubles.
 const MAX_STEPS: u32 = 256;
 
 /// The last place found with a value that is not negative, or any with a value within `tolerance` of zero, between

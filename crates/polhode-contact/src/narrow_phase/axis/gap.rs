@@ -1,10 +1,11 @@
-//! The axis along which two convex bodies, at least one of them round, separate best.
+//! The axis of largest separation of two convex bodies, at least one of them round.
 //!
 //! Along any unit vector `n` from B to A the bodies are apart by at least `s(n) = -h_A(-n) - h_B(n)` (`h` the support
 //! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of penetration
 //! when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other elements
-//! (`places.rs`), since it is smooth elsewhere. All of these are tried; whatever a candidate is, the true `s` along it is
-//! a lower bound, so that a candidate too many does no harm. A tie goes to faces and discs.
+//! (`places.rs`), since it is smooth elsewhere. All of these are candidates. The value
+//! `s` along any direction is a lower bound of the separation, so that an unnecessary candidate does no harm. When two
+//! candidates are equal, a face or disc is preferred.
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
 use crate::narrow_phase::axis::body::{Body, framed};

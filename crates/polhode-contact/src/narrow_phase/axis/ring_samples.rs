@@ -1,4 +1,4 @@
-//! Samples of the distance of a circle from a body, as many as it takes to tell its least minima apart.
+//! Samples of the distance of a circle from a body, as many as are needed to isolate its lowest minima.
 //!
 //! The signed distance `d` of a convex body is a convex function of the place: with its gradient `g` at a sample `x_k`,
 //! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
@@ -91,7 +91,7 @@ fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
     std::array::from_fn(|k| sample(step * k as f64))
 }
 
-/// Goes once around, dividing stretches as it comes to them.
+/// Visits all stretches once around the circle, and divides those that need it.
 fn walk(
     samples: &[Sample],
     wanted: Wanted,
@@ -161,7 +161,7 @@ impl Cosine {
 fn least_between(from: &Sample, to: &Sample, circle: &Circle) -> (f64, f64) {
     let middle = 0.5 * (from.angle + to.angle);
     if !(from.normal.is_finite() && to.normal.is_finite()) {
-        // No gradient: no place of the stretch is nearer than its way from the ends allows.
+        // Without a gradient, the bound follows from the distances at the ends and the length of the stretch.
         let way = circle.radius * (to.angle - from.angle);
         return (0.5 * (from.distance + to.distance - way), middle);
     }
