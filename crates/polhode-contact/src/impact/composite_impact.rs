@@ -1,9 +1,10 @@
-//! Time of impact of compounds and triangle meshes: the earliest impact of any pair of parts. A triangle is a part of a mesh.
+//! Time of impact of compounds and triangle meshes: the earliest impact of any pair of parts. A triangle is a part of a
+//! mesh.
 //!
-//! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If many pairs of
-//! parts could touch in the interval, the interval is divided into windows. A pair whose boxes first overlap in a later window
-//! was clear before it. The search of a pair runs from its first window to the end of the whole interval: the border of a
-//! window is not a new start.
+//! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If many
+//! pairs of parts could touch in the interval, the interval is divided into windows. A pair whose boxes first overlap in
+//! a later window was clear before it. The search of a pair runs from its first window to the end of the whole interval:
+//! the border of a window is not a new start.
 //!
 //! Bodies in contact at the start may touch with further parts without an impact, when a body slides over the joint of two
 //! parts or from triangle to triangle. For such bodies, a new touch counts as an impact only if a contact of the whole pair
@@ -211,8 +212,8 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// Whether the bodies touch at the start. This needs the separation of all parts: it is computed only after a pair of parts
-    /// has been found to touch.
+    /// Whether the bodies touch at the start. This needs the separation of all parts: it is computed only after a pair of
+    /// parts has been found to touch.
     fn starts_in_touch(&self, workspace: &mut Workspace, best: &mut ImpactReport) -> bool {
         *self.starts_in_touch.get_or_init(|| {
             best.evaluations = best.evaluations.saturating_add(1);

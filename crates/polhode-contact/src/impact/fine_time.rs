@@ -1,7 +1,8 @@
 //! Times of impact that are more accurate than the rounded poses.
 //!
-//! A separation is computed from poses with rounded positions: the rounding is 5.5e-17 m at 0.5 m from the origin. This is not
-//! always negligible: a body that bounces to a height of 4 um gains or loses 1.5e-11 of this height at every bounce.
+//! A separation is computed from poses with rounded positions: the rounding is 5.5e-17 m at 0.5 m from the origin. This
+//! is not always negligible: a body that bounces to a height of 4 um gains or loses 1.5e-11 of this height at every
+//! bounce.
 //!
 //! A motion in closed form can give the rounding error of its pose ([`Motion::residue`]). With it the gap along a contact
 //! normal is `separation + n . (residue of A - residue of B)`, and Newton's method finds its root. Two errors remain: the
@@ -32,8 +33,8 @@ impl Closing {
     }
 }
 
-/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where motions
-/// give no residues, no contact approaches, or no time near it is better.
+/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where
+/// motions give no residues, no contact approaches, or no time near it is better.
 pub(crate) fn refined(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],

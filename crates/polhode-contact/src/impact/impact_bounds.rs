@@ -16,7 +16,8 @@
 //! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
 //! of the two places (all seen from A, where `e_A` rests).
 //!
-//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below` bounds that.
+//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below`
+//! bounds that.
 //!
 //! The centres' accelerations. The bound `|v'| <= a` alone would allow two bodies that fall side by side to approach
 //! each other with 2g.
@@ -155,8 +156,8 @@ impl<'a> Window<'a> {
         self.above_surfaces(of, points, 0.0, plane)
     }
 
-    /// As [`Self::above_planes`], for surfaces that curve towards the points. `bend` bounds how much the curvature reduces the
-    /// second derivative of a gap, m/s^2.
+    /// As [`Self::above_planes`], for surfaces that curve towards the points. `bend` bounds how much the curvature
+    /// reduces the second derivative of a gap, m/s^2.
     pub(crate) fn above_surfaces(
         &mut self,
         of: Side,

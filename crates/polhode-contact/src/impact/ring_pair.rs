@@ -2,14 +2,16 @@
 //!
 //! No plane separates linked rings, or rings that nearly touch. But a plane separates two short arcs of their middle lines
 //! (`ring_arcs.rs`). Its normal is the line between their closest points, which alternating projections find. Near touch,
-//! such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s, u)` of the places of two arcs (arc lengths s and u) is convex: with
+//! such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s, u)` of the
+//! places of two arcs (arc lengths s and u) is convex. With
 //! `lambda` the least eigenvalue of its second derivatives over both arcs, `g` its gradient at one pair of places, and `L`
 //! the largest change of the rate `nu = n.(v_A - v_B)` at which two material points part per length along the arcs,
 //!
 //! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2 >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
 //!
-//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. The bound for each pair of points uses
-//! the present direction between them. The second derivatives are those at one pair, less their largest change over the arcs.
+//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. The bound for each pair of
+//! points uses the present direction between them. The second derivatives are those at one pair, less their largest
+//! change over the arcs.
 //!
 //! The pair of arcs with the shortest time is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 
@@ -32,7 +34,7 @@ const ALTERNATIONS: usize = 4;
 /// An arc that is shorter than this part of the other is not cut with it.
 const MUCH_SHORTER: f64 = 0.5;
 
-/// Arcs along which two places may move by more than this part of their distance are judged by planes alone.
+/// Arcs along which two places may move by more than this part of their distance use separating planes only.
 const NEAR: f64 = 0.5;
 
 /// An arc between two angles.

@@ -1,8 +1,8 @@
 //! A root between two points at which a function has opposite signs.
 //!
 //! Regula falsi with the Illinois weighting (superlinear where the function is smooth), with a bisection after every
-//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md, Dowell and
-//! Jarratt 1971.
+//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md, Dowell
+//! and Jarratt 1971.
 
 /// A place and the function's value there.
 #[derive(Debug, Clone, Copy)]

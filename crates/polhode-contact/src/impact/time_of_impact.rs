@@ -2,10 +2,11 @@
 //!
 //! Conservative advancement on the true motion (docs/REFERENCES.md, Mirtich 1996): from a time at which the pair is
 //! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes give a time for which it certainly
-//! stays clear. The search advances by this time and evaluates the separation again. Near a touch at which the bodies approach,
-//! the remaining time decreases quadratically, so that a few evaluations bring the separation to rounding ([`crate::clearance::resolution`]).
-//! The time found is never late, except for rounding, and no touch is missed, however fast the bodies spin. For motions in
-//! closed form it is more accurate than the rounded poses (`fine_time.rs`). The distance of a torus is that which
+//! stays clear. The search advances by this time and evaluates the separation again. Near a touch at which the bodies
+//! approach, the remaining time decreases quadratically, so that a few evaluations bring the separation to rounding
+//! ([`crate::clearance::resolution`]). The time found is never late, except for rounding, and no touch is missed, however
+//! fast the bodies spin. For motions in closed form it is more accurate than the rounded poses (`fine_time.rs`). The
+//! distance of a torus is that which
 //! `narrow_phase/axis/ring.rs` finds.
 //!
 //! Two shapes without parts are searched in `pair_impact.rs`; compounds and meshes go part by part (`composite_impact.rs`).

@@ -86,8 +86,8 @@ fn above_plane(owner: &Body<'_>, face: SurfaceFeature, other: &Body<'_>) -> Opti
 }
 
 /// The best common normal of two elements that are not planes, when it separates better than the planes do. Of equal ones
-/// a pair goes first whose elements are where the bodies are nearest: of a ball and a row of corners at one height, say,
-/// the corner under it.
+/// a pair is preferred whose elements are at the closest points of the bodies: for a sphere above a row of corners at one
+/// height, the corner below it.
 fn best_of_elements(a: &Body<'_>, b: &Body<'_>, flat: Gap) -> Gap {
     let between = a.pose.translation - b.pose.translation;
     let rounding = RESOLUTION_ULPS * f64::EPSILON * (a.size() + b.size() + between.length());
@@ -167,7 +167,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// A place, and where two curves meet, also with its normal turned round: they may have passed each other.
+/// A place. Where two curves intersect, also the same place with the opposite normal: the curves may have crossed.
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
     let open = curve(a.locus) && curve(b.locus);

@@ -4,10 +4,11 @@
 //! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
 //! between two samples the larger of their two cosines bounds the distance from below. A stretch whose bound lies below what
 //! is asked for, and below the distance at both of its ends, is divided where the bound is least, until one element of the
-//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that element's,
-//! which are known otherwise. The places to which one element of a convex body is nearest form a convex set, which holds the
-//! chord of the stretch, but for its arc, which strays from the chord by 0.002 of the radius at most, that is no proof: an
-//! element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions would be needed.
+//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that
+//! element's, which are known otherwise. The places to which one element of a convex body is nearest form a convex set,
+//! which holds the chord of the stretch, but for its arc, which strays from the chord by 0.002 of the radius at most,
+//! that is no proof: an element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions
+//! would be needed.
 
 use crate::SurfaceFeature;
 use crate::shape::circle::Circle;
@@ -46,7 +47,7 @@ pub(crate) struct Sample {
     pub(crate) feature: SurfaceFeature,
 }
 
-/// What is asked for.
+/// The limits of the search.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wanted {
     /// Minima up to this, m, and the least one.

@@ -1,9 +1,9 @@
 //! Exclusion of elements of a polyhedron that cannot decide the separation of a pair. Most cannot, and each costs a search.
 //!
-//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B towards the
-//! origin. `U = |z|` is an upper bound of the distance of the bodies. When the bodies are separated, the two deciding elements
-//! are at most `U` apart. When the bodies overlap, they are no farther apart than the overlap along any axis that is already
-//! known. So only elements within this distance of the other body's box can decide.
+//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B towards
+//! the origin. `U = |z|` is an upper bound of the distance of the bodies. When the bodies are separated, the two deciding
+//! elements are at most `U` apart. When the bodies overlap, they are no farther apart than the overlap along any axis
+//! that is already known. So only elements within this distance of the other body's box can decide.
 //!
 //! When the bodies are separated, elements that reach far towards the other body are tried first.
 

@@ -13,13 +13,14 @@
 //! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at most
 //! four such angles.
 //!
-//! Two of them that are about to merge are arbitrarily close to each other, so that no number of samples is enough. A stretch of
-//! half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or
-//! when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the harmonics of the square of
-//! the length, so that it is as small as `h'` itself where the height hardly changes all round.
+//! Two of them that are about to merge are arbitrarily close to each other, so that no number of samples is enough. A
+//! stretch of half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of
+//! `|h'''|` on it, or when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the
+//! harmonics of the square of the length, so that it is as small as `h'` itself where the height hardly changes all
+//! round.
 //!
-//! When a stretch is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are open at once (heights that are constant
-//! to rounding), only the slopes at the ends of the stretch decide.
+//! When a stretch is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are open at once (heights that are
+//! constant to rounding), only the slopes at the ends of the stretch decide.
 
 use glam::DVec3;
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! The common normals of two elements, and the places on them.
 //!
-//! Two surfaces are closest, or their penetration is smallest, where one line is normal to both: `F = x_A - x_B` is along the
-//! common normal `n`, with `x` a place on each locus. For most pairs of loci these places have closed forms:
+//! Two surfaces are closest, or their penetration is smallest, where one line is normal to both: `F = x_A - x_B` is along
+//! the common normal `n`, with `x` a place on each locus. For most pairs of loci these places have closed forms:
 //!
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;

@@ -1,8 +1,8 @@
 //! Faces, edges and vertices of a triangle mesh: where they end, and the normals they may have.
 //!
-//! A face has the normal of its patch. An edge or a vertex has the normals `v` for which all its triangles lie below the plane
-//! with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
-//! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
+//! A face has the normal of its patch. An edge or a vertex has the normals `v` for which all its triangles lie below the
+//! plane with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex
+//! edge, the cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
 use crate::bounding::Bounds;
 use crate::clearance::COINCIDENCE;

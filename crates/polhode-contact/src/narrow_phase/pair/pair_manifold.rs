@@ -61,8 +61,8 @@ pub(crate) fn pair_manifold(
     measure(&mut buffers.features, a, b, reach, &mut found.contacts);
 }
 
-/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring that of
-/// every place at which it is nearest.
+/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring
+/// that of every place at which it is nearest.
 fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
     let features = &mut buffers.features;
     let (pair_a, pair_b) = ((a.shape, a.pose), (b.shape, b.pose));

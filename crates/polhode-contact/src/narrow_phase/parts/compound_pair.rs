@@ -6,8 +6,8 @@
 //!
 //! 1. compute the contacts of every pair of parts within reach;
 //! 2. remove contacts that the whole body does not have (`compound_surface.rs`);
-//! 3. add the contacts at re-entrant edges (`tied_faces.rs`) and at bent ridges (`ridge_ends.rs`), which single pairs of parts
-//!    do not show;
+//! 3. add the contacts at re-entrant edges (`tied_faces.rs`) and at bent ridges (`ridge_ends.rs`), which single pairs of
+//!    parts do not show;
 //! 4. keep one contact for each place and normal (`same_places.rs`).
 //!
 //! All steps use coordinates relative to A's origin, so that a pair far from the world's origin loses no accuracy. The

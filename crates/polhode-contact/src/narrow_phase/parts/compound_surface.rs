@@ -1,7 +1,8 @@
 //! Which contacts of one part of a compound are contacts of the whole body.
 //!
 //! Parts may overlap, or touch at faces that are not on the surface of the body (the cuts of an exact decomposition). Each
-//! contact of a part, at a place `x` of its surface with outward normal `v`, is tested with short probes in the plane through
+//! contact of a part, at a place `x` of its surface with outward normal `v`, is tested with short probes in the plane
+//! through
 //! `x` with normal `v`:
 //!
 //!  - A contact on a face is kept when the face is free somewhere beside `x`: not every probe has another part above it.
@@ -57,7 +58,8 @@ struct Place<'a> {
     probe: f64,
 }
 
-/// The contact of two parts as a contact of the whole body `side`; `None` when the whole body does not have it. Poses are those of the candidate;
+/// The contact of two parts as a contact of the whole body `side`; `None` when the whole body does not have it. Poses are
+/// those of the candidate;
 /// `near` is a buffer.
 pub(crate) fn on_whole(
     mut candidate: Candidate,

@@ -115,8 +115,8 @@ pub(crate) fn of_polyhedron(
     let judge = OnTriangle { pair, triangle };
     let touching = pair.touching();
     for &feature in &features {
-        // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the ridges there
-        // instead (`ridge_ends.rs`).
+        // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the ridges
+        // there instead (`ridge_ends.rs`).
         let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
         bends.extend(place.map(|geometry| geometry.point));
         let Some(found) = judge.on_surface(feature) else { continue };
@@ -477,10 +477,10 @@ const fn is_on_face(feature: ContactFeature) -> bool {
     )
 }
 
-/// Adds the contacts of a round body on the face of a triangle that were hidden by invalid contacts at the same place. At the
-/// bottom of a valley, a disc crosses the edges of both sides, and a mesh vertex may lie on the disc at the same place as a
-/// point of the rim lies on the face. The surface does not have the first contact of each such pair, but has the second one.
-/// The contacts of `manifold` must have been used before: this function overwrites them.
+/// Adds the contacts of a round body on the face of a triangle that were hidden by invalid contacts at the same place. At
+/// the bottom of a valley, a disc crosses the edges of both sides, and a mesh vertex may lie on the disc at the same
+/// place as a point of the rim lies on the face. The surface does not have the first contact of each such pair, but has
+/// the second one. The contacts of `manifold` must have been used before: this function overwrites them.
 fn on_own_face(
     features: &mut Vec<ContactFeature>,
     judge: &OnTriangle<'_>,

@@ -1,12 +1,13 @@
 //! Contacts of a triangle mesh with another body.
 //!
-//! Each triangle that overlaps the box of the other body is treated as a flat convex body. A contact of a triangle is kept only
-//! if the whole surface allows its normal at this feature of the mesh (`mesh_feature.rs`). Edges and vertices inside a flat
-//! patch give no contacts: a box on a plane of many triangles has contacts at its four corners only, and a sphere has one.
+//! Each triangle that overlaps the box of the other body is treated as a flat convex body. A contact of a triangle is
+//! kept only if the whole surface allows its normal at this feature of the mesh (`mesh_feature.rs`). Edges and vertices
+//! inside a flat patch give no contacts: a box on a plane of many triangles has contacts at its four corners only, and a
+//! sphere has one.
 //!
-//! The body is taken to be on the side of the surface on which less of it overlaps. A single point is taken to be on the outer
-//! side. When a vertex lies on a convex edge or corner of the mesh, it has a contact with several faces; the one with the
-//! lowest face number is kept.
+//! The body is taken to be on the side of the surface on which less of it overlaps. A single point is taken to be on the
+//! outer side. When a vertex lies on a convex edge or corner of the mesh, it has a contact with several faces; the one
+//! with the lowest face number is kept.
 //!
 //! All computation is in the frame of the mesh. The result does not depend on which body is called A.
 
@@ -161,8 +162,8 @@ fn of_surface(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifo
     let MeshBuffers { pair: bodies, near, contacts, flat, ridges, same_places, .. } = buffers;
     let tolerance = pair.tolerance;
     if let Shape::Convex(polyhedron) = pair.other {
-        // When the penetration along a triangle's own axes exceeds that of the whole pair, the body touches this triangle only
-        // at a vertex or an edge. The deciding axis then belongs to a neighbouring triangle.
+        // When the penetration along a triangle's own axes exceeds that of the whole pair, the body touches this triangle
+        // only at a vertex or an edge. The deciding axis then belongs to a neighbouring triangle.
         near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE_OF_PARTS * tolerance);
         for (triangle, axes) in near.iter() {
             of_polyhedron(bodies, pair, triangle, polyhedron, axes, (flat, contacts, &mut ridges.places));

@@ -6,15 +6,15 @@
 //! vertex, so that each crossing looks like one at a hidden edge, and the vertex itself has no valid normal. Two bends may
 //! also touch each other, as in a tight chain. They then have four crossings at one place.
 //!
-//! The search starts from places at which the bodies touch at the border of a feature. Every edge of A that passes through or
-//! ends at such a place is crossed with every such edge of B. The crossing is a contact under two conditions:
+//! The search starts from places at which the bodies touch at the border of a feature. Every edge of A that passes
+//! through or ends at such a place is crossed with every such edge of B. The crossing is a contact under two conditions:
 //!
 //! - both whole surfaces lie below the contact plane right beside the place, along either edge;
-//! - at least one body rises above the contact plane at the place itself. Where neither does, the normal is one of many that a
-//!   convex vertex or edge allows, and the separating axes choose among those.
+//! - at least one body rises above the contact plane at the place itself. Where neither does, the normal is one of many
+//!   that a convex vertex or edge allows, and the separating axes choose among those.
 //!
-//! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend over the
-//! length of a probe is smaller than rounding.
+//! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend over
+//! the length of a probe is smaller than rounding.
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
@@ -40,8 +40,8 @@ pub(crate) struct RidgeBuffers {
 #[derive(Debug, Clone, Copy)]
 struct EdgeHere {
     number: u32,
-    /// Points at the length of a probe from the place, in both directions along the edge, in the body's frame; `None` where the
-    /// edge ends before.
+    /// Points at the length of a probe from the place, in both directions along the edge, in the body's frame; `None`
+    /// where the edge ends before.
     beside: [Option<DVec3>; 2],
     along: DVec3,
 }

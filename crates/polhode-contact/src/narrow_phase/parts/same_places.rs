@@ -1,8 +1,8 @@
 //! Removal of duplicate contacts: one contact for each place and normal.
 //!
-//! Several parts may have a contact at the same place. The order of preference depends only on the features of the bodies, not
-//! on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number, then the feature of
-//! the upper body.
+//! Several parts may have a contact at the same place. The order of preference depends only on the features of the
+//! bodies, not on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number, then
+//! the feature of the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side};

@@ -226,8 +226,8 @@ fn search_edges(
     }
 }
 
-/// Whether the separation `lever / |cross|` (m) is below a given one by more than the rounding of both. It need not be computed
-/// then.
+/// Whether the separation `lever / |cross|` (m) is below a given one by more than the rounding of both. It need not be
+/// computed then.
 fn is_clearly_below(lever: f64, cross: DVec3, between: DVec3, wanted: f64) -> bool {
     let wanted = wanted.min(0.0);
     let square = wanted * wanted * (1.0 + SQUARE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();

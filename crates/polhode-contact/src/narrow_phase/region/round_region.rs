@@ -139,7 +139,7 @@ fn grazes(
         RimEntry(rim) => RimExit(rim),
         _ => feature,
     };
-    // Both places of a ring have a tube about them: near each other they stand for one.
+    // Two nearby places on the middle line of a ring are one contact of its tube.
     let radius = |shape: &Shape, feature| match feature {
         _ if shape.is_ring() => f64::INFINITY,
         RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
