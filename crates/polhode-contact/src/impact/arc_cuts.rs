@@ -1,27 +1,27 @@
-//! Cutting what fails first: how long all parts of two bodies stay clear of each other, when the time that can be proved for
-//! a part grows as the part shrinks.
+//! Adaptive subdivision: how long two bodies certainly stay clear of each other, from bounds for their parts.
 //!
-//! The part with the shortest time is replaced by smaller ones, until all parts are clear for the whole window or cutting
-//! gains no more. Rings that nearly touch all around, or bodies so fast that the bounds overflow, would be cut in vain in
-//! one window after the other: a search may cut finely a few times, and coarsely in every window, so that its work is
-//! bounded by how often it looks.
+//! The time for which a part is certainly clear grows as the part gets smaller. So the part with the shortest time is
+//! replaced by smaller parts, until all parts are clear for the whole window or a subdivision gains too little.
+//!
+//! For rings that nearly touch all around, and for bodies so fast that the bounds overflow, subdivision gains nothing. To
+//! bound the work, every window may use a small number of cuts, and only a few windows of one search may use many.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Cutting the arc that fails first must lengthen its time by this factor for another cut of it.
+/// Subdivision goes on while cutting the part with the shortest time lengthens this time by at least this factor.
 const GAIN: f64 = 1.25;
 
-/// Cuts at most in one window: rings that touch while nearly in one plane have to be cut finely.
+/// Largest number of cuts in one window. Rings that touch while nearly coplanar need many.
 const MOST: u32 = 2048;
 
-/// Cuts that every window may make. Of windows that need more, few gain anything.
+/// Number of cuts that every window may use. Few windows gain from more.
 const EACH: u32 = 256;
 
-/// Cuts beyond those in all windows of a search together.
+/// Number of additional cuts, for all windows of a search together.
 const SPARE: u32 = 4096;
 
-/// A part of two bodies, and how long it stays clear, s. The one that fails first is the greatest.
+/// A part of two bodies, and how long it certainly stays clear, s. In the order, a shorter time is greater.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece<P> {
     pub(crate) part: P,
@@ -48,10 +48,10 @@ impl<P> PartialEq for Piece<P> {
 
 impl<P> Eq for Piece<P> {}
 
-/// The cuts of one search.
+/// Counts the cuts of one search.
 #[derive(Debug)]
 pub(crate) struct Cuts {
-    /// How many may still be made beyond those that every window may make.
+    /// Remaining additional cuts.
     spare: u32,
     made: u32,
 }
@@ -61,13 +61,13 @@ impl Cuts {
         Self { spare: SPARE, made: 0 }
     }
 
-    /// How many were made.
+    /// Number of cuts so far.
     pub(crate) const fn made(&self) -> u32 {
         self.made
     }
 
-    /// How long all of some pieces stay clear, s, at most `window`: the one that fails first is cut (`cut` adds its parts
-    /// to a list) until all are clear for the whole window, cutting gains no more or there are no cuts left.
+    /// How long all pieces certainly stay clear, s, at most `window`. The piece with the shortest time is cut (`cut` adds
+    /// its parts to a list) until all are clear for the whole window, a cut gains too little, or no cuts are left.
     pub(crate) fn clear<P>(
         &mut self,
         pieces: Vec<Piece<P>>,

@@ -1,14 +1,16 @@
-//! Time of impact of compounds and triangle meshes: the earliest over their parts.
+//! Time of impact of compounds and triangle meshes: the earliest impact of any pair of parts. A triangle is a part of a
+//! mesh.
 //!
-//! Every pair of parts (a triangle is a part of a mesh) that the swept boxes let meet is searched by itself, up to the
-//! earliest time found so far. An interval in which many parts could meet is cut into windows, and the parts are taken
-//! up window by window: a part that is first met in a later window was clear before it. A part is searched from its
-//! first window to the end, so that the cuts are no new starts.
+//! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If many
+//! pairs of parts could touch in the interval, the interval is divided into windows. A pair whose boxes first overlap in
+//! a later window was clear before it. The search of a pair runs from its first window to the end of the whole interval:
+//! the border of a window is not a new start.
 //!
-//! A pair that touches at the start may come to touch with further parts without an impact: a body that slides over the
-//! seam of two parts or from triangle to triangle. A closing counts then only when a contact of the whole pair
-//! approaches; otherwise the search of this part goes on from there as one of a pair that touches. A point of a cloud that
-//! lies in a triangle at the start has no inside that would tell its side of the sheet: it may leave on either.
+//! Bodies in contact at the start may touch with further parts without an impact, when a body slides over the joint of two
+//! parts or from triangle to triangle. For such bodies, a new touch counts as an impact only if a contact of the whole pair
+//! approaches. Otherwise the search of this pair of parts continues from there, as for a pair in contact at its start.
+//!
+//! A point of a cloud that lies in a triangle at the start is on neither side of the surface. It may leave to either side.
 
 use crate::bounding::Bounds;
 use crate::bounding::aabb::{Aabb, Sweep};
@@ -29,25 +31,25 @@ use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
-/// An interval in which more pairs of parts could meet is cut into twice as many windows.
+/// While more pairs of parts than this could touch in a window, the number of windows is doubled.
 const MANY_PAIRS: usize = 64;
 
-/// Most windows.
+/// Largest number of windows.
 const MOST_WINDOWS: u32 = 64;
 
-/// A contact approaches when its rate of separation is below minus this times the speeds that make it up: above the
-/// rounding of a sliding contact's rate.
+/// A contact approaches when its separation rate is below minus this times the speeds of the two contact points. The limit
+/// is above the rounding of the rate of a sliding contact.
 const APPROACHING: f64 = 1e-10;
 
-/// After so many closings without approach of one pair of parts the next one counts.
+/// After this many touches of one pair of parts without approach, the next touch counts as an impact.
 const MOST_SLIDES: u32 = 4096;
 
-/// Which parts are searched.
+/// Which pairs of parts are searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Parts {
     /// All.
     All,
-    /// Those that are clear of each other at the start, for bodies that others of their parts hold together.
+    /// Only those that are clear of each other at the start, for bodies that other parts keep in contact.
     Clear,
 }
 
@@ -61,12 +63,13 @@ struct Pair<'a> {
     settings: &'a ImpactSearch,
     /// Distance up to which the bodies touch at the start, m.
     touch: f64,
-    /// Whether the bodies touch at the start, once it has been asked.
+    /// Whether the bodies touch at the start; computed when first needed.
     starts_in_touch: OnceCell<bool>,
 }
 
-/// The earliest impact of two bodies of which one at least is a compound or a mesh. Without one the separation is left
-/// infinite: that of all parts at the end of the interval is more work than most searches, and few ask for it.
+/// The earliest impact of two bodies, at least one of them a compound or a mesh. When there is none, the reported separation
+/// is infinite: the separation of all parts at the end of the interval costs more than most searches, and few callers need
+/// it.
 pub(crate) fn find_composite(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],
@@ -108,7 +111,7 @@ pub(crate) fn find_composite(
 }
 
 impl Pair<'_> {
-    /// The pairs of parts whose swept boxes meet in a window of time (s), sorted.
+    /// The pairs of parts whose swept boxes overlap in a window of time (s), sorted.
     fn candidates(&self, start: f64, end: f64, found: &mut Vec<[u32; 2]>) -> Result<(), ImpactError> {
         found.clear();
         let fail = |_| ImpactError::NotFinite { t: start };
@@ -118,24 +121,24 @@ impl Pair<'_> {
             sweeps[at].of(part).and_then(|b| b.inflated(2.0 * self.touch)).map_err(fail)
         };
         match self.shapes {
-            // Grounds do not meet each other.
+            // Meshes and half-spaces are fixed surroundings: they have no impacts with each other.
             [Shape::TriangleMesh(_), Shape::TriangleMesh(_) | Shape::HalfSpace(_)]
             | [Shape::HalfSpace(_), Shape::TriangleMesh(_)] => return Ok(()),
             [Shape::TriangleMesh(mesh), other] => {
-                for (i, part) in parts_of(other).iter().enumerate() {
+                for (i, part) in other.parts().iter().enumerate() {
                     let bounds = self.in_frame_of_mesh(0, mesh, &swept(1, part)?, start, end);
                     mesh.tree.overlaps(&bounds, &mut |triangle| found.push([triangle, i as u32]));
                 }
             }
             [other, Shape::TriangleMesh(mesh)] => {
-                for (i, part) in parts_of(other).iter().enumerate() {
+                for (i, part) in other.parts().iter().enumerate() {
                     let bounds = self.in_frame_of_mesh(1, mesh, &swept(0, part)?, start, end);
                     mesh.tree.overlaps(&bounds, &mut |triangle| found.push([i as u32, triangle]));
                 }
             }
             [a, b] => {
                 let boxes = |at: usize, shape: &Shape| -> Result<Vec<Aabb>, ImpactError> {
-                    parts_of(shape).iter().map(|part| swept(at, part)).collect()
+                    shape.parts().iter().map(|part| swept(at, part)).collect()
                 };
                 let (boxes_a, boxes_b) = (boxes(0, a)?, boxes(1, b)?);
                 for (i, box_a) in boxes_a.iter().enumerate() {
@@ -148,7 +151,7 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// A box of the world as the mesh, body `at`, sees it during a window.
+    /// A box that contains a given world box in the frame of the mesh (body `at`) at all times of a window.
     fn in_frame_of_mesh(&self, at: usize, mesh: &TriangleMesh, swept: &Aabb, start: f64, end: f64) -> Bounds {
         let motion = self.motions[at];
         let (pose, bounds) = (motion.pose(start), motion.bounds(start, end));
@@ -209,7 +212,8 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// Whether the bodies touch at the start: asked only where a part closes, for all parts have to be measured for it.
+    /// Whether the bodies touch at the start. This needs the separation of all parts: it is computed only after a pair of
+    /// parts has been found to touch.
     fn starts_in_touch(&self, workspace: &mut Workspace, best: &mut ImpactReport) -> bool {
         *self.starts_in_touch.get_or_init(|| {
             best.evaluations = best.evaluations.saturating_add(1);
@@ -218,14 +222,15 @@ impl Pair<'_> {
         })
     }
 
-    /// Whether at a time a contact of the whole pair closes.
+    /// Whether a contact of the whole pair approaches at a time.
     fn approaches(&self, workspace: &mut Workspace, t: f64) -> bool {
         let [shape_a, shape_b] = self.shapes;
         let poses = self.motions.map(|motion| motion.pose(t));
         let velocities = self.motions.map(|motion| motion.velocity(t));
         let mut touching = Manifold::default();
         near_manifold_into(workspace, shape_a, &poses[0], shape_b, &poses[1], self.touch, &mut touching);
-        // Other parts have closed before, and their search will tell when: no contact of this overlap means anything.
+        // Other parts touched earlier, and their search gives the time. The contacts of bodies that overlap this much do not
+        // decide anything.
         if touching.separation < -self.touch {
             return true;
         }
@@ -241,17 +246,10 @@ impl Pair<'_> {
     }
 }
 
-fn parts_of(shape: &Shape) -> &[Shape] {
-    match shape {
-        Shape::Compound(compound) => compound.parts(),
-        other => std::slice::from_ref(other),
-    }
-}
-
-/// A part of a body: of a mesh, a triangle as a flat polyhedron.
+/// A part of a body; of a mesh, a triangle as a flat polyhedron.
 fn part(shape: &Shape, index: u32) -> Option<Cow<'_, Shape>> {
     match shape {
         Shape::TriangleMesh(mesh) => mesh.flat_polyhedron(index).map(|flat| Cow::Owned(Shape::Convex(flat))),
-        other => parts_of(other).get(index as usize).map(Cow::Borrowed),
+        other => other.parts().get(index as usize).map(Cow::Borrowed),
     }
 }

@@ -1,17 +1,19 @@
-//! Times of impact finer than the rounding of the poses.
+//! Times of impact that are more accurate than the rounded poses.
 //!
-//! A separation is computed of poses whose positions are rounded: at 0.5 m from the origin to 5.5e-17 m. A body that
-//! bounces 4 um high gains or loses 1.5e-11 of its height by so little, at every bounce. A motion in closed form knows what
-//! the rounding takes ([`Motion::residue`]), and with it the gap along a contact's normal is `separation + n . (residue of A -
-//! residue of B)`, whose root Newton's method finds. What remains is the rounding of the separation's own arithmetic, which
-//! is none for a ball on a floor through the origin, and that of the time.
+//! A separation is computed from poses with rounded positions: the rounding is 5.5e-17 m at 0.5 m from the origin. This
+//! is not always negligible: a body that bounces to a height of 4 um gains or loses 1.5e-11 of this height at every
+//! bounce.
+//!
+//! A motion in closed form can give the rounding error of its pose ([`Motion::residue`]). With it the gap along a contact
+//! normal is `separation + n . (residue of A - residue of B)`, and Newton's method finds its root. Two errors remain: the
+//! rounding of the separation's own arithmetic (none for a ball on a floor through the origin), and that of the time.
 
 use crate::Shape;
 use crate::narrow_phase::dispatch::manifold::manifold;
 use crate::narrow_phase::terms::evaluate::kinematics;
 use polhode_spatial::Motion;
 
-/// Newton steps at most: each squares the relative error of a time that is right to some 1e-13 of itself already.
+/// Largest number of Newton steps. Each squares the relative error, which is about 1e-13 at the start.
 const MOST_STEPS: usize = 4;
 
 /// The contact that closes first.
@@ -25,14 +27,14 @@ struct Closing {
 }
 
 impl Closing {
-    /// When it closes at this rate, s.
+    /// The time at which it closes at this rate, s.
     fn time(&self) -> f64 {
         self.t - self.gap / self.rate
     }
 }
 
-/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where motions
-/// do not know their residues, nothing approaches, or no time near it is better.
+/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where
+/// motions give no residues, no contact approaches, or no time near it is better.
 pub(crate) fn refined(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],

@@ -16,9 +16,11 @@
 //! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
 //! of the two places (all seen from A, where `e_A` rests).
 //!
-//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below` bounds that.
+//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below`
+//! bounds that.
 //!
-//! The centres' accelerations. `|v'| <= a` alone would hold two bodies that fall side by side to grow together with 2g.
+//! The centres' accelerations. The bound `|v'| <= a` alone would allow two bodies that fall side by side to approach
+//! each other with 2g.
 //! But the change of velocity over the window is known: if it is nearly `a T` in a direction `u`, then `v'` is nearly
 //! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
 //! same for both, then cancels but for this small stray velocity.
@@ -43,7 +45,7 @@ fn circle_below(n: DVec3, axis: DVec3, rate: DVec3, second: f64, window: f64) ->
     Quadratic { value: -start, rate: -slope, curvature: second }
 }
 
-/// Points of a body, blown up by a radius: what of a shape an axis sees.
+/// Points of a body, inflated by a radius: their support function is that of the shape.
 pub(crate) type Points<'a> = (&'a [DVec3], f64);
 
 /// A body over a window of time that begins now.
@@ -74,7 +76,7 @@ impl MovingBody {
         (self.bounds.angular_acceleration + self.bounds.angular_speed * self.bounds.angular_speed) * arm
     }
 
-    /// The same seen from a frame that turns steadily at `rate` (rad/s).
+    /// The same relative to a frame that rotates at the constant rate `rate` (rad/s).
     fn turning_from(&self, rate: f64, arm: f64) -> f64 {
         let spin = self.bounds.angular_speed;
         (self.bounds.angular_acceleration + (spin + rate) * (spin + rate) + spin * rate) * arm
@@ -154,8 +156,8 @@ impl<'a> Window<'a> {
         self.above_surfaces(of, points, 0.0, plane)
     }
 
-    /// As [`Self::above_planes`], over surfaces that bend towards the points: `bend` bounds what the bend takes from the
-    /// second derivative of a gap, m/s^2.
+    /// As [`Self::above_planes`], for surfaces that curve towards the points. `bend` bounds how much the curvature
+    /// reduces the second derivative of a gap, m/s^2.
     pub(crate) fn above_surfaces(
         &mut self,
         of: Side,

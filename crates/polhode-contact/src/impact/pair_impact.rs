@@ -1,4 +1,5 @@
-//! The impact of two shapes without parts, by conservative advancement and from touch: `time_of_impact.rs` says how.
+//! The impact of two shapes without parts: conservative advancement from a clear pair, and the search after a start in
+//! contact. `time_of_impact.rs` describes both.
 
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::arc_cuts::Cuts;
@@ -86,31 +87,23 @@ const MOST_WINDOWS: usize = 16;
 /// A change of separation by this many resolutions is a change, not rounding.
 const MEASURABLE: f64 = 4.0;
 
-/// A pair that touches has closed when its separation has fallen by this part of the touch tolerance: more than a held
-/// contact drifts, less than what counts as penetration.
+/// A pair in contact has an impact when its separation has decreased by this part of the touch tolerance: more than the
+/// drift of a persistent contact, less than what counts as penetration.
 const NOTICED: f64 = 1.0 / 16.0;
 
-/// At the end of an interval, or before it opens again, the pair has closed by this part of the touch tolerance: a quarter of
-/// what is noticed within.
+/// At the end of an interval, and before the pair separates again, a smaller decrease counts as an impact: this part of the
+/// touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
 
 /// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
 const HALF: f64 = 0.5;
 
-/// More halvings than this leave no interval of doubles.
+/// More halvings than this give an interval below the smallest double.
 const MOST_HALVINGS: u32 = 1074;
 
 /// `2^-j` for `j` up to [`MOST_HALVINGS`], exactly.
 fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
-}
-
-const fn is_half_space(shape: &Shape) -> bool {
-    matches!(shape, Shape::HalfSpace(_))
-}
-
-const fn is_ring(shape: &Shape) -> bool {
-    matches!(shape, Shape::Torus(_))
 }
 
 /// Points of a hull above one plane that is fixed in the other body.
@@ -148,10 +141,10 @@ impl Search<'_> {
             let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
             self.axes = Some(axes);
             axes.separation(a, pose_a, b, pose_b)
-        } else if self.shapes.into_iter().any(is_ring) && !self.shapes.into_iter().any(is_half_space) {
+        } else if self.shapes.into_iter().any(Shape::is_ring) && !self.shapes.into_iter().any(Shape::is_half_space) {
             self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
-        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(is_half_space) {
+        } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(Shape::is_half_space) {
             self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else {
@@ -185,7 +178,7 @@ impl Search<'_> {
                 return Ok((None, now.separation));
             }
             let next = (now.t + self.safe_step(&now, t1 - now.t)?).min(t1);
-            // The gap closes before the next number that can be told from this time.
+            // The gap closes before the next larger floating point number.
             if next <= now.t {
                 return Ok((Some(now.t), now.separation));
             }
@@ -209,7 +202,7 @@ impl Search<'_> {
             }
             let longer = self.clear_for(now, window)?;
             step = step.max(longer);
-            // Clear for all of a narrow window: its end says nothing, a wider one may do better.
+            // The pair is clear for the whole narrow window, so that a wider window may give a longer step.
             if longer < window {
                 break;
             }
@@ -217,7 +210,7 @@ impl Search<'_> {
         Ok(step)
     }
 
-    /// As [`Self::safe_step`], by bounds that hold over a window of this length.
+    /// As [`Self::safe_step`], with bounds that hold over a window of this length.
     fn clear_for(&mut self, now: &Moment, length: f64) -> Result<f64, ImpactError> {
         let end = now.t + length;
         let mut buffers = std::mem::take(&mut self.bounds);
@@ -231,11 +224,11 @@ impl Search<'_> {
         let [a, b] = self.shapes;
         match (a, b) {
             (Shape::Convex(_), Shape::Convex(_)) => self.polyhedra_clear(now, window),
-            _ if is_half_space(a) && !circles(b).is_empty() || is_half_space(b) && !circles(a).is_empty() => {
+            _ if a.is_half_space() && !circles(b).is_empty() || b.is_half_space() && !circles(a).is_empty() => {
                 self.circles_clear_of_half_space(now, window)
             }
-            _ if is_ring(a) || is_ring(b) => self.ring_clear(now, window),
-            _ if (is_round(a) || is_round(b)) && !(is_half_space(a) || is_half_space(b)) => {
+            _ if a.is_ring() || b.is_ring() => self.ring_clear(now, window),
+            _ if (is_round(a) || is_round(b)) && !(a.is_half_space() || b.is_half_space()) => {
                 self.round_clear(now, window)
             }
             (Shape::HalfSpace(_), _) => self.clear_of_surface(now, window, Side::B),
@@ -319,7 +312,7 @@ impl Search<'_> {
 
     /// A round shape or a ring above a half-space: its points and its circles.
     fn circles_clear_of_half_space(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
-        let (of, this, other) = if is_half_space(self.shapes[1]) { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
+        let (of, this, other) = if self.shapes[1].is_half_space() { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
         let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
         let hull = Hull::of(self.shapes[this]);
         let step = window.circles_above_plane(of, &hull, half_space.normal(), half_space.offset());
@@ -418,17 +411,17 @@ impl Search<'_> {
         RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window, &mut self.cuts)))
     }
 
-    /// From a moment at which the pair touches: see the module's description.
+    /// The search from a moment at which the pair is in contact: see the description in `time_of_impact.rs`.
     fn depart(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
         let rounding = self.resolution(&start);
-        // Below this the pair is measurably closer than it was: touching at rest it stays above.
+        // Below this the separation has measurably decreased. Bodies in contact at rest stay above it.
         let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
         let level = if start.separation > rounding {
             0.0
         } else if start.separation >= -CLOSED * self.touch(&start) {
             start.separation - noticed
         } else {
-            // What overlaps visibly must not come to overlap by all that in addition.
+            // The penetration at the start is already noticeable: only a small increase is allowed.
             (start.separation - MEASURABLE * rounding).min(-noticed)
         };
         let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
@@ -444,11 +437,11 @@ impl Search<'_> {
             }
             last = self.look(t)?;
             let touch = self.touch(&last);
-            let dip = below.filter(|below| last.separation >= level && below.separation < closed);
-            if let Some(dip) = dip {
-                // It has closed, by less than a touch, and opens again.
+            let overlap = below.filter(|below| last.separation >= level && below.separation < closed);
+            if let Some(overlap) = overlap {
+                // It penetrated, by less than the touch tolerance, and separates again.
                 let open = if open.separation >= closed { open } else { start };
-                return self.locate_closing(open, dip, closed, rounding);
+                return self.locate_closing(open, overlap, closed, rounding);
             }
             if last.separation > touch {
                 return self.advance(last, t1);
@@ -458,12 +451,12 @@ impl Search<'_> {
             } else {
                 below = below.or(Some(last));
             }
-            // A pair that overlaps already has closed before; what counts then is that it overlaps more.
+            // If the pair overlaps at the start, only additional penetration counts.
             if last.separation < (-touch).min(start.separation - touch) {
                 return self.locate_closing(open, below.unwrap_or(last), level, rounding);
             }
         }
-        // Closed at the end, by less than a touch: a search from there takes this overlap for its start.
+        // Penetration at the end, below the touch tolerance. It counts, because the next search would take it as its start.
         if last.separation < closed {
             let open = if open.separation >= closed { open } else { start };
             return self.locate_closing(open, last, closed, rounding);

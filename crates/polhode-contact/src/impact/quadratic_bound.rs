@@ -1,7 +1,7 @@
-//! Lower bounds of functions of time by downward parabolas, and how far they keep a gap open.
+//! Lower bounds of functions of time by parabolas that open downwards, and how long these bounds keep a gap open.
 //!
 //! A function with value `a`, rate `b` and `|f''| <= c` satisfies `f(t + s) >= a + b s - c s^2/2`. Sums and minima of
-//! such bounds are concave, so that a bound that is positive at both ends of an interval is positive on all of it.
+//! such bounds are concave. A bound that is positive at both ends of an interval is therefore positive on all of it.
 
 /// `value + rate s - curvature s^2/2`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -54,10 +54,10 @@ impl Quadratic {
     }
 }
 
-/// Steps are shortened by this, relatively: their computation rounds.
+/// Relative reduction of a step, which covers the rounding of its computation.
 const SHORTENING: f64 = 1.0 - 8.0 * f64::EPSILON;
 
-/// After this many changes of the deciding parabolas the step falls back to the chord, which is safe but shorter.
+/// After this many changes of the deciding parabolas, the step is taken from the chord, which is safe but shorter.
 const MAX_ROUNDS: usize = 64;
 
 /// How long `L(s) = base + min(first) + min(second)` stays positive, at most `window`; an empty list adds nothing.
@@ -69,7 +69,7 @@ pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadrat
     if ![first, second].into_iter().flatten().chain([&base]).all(Quadratic::is_finite) {
         return 0.0;
     }
-    // Hulls that do not separate now may do so later: a gap that opens was not open all along.
+    // Hulls that overlap now may be separated later, but they were not separated during the whole step.
     let start = at(0.0).value;
     if start <= 0.0 {
         return 0.0;

@@ -1,16 +1,21 @@
-//! How long a ring stays clear of a convex body that it is not apart from as a whole: arc by arc.
+//! How long a ring stays clear of a convex body when no plane separates the two: a bound arc by arc.
 //!
-//! A ring that has a body in its hole, or touches it with the inner side of its tube, has no plane that keeps all of it
-//! away. Every short arc of its middle line has one: an arc of less than half a turn lies in the triangle of its two ends
-//! and the place where the tangents there meet, which moves with the ring as the arc does. Along any direction that
-//! triangle, blown up by the tube, and the hull of the body stay apart for as long as the bounds of `impact_bounds.rs`
-//! say; the direction is that of the body's nearest place to the middle of the arc. Held still it serves a ring that
-//! spins over a corner; turning with the body it loses nothing of first order to the body's own turning, so that a ring
-//! which slides over a face or an edge and parts slowly from it is clear for a time of the order of that since the touch.
+//! When the body is in the hole of the ring, or touches the inner side of the tube, no plane separates it from the whole
+//! ring. But for every short arc of the ring's middle line there is a separating plane. An arc of less than half a turn
+//! lies in the triangle of its two ends and the intersection of the tangents there, and this triangle moves with the
+//! ring.
 //!
-//! The arc that fails first is cut in two (`arc_cuts.rs`). The gap of a chord is short of that of its arc by an eighth of
-//! the radius times the square of its angle, so that arcs shrink in proportion to their distance from a touch: as many cuts
-//! as that ratio has binary digits.
+//! Along any direction, the triangle (inflated by the radius of the tube) and the hull of the body stay separated for as
+//! long as the bounds of `impact_bounds.rs` say. The direction used is that from the body's closest point to the middle
+//! of the arc. It is tried in two ways:
+//!
+//! - fixed in the world, which is better for a ring that spins above a corner;
+//! - rotating with the body, so that the rotation of the body causes no loss of first order. A ring that slides over a
+//!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch.
+//!
+//! The arc with the shortest time is cut in two (`arc_cuts.rs`). The gap of the chord is smaller than the gap of the arc
+//! by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance from
+//! touch, and the number of cuts is about the number of binary digits of this ratio.
 
 use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
@@ -21,7 +26,7 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::TAU;
 
-/// Arcs at first.
+/// Initial number of arcs.
 const ARCS: u32 = 12;
 
 /// A ring and another convex shape at one moment.
@@ -36,7 +41,7 @@ pub(crate) struct RingArcs<'a> {
 }
 
 impl<'a> RingArcs<'a> {
-    /// Of a pair of which one is a ring and the other convex; nothing for other pairs.
+    /// For a ring and a convex shape; `None` for other pairs.
     pub(crate) fn new([shape_a, shape_b]: [&'a Shape; 2], [pose_a, pose_b]: [Pose; 2]) -> Option<Self> {
         let convex = |shape: &Shape| {
             matches!(
@@ -54,7 +59,7 @@ impl<'a> RingArcs<'a> {
         Some(Self { ring, tube: torus.minor, to_ring: pose.relative(&other_pose), other, other_pose, of })
     }
 
-    /// How long all arcs stay clear, s: at most the length of the window.
+    /// How long all arcs certainly stay clear, s; at most the length of the window.
     pub(crate) fn clear(&self, window: &mut Window<'_>, cuts: &mut Cuts) -> f64 {
         let step = TAU / f64::from(ARCS);
         let mut arcs = Vec::with_capacity(2 * ARCS as usize);

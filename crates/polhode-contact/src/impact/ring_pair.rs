@@ -1,17 +1,19 @@
-//! How long two rings stay clear of each other that are not apart as a whole: arc against arc.
+//! How long two rings stay clear of each other when no plane separates them: a bound for pairs of arcs.
 //!
-//! Linked rings, or rings that touch, have no plane between them, but two short arcs of their middle lines do
-//! (`ring_arcs.rs`), across their nearest places as those are found by going to and fro. Near a touch such planes would ask
-//! for ever shorter arcs. There the distance `D(s, u)` of the places of two arcs (arc lengths s and u) is convex: with
+//! No plane separates linked rings, or rings that nearly touch. But a plane separates two short arcs of their middle lines
+//! (`ring_arcs.rs`). Its normal is the line between their closest points, which alternating projections find. Near touch,
+//! such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s, u)` of the
+//! places of two arcs (arc lengths s and u) is convex. With
 //! `lambda` the least eigenvalue of its second derivatives over both arcs, `g` its gradient at one pair of places, and `L`
 //! the largest change of the rate `nu = n.(v_A - v_B)` at which two material points part per length along the arcs,
 //!
 //! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2 >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
 //!
-//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. Each pair of points parts along the
-//! direction in which it is apart now. The second derivatives are those at one pair less what they can change over the arcs.
+//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. The bound for each pair of
+//! points uses the present direction between them. The second derivatives are those at one pair, less their largest
+//! change over the arcs.
 //!
-//! The pair of arcs that fails first is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
+//! The pair of arcs with the shortest time is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 
 use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
@@ -26,13 +28,13 @@ use std::f64::consts::TAU;
 /// Arcs of either ring at first.
 const ARCS: u32 = 8;
 
-/// How often the nearest places of two arcs are sought on one from that on the other.
+/// Number of alternating projections that find the closest points of two arcs.
 const ALTERNATIONS: usize = 4;
 
 /// An arc that is shorter than this part of the other is not cut with it.
 const MUCH_SHORTER: f64 = 0.5;
 
-/// Arcs along which two places may move by more than this part of their distance are judged by planes alone.
+/// Arcs along which two places may move by more than this part of their distance use separating planes only.
 const NEAR: f64 = 0.5;
 
 /// An arc between two angles.
@@ -94,7 +96,7 @@ pub(crate) struct RingPair<'a> {
 }
 
 impl<'a> RingPair<'a> {
-    /// Nothing for other pairs.
+    /// `None` for other pairs.
     pub(crate) fn new([a, b]: [&'a Shape; 2], poses: [Pose; 2]) -> Option<Self> {
         let (Shape::Torus(torus_a), Shape::Torus(torus_b)) = (a, b) else { return None };
         let rings = [Ring::new(a, &Pose::IDENTITY, b)?, Ring::new(b, &Pose::IDENTITY, a)?];

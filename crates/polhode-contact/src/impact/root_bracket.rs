@@ -1,8 +1,8 @@
 //! A root between two points at which a function has opposite signs.
 //!
 //! Regula falsi with the Illinois weighting (superlinear where the function is smooth), with a bisection after every
-//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md, Dowell and
-//! Jarratt 1971.
+//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md, Dowell
+//! and Jarratt 1971.
 
 /// A place and the function's value there.
 #[derive(Debug, Clone, Copy)]
@@ -11,7 +11,7 @@ pub(crate) struct Sample {
     pub(crate) value: f64,
 }
 
-/// More steps than halving needs to bring any bracket of doubles to neighbours.
+/// Largest number of steps: more than bisection needs to reduce any bracket to two neighbouring doubles.
 const MAX_STEPS: u32 = 256;
 
 /// The last place found with a value that is not negative, or any with a value within `tolerance` of zero, between

@@ -1,20 +1,27 @@
 //! Time of impact: the first time at which two moving shapes close from clear to touching.
 //!
 //! Conservative advancement on the true motion (docs/REFERENCES.md, Mirtich 1996): from a time at which the pair is
-//! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes say for how long it certainly stays
-//! clear; the search goes there and looks again. Near a touch at which the bodies approach, the remaining time falls
-//! quadratically, so that a handful of evaluations brings the separation to rounding ([`crate::clearance::resolution`]).
-//! The time found, of motions in closed form finer than poses are rounded (`fine_time.rs`), is never late but for the rounding, and no touch is missed, however fast the bodies spin.
-//! Of a torus the distance is as `narrow_phase/axis/ring.rs` finds it.
+//! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes give a time for which it certainly
+//! stays clear. The search advances by this time and evaluates the separation again. Near a touch at which the bodies
+//! approach, the remaining time decreases quadratically, so that a few evaluations bring the separation to rounding
+//! ([`crate::clearance::resolution`]). The time found is never late, except for rounding, and no touch is missed, however
+//! fast the bodies spin. For motions in closed form it is more accurate than the rounded poses (`fine_time.rs`). The
+//! distance of a torus is that which
+//! `narrow_phase/axis/ring.rs` finds.
+//!
 //! Two shapes without parts are searched in `pair_impact.rs`; compounds and meshes go part by part (`composite_impact.rs`).
 //!
-//! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. Its
-//! departure is looked for at the times `t0 + (t1 - t0) 2^-j`; from the first at which it is clear the rigorous search
-//! goes on, and if it overlaps at one of them by more than the tolerance, the time at which it began to is bracketed and
-//! located. At the end of the interval, and where the pair opens again, a smaller overlap counts, a part of the tolerance
-//! (`CLOSED`): at the end because the next search would take the overlap for its start, and before an opening because nothing
-//! later shows that the pair met. A pair that neither clears nor overlaps has no impact. Between these times this start is not rigorous: a pair
-//! that leaves and comes back between two of them is not seen.
+//! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. The
+//! search then evaluates the separation at the times `t0 + (t1 - t0) 2^-j`:
+//!
+//! - From the first of these times at which the pair is clear, the rigorous search continues.
+//! - If the pair overlaps by more than the tolerance at one of them, the start of this overlap is bracketed and located.
+//! - At the end of the interval, and before the pair separates again, a smaller overlap counts, a part of the tolerance
+//!   (`CLOSED`). At the end, the next search would take the overlap as its start; before a separation, no later time would
+//!   show that the pair has touched.
+//! - A pair that neither separates nor overlaps has no impact.
+//!
+//! Between these times the search is not rigorous: a pair that separates and touches again between two of them is missed.
 
 use crate::Shape;
 use crate::impact::composite_impact::{Parts, find_composite};

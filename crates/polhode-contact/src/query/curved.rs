@@ -7,7 +7,7 @@
 //! normal found, and the normal between the two is taken, of which the normal of the least depth is a fixed point.
 
 use super::element::{Core, Element};
-use super::found::Found;
+use super::found::{EQUAL_ULPS, Found};
 use super::penetration::face_normals;
 use super::signed_distance::{signed, signed_distance};
 use crate::narrow_phase::axis::gap::between;
@@ -24,9 +24,6 @@ const PROJECTIONS: usize = 32;
 
 /// Most moves out of an overlap.
 const MOVES: usize = 8;
-
-/// Depths that differ by less than this many epsilon of the extent are equal.
-const EQUAL_ULPS: f64 = 16.0;
 
 /// How far A is moved beyond touch, relative to the extent: enough that the normal between is sharp.
 const ROOM: f64 = 0.125;

@@ -61,7 +61,7 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return Err(QueryError::NotFinite { what: "a pose" });
     }
-    if matches!((shape_a, shape_b), (Shape::HalfSpace(_), Shape::HalfSpace(_))) {
+    if shape_a.is_half_space() && shape_b.is_half_space() {
         return Err(QueryError::Unbounded);
     }
     // Axes of the world, origin at A's: nothing is lost far away.

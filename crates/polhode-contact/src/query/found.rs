@@ -3,6 +3,9 @@
 use super::feature::FeatureKind;
 use glam::DVec3;
 
+/// Two distances or penetration depths that differ by less than this many epsilon of the extent are equal.
+pub(crate) const EQUAL_ULPS: f64 = 16.0;
+
 /// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and
 /// the features they lie on.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,7 @@
 //! around those that GJK ended on is taken, and when the bodies overlap all axes are searched.
 
 use super::element::{Core, Element};
-use super::found::Found;
+use super::found::{EQUAL_ULPS, Found};
 use super::nearest_pair::nearest_pair;
 use super::penetration::by_all_axes;
 use super::spanned_feature::spanned_feature;
@@ -19,9 +19,6 @@ use glam::DVec3;
 
 /// Lower and upper bound of a distance meet within this many epsilon of the extent.
 const CERTIFIED_ULPS: f64 = 32.0;
-
-/// Separations that differ by less than this many epsilon of the extent are equal.
-const EQUAL_ULPS: f64 = 16.0;
 
 /// Rounding of the direction between two points, in epsilon times the extent over their distance.
 const DIRECTION_ULPS: f64 = 2.0;

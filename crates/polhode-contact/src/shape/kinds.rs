@@ -40,6 +40,25 @@ pub enum Shape {
     Compound(Compound),
 }
 
+impl Shape {
+    pub(crate) const fn is_half_space(&self) -> bool {
+        matches!(self, Self::HalfSpace(_))
+    }
+
+    /// Whether it is a torus.
+    pub(crate) const fn is_ring(&self) -> bool {
+        matches!(self, Self::Torus(_))
+    }
+
+    /// The parts of a compound; any other shape is its own only part.
+    pub(crate) fn parts(&self) -> &[Self] {
+        match self {
+            Self::Compound(compound) => compound.parts(),
+            other => std::slice::from_ref(other),
+        }
+    }
+}
+
 /// Parts that are fixed to each other and may touch or overlap. Their vertices (centres, points), edges and faces are
 /// numbered part after part, so that a feature of the compound names its part too.
 #[derive(Debug, Clone, PartialEq)]

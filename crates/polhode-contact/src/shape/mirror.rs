@@ -49,7 +49,7 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
 /// which a ring's does not.
 fn rings_defect(shape: &Shape, rings: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
     let turned = |a: DVec3| if n.dot(a).abs() <= PERPENDICULAR { a } else { a - n * (2.0 * n.dot(a)) };
-    let two_sided = matches!(shape, Shape::Torus(_));
+    let two_sided = shape.is_ring();
     let distance = |circle: &Circle, axis: DVec3| {
         let aligned = (circle.axis - axis).length();
         let aligned = if two_sided { aligned.min((circle.axis + axis).length()) } else { aligned };

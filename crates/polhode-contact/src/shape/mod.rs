@@ -13,6 +13,7 @@
 //! | `triangle_mesh`, `triangle`, `point_cloud` | triangles and points |
 //! | `sphere`, `half_space`, `capsule`, `cylinder`, `cone`, `torus` | the shape of that name |
 //! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, the farthest point, how far shapes reach |
+//! | `lists` | lists of unequal length in one array |
 //! | `nearer_place` | which of two places is nearer |
 //! | [`mirror`] | whether a shape is its own mirror image |
 //! | [`mod@approximate_decomposition`] | convex parts of a solid, roughly |
@@ -30,6 +31,7 @@ pub(crate) mod extent;
 mod half_space;
 pub(crate) mod hull;
 mod kinds;
+pub(crate) mod lists;
 pub mod mirror;
 pub(crate) mod nearer_place;
 mod point_cloud;

@@ -4,6 +4,7 @@
 //! plane, `normal . x = offset`. An edge knows its two vertices and its two faces: `faces[0]` is the one whose loop
 //! runs from `vertices[0]` to `vertices[1]`, so that `n_0 x n_1` points along the edge.
 
+use crate::shape::lists::Lists;
 use glam::DVec3;
 
 /// A face, borrowed from its polyhedron.
@@ -47,20 +48,6 @@ pub(crate) struct FaceRecord {
     pub(crate) offset: f64,
 }
 
-/// Lists of unequal length, one after the other: the faces or the edges that meet at each vertex.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Neighbours {
-    pub(crate) starts: Vec<usize>,
-    pub(crate) items: Vec<u32>,
-}
-
-impl Neighbours {
-    /// The list of one vertex.
-    pub(crate) fn of(&self, vertex: usize) -> &[u32] {
-        &self.items[self.starts[vertex]..self.starts[vertex + 1]]
-    }
-}
-
 /// A convex polyhedron.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConvexPolyhedron {
@@ -71,8 +58,8 @@ pub struct ConvexPolyhedron {
     pub(crate) corner_vertices: Vec<u32>,
     pub(crate) corner_edges: Vec<u32>,
     pub(crate) corner_sides: Vec<DVec3>,
-    pub(crate) faces_at: Neighbours,
-    pub(crate) edges_at: Neighbours,
+    pub(crate) faces_at: Lists,
+    pub(crate) edges_at: Lists,
     pub(crate) size: f64,
 }
 

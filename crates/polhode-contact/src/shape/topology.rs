@@ -4,8 +4,9 @@
 //! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex stands outside a face.
 
 use crate::shape::error::{ShapeError, check_length, check_point};
+use crate::shape::lists::Lists;
 use crate::shape::point_cloud::largest_distance;
-use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord, Neighbours};
+use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,8 +33,8 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
         corner_edges: corner_edges.edges,
         corner_sides: Vec::new(),
         faces: faces_of(&vertices, &loops),
-        faces_at: neighbours(vertices.len(), loops.iter().map(Vec::as_slice)),
-        edges_at: neighbours(vertices.len(), corner_edges.endpoints.iter().map(<[u32; 2]>::as_slice)),
+        faces_at: Lists::new(vertices.len(), at_vertices(loops.iter().map(Vec::as_slice))),
+        edges_at: Lists::new(vertices.len(), at_vertices(corner_edges.endpoints.iter().map(<[u32; 2]>::as_slice))),
         corner_vertices: loops.into_iter().flatten().collect(),
         vertices,
         size,
@@ -47,17 +48,19 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
 
 /// A triangle as a polyhedron without thickness: face 0 with the given unit normal, face 1 turned the other way.
 pub(crate) fn flat_triangle(corners: [DVec3; 3], normal: DVec3) -> ConvexPolyhedron {
+    let loops = [[0, 1, 2], [0, 2, 1]];
+    let ends = [[0, 1], [1, 2], [2, 0]];
     let edge = |from: u32, to: u32| bare_edge([from, to], [0, 1], DVec3::ZERO, 0.0);
     let face = |first: usize| FaceRecord { first, count: 3, normal, offset: 0.0 };
     let mut polyhedron = ConvexPolyhedron {
         vertices: corners.to_vec(),
-        edges: vec![edge(0, 1), edge(1, 2), edge(2, 0)],
+        edges: ends.iter().map(|&[from, to]| edge(from, to)).collect(),
         faces: vec![face(0), face(3)],
-        corner_vertices: vec![0, 1, 2, 0, 2, 1],
+        corner_vertices: loops.concat(),
         corner_edges: vec![0, 1, 2, 2, 1, 0],
         corner_sides: Vec::new(),
-        faces_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 1, 0, 1, 0, 1] },
-        edges_at: Neighbours { starts: vec![0, 2, 4, 6], items: vec![0, 2, 0, 1, 1, 2] },
+        faces_at: Lists::new(3, at_vertices(loops.iter().map(<[u32; 3]>::as_slice))),
+        edges_at: Lists::new(3, at_vertices(ends.iter().map(<[u32; 2]>::as_slice))),
         size: 0.0,
     };
     set_flat_triangle(&mut polyhedron, corners, normal);
@@ -202,24 +205,9 @@ fn set_sides(polyhedron: &mut ConvexPolyhedron) {
     }
 }
 
-/// For each vertex the loops (faces, or edges as loops of two) that contain it, in order.
-fn neighbours<'a>(vertex_count: usize, loops: impl Iterator<Item = &'a [u32]> + Clone) -> Neighbours {
-    let mut starts = vec![0_usize; vertex_count + 1];
-    for &vertex in loops.clone().flatten() {
-        starts[vertex as usize + 1] += 1;
-    }
-    for i in 0..vertex_count {
-        starts[i + 1] += starts[i];
-    }
-    let mut next = starts.clone();
-    let mut items = vec![0_u32; starts[vertex_count]];
-    for (index, corners) in loops.enumerate() {
-        for &vertex in corners {
-            items[next[vertex as usize]] = index as u32;
-            next[vertex as usize] += 1;
-        }
-    }
-    Neighbours { starts, items }
+/// The pairs of a vertex and a loop (a face, or an edge as a loop of two) that contains it.
+fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Iterator<Item = (u32, u32)> + Clone {
+    (0..).zip(loops).flat_map(|(index, corners)| corners.iter().map(move |&vertex| (vertex, index)))
 }
 
 /// Plane faces, convexity and thickness.

@@ -13,6 +13,7 @@ use super::polyhedron::ConvexPolyhedron;
 use super::topology;
 use super::triangle::area_vector;
 use crate::bounding::{Bounds, BoxTree};
+use crate::shape::lists::Lists;
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::collections::BTreeMap;
@@ -68,37 +69,6 @@ pub struct TriangleMesh {
     reach: f64,
 }
 
-/// Lists of unequal length, one after the other.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Lists {
-    starts: Vec<u32>,
-    items: Vec<u32>,
-}
-
-impl Lists {
-    fn new(count: usize, keys: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
-        let mut starts = vec![0_u32; count + 1];
-        for (key, _) in keys.clone() {
-            starts[key as usize + 1] += 1;
-        }
-        for i in 0..count {
-            starts[i + 1] += starts[i];
-        }
-        let mut next = starts.clone();
-        let mut items = vec![0; starts[count] as usize];
-        for (key, item) in keys {
-            items[next[key as usize] as usize] = item;
-            next[key as usize] += 1;
-        }
-        Self { starts, items }
-    }
-
-    pub(crate) fn of(&self, key: u32) -> &[u32] {
-        let bound = |k: u32| self.starts.get(k as usize).map_or(self.items.len(), |&s| s as usize);
-        self.items.get(bound(key)..bound(key.saturating_add(1))).unwrap_or(&[])
-    }
-}
-
 impl TriangleMesh {
     /// From vertices in the body's frame (m) and triangles, anticlockwise seen from outside.
     ///
@@ -131,7 +101,7 @@ impl TriangleMesh {
         let at_edge = Lists::new(edges.len(), items_of(&edges_of));
         let (patches, patch_of) = patches(&vertices, &joined, &normals, &edges_of, &at_edge, FLAT * size);
         for (index, edge) in edges.iter_mut().enumerate() {
-            let around = at_edge.of(index as u32);
+            let around = at_edge.of(index);
             edge.flat = matches!(around, [t, u] if patch_of[*t as usize] == patch_of[*u as usize]);
             let outward = around.iter().map(|&t| {
                 let k = edges_of[t as usize].iter().position(|&e| e as usize == index).unwrap_or(0);
@@ -231,7 +201,7 @@ fn items_of(of: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
 
 /// A vertex of no triangle is no part of the surface.
 fn places(vertices: &[DVec3], at_vertex: &Lists) -> impl Iterator<Item = DVec3> {
-    (0..).zip(vertices).filter(|(index, _)| !at_vertex.of(*index).is_empty()).map(|(_, &place)| place)
+    vertices.iter().enumerate().filter(|(index, _)| !at_vertex.of(*index).is_empty()).map(|(_, &place)| place)
 }
 
 /// The triangles with the lowest of the vertices in each place.
@@ -323,7 +293,7 @@ fn patches(
         while let Some(&triangle) = members.get(next) {
             next += 1;
             for &edge in &edges_of[triangle as usize] {
-                let [t, u] = *at_edge.of(edge) else { continue };
+                let [t, u] = *at_edge.of(edge as usize) else { continue };
                 let other = if t == triangle { u } else { t };
                 let plane = corners(other).iter().all(|&v| normal.dot(v - origin).abs() <= tolerance);
                 if patch_of[other as usize] == u32::MAX && plane && normal.dot(normals[other as usize]) > 0.0 {

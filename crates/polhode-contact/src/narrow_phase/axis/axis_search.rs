@@ -1,4 +1,4 @@
-//! Two convex polyhedra in A's frame, as the search over their separating axes looks at them.
+//! Two convex polyhedra in A's frame, prepared for the search over their separating axes.
 
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
@@ -59,7 +59,7 @@ pub(crate) fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
 #[inline]
 pub(crate) fn range(points: &[DVec3], direction: DVec3) -> (f64, f64) {
     points.iter().map(|p| p.dot(direction)).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
-        // Compared by hand: `min` and `max` also have to ask for what is no number.
+        // Written with comparisons: `min` and `max` also have to handle NaN.
         (if height < low { height } else { low }, if height > high { height } else { high })
     })
 }

@@ -35,7 +35,8 @@ impl<'a> Body<'a> {
         own + n.dot(self.pose.translation)
     }
 
-    /// A point of the body that reaches as far; the frame's origin for a direction of no length and for a body without points.
+    /// A point of the body that reaches as far; the frame's origin for a direction of no length and for a body without
+    /// points.
     pub(crate) fn support_point(&self, n: DVec3) -> DVec3 {
         let local = self.pose.rotation.inverse_rotate(n);
         let own = match self.point {
@@ -80,7 +81,7 @@ impl<'a> Body<'a> {
             Shape::Cylinder(_) => list(&[Side(0), Rim(0), Rim(1)]),
             Shape::Cone(_) => list(&[Side(0), Rim(0), Vertex(0)]),
             Shape::Sphere(_) => list(&[Sphere]),
-            // Only its lowest place above a half-space is asked for.
+            // Only its lowest point above a half-space is needed.
             Shape::Torus(_) => list(&[Rim(0)]),
             Shape::Convex(polyhedron) => {
                 (0..polyhedron.edges.len() as u32).map(Edge).for_each(&mut visit);

@@ -1,10 +1,11 @@
-//! The axis along which two convex bodies, at least one of them round, separate best.
+//! The axis of largest separation of two convex bodies, at least one of them round.
 //!
 //! Along any unit vector `n` from B to A the bodies are apart by at least `s(n) = -h_A(-n) - h_B(n)` (`h` the support
 //! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of penetration
 //! when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other elements
-//! (`places.rs`), since it is smooth elsewhere. All of these are tried; whatever a candidate is, the true `s` along it is
-//! a lower bound, so that a candidate too many does no harm. A tie goes to faces and discs.
+//! (`places.rs`), since it is smooth elsewhere. All of these are candidates. The value
+//! `s` along any direction is a lower bound of the separation, so that an unnecessary candidate does no harm. When two
+//! candidates are equal, a face or disc is preferred.
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
 use crate::narrow_phase::axis::body::{Body, framed};
@@ -85,8 +86,8 @@ fn above_plane(owner: &Body<'_>, face: SurfaceFeature, other: &Body<'_>) -> Opti
 }
 
 /// The best common normal of two elements that are not planes, when it separates better than the planes do. Of equal ones
-/// a pair goes first whose elements are where the bodies are nearest: of a ball and a row of corners at one height, say,
-/// the corner under it.
+/// a pair is preferred whose elements are at the closest points of the bodies: for a sphere above a row of corners at one
+/// height, the corner below it.
 fn best_of_elements(a: &Body<'_>, b: &Body<'_>, flat: Gap) -> Gap {
     let between = a.pose.translation - b.pose.translation;
     let rounding = RESOLUTION_ULPS * f64::EPSILON * (a.size() + b.size() + between.length());
@@ -166,7 +167,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// A place, and where two curves meet, also with its normal turned round: they may have passed each other.
+/// A place. Where two curves intersect, also the same place with the opposite normal: the curves may have crossed.
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
     let open = curve(a.locus) && curve(b.locus);
@@ -218,7 +219,7 @@ pub(crate) fn each(
 
 /// The one axis of a half-space and a round shape.
 pub(crate) fn above_half_space((shape_a, pose_a): (&Shape, &Pose), (shape_b, pose_b): (&Shape, &Pose)) -> Gap {
-    let on_a = matches!(shape_a, Shape::HalfSpace(_));
+    let on_a = shape_a.is_half_space();
     let (plane, plane_pose, shape, pose) =
         if on_a { (shape_a, pose_a, shape_b, pose_b) } else { (shape_b, pose_b, shape_a, pose_a) };
     let (up, separation) = match plane {

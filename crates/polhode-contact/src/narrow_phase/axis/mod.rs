@@ -1,17 +1,17 @@
-//! The axis along which two bodies separate best.
+//! The axis of largest separation of two bodies.
 //!
 //! | module | holds |
 //! |---|---|
 //! | `axes` | what a search over the axes of two polyhedra found |
-//! | `axis_search` | two polyhedra as the search looks at them |
+//! | `axis_search` | two polyhedra in the frame of the search |
 //! | `edge_axes` | the pair of edges that separates best |
 //! | `separating_axis` | the search over all faces and edges |
 //! | `drift` | how far heights above faces may have changed between two poses |
 //! | `half_space` | the height above a half-space |
 //! | `body` | a convex body of which at least one of a pair is round |
-//! | `sieve` | which elements of a polyhedron can decide |
+//! | `sieve` | exclusion of elements that cannot decide |
 //! | `gap` | the axis of two convex bodies, at least one of them round |
-//! | `ring_samples` | where a circle is sampled to tell its minima apart |
+//! | `ring_samples` | samples of a circle that isolate its local minima |
 //! | `ring` | tori |
 
 pub(crate) mod axes;

@@ -1,15 +1,17 @@
-//! Tori: the distance of a circle from another body, less the radius of the tube.
+//! Tori: the distance of a ring from another body. It is the distance of its middle line (a circle), less the tube radius.
 //!
-//! A ring is not convex and may touch a body at several places: at every minimum of the distance along its middle line.
-//! Outside a convex body that distance is continuously differentiable, so that each minimum is a common normal of the middle
-//! line and the element of the body that is nearest there (`places.rs`). All elements are asked that come near enough, and of
-//! their common normals those count at which the element is the nearest: none is overlooked, also not one beside a lower one;
-//! only of several over the rim of one disc some may have no name that tells them from the others (`branch_offset.rs`).
+//! A ring is not convex and may touch a body at several places: at every local minimum of the distance along its middle
+//! line. Outside a convex body this distance is continuously differentiable, so that each minimum is a common normal of
+//! the middle line and the closest element of the body (`places.rs`). All elements that are near enough are searched, and
+//! a common normal is used if its element is the closest one there. So no minimum is missed, even one beside a lower one.
+//! Only of several minima over the rim of one disc, some may have no name that distinguishes them from the others
+//! (`branch_offset.rs`).
 //!
-//! Where the middle line itself runs through the other body the separation is that of its deepest place: no more than a
-//! lower bound of how far the ring would have to be moved. There the distance has corners, where the nearest element
-//! changes. Unless a plane along the deciding normal keeps the middle line off the body, the signed distance is sampled for
-//! them (`ring_samples.rs`, which says what samples may miss), and each is found by a golden-section search.
+//! Where the middle line passes through the other body, the separation is that at its deepest place. This is only a lower
+//! bound of the translation that would separate the ring. The distance then has kinks, where the closest element changes.
+//! The signed distance is sampled to find them, and a golden-section search locates each (`ring_samples.rs` says which
+//! ones samples may miss). This is not needed when a plane along the deciding normal separates the middle line from the
+//! body.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::body::Body;
@@ -65,10 +67,10 @@ impl FromPoint {
     }
 }
 
-/// Parts of an edge by which it is judged whether it comes near enough.
+/// Number of parts of an edge for the test whether it is near enough.
 const LINE_PARTS: f64 = 4.0;
 
-/// What minima are asked for, and what is known of the least one.
+/// The limits of the search for minima, and the lowest minimum so far.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     /// Of the middle line, m.
@@ -80,7 +82,7 @@ struct Nearest {
 }
 
 impl Nearest {
-    /// Distances of the middle line above this are not asked for, m.
+    /// Larger distances of the middle line are not needed, m.
     const fn limit(&self) -> f64 {
         self.least.max(self.reach)
     }
@@ -313,8 +315,8 @@ impl<'a> Ring<'a> {
         (nearest - reach - self.tolerance, nearest + self.tolerance)
     }
 
-    /// Whether an edge of a polyhedron may be what is nearest to some place of the middle line: that place lies beyond each of
-    /// its two faces, as seen along the other one's normal. Of other elements nothing is known.
+    /// Whether an edge of a polyhedron may be what is nearest to some place of the middle line: that place lies beyond
+    /// each of its two faces, as seen along the other one's normal. Of other elements nothing is known.
     fn may_be_nearest_along(&self, feature: SurfaceFeature) -> bool {
         let (Shape::Convex(polyhedron), SurfaceFeature::Edge(index)) = (self.other, feature) else { return true };
         let edge = &polyhedron.edges[index as usize];

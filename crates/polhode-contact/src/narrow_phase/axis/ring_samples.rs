@@ -1,13 +1,14 @@
-//! Samples of the distance of a circle from a body, as many as it takes to tell its least minima apart.
+//! Samples of the distance of a circle from a body, as many as are needed to isolate its lowest minima.
 //!
 //! The signed distance `d` of a convex body is a convex function of the place: with its gradient `g` at a sample `x_k`,
 //! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
 //! between two samples the larger of their two cosines bounds the distance from below. A stretch whose bound lies below what
 //! is asked for, and below the distance at both of its ends, is divided where the bound is least, until one element of the
-//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that element's,
-//! which are known otherwise. The places to which one element of a convex body is nearest form a convex set, which holds the
-//! chord of the stretch, but for its arc, which strays from the chord by 0.002 of the radius at most, that is no proof: an
-//! element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions would be needed.
+//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that
+//! element's, which are known otherwise. The places to which one element of a convex body is nearest form a convex set,
+//! which holds the chord of the stretch, but for its arc, which strays from the chord by 0.002 of the radius at most,
+//! that is no proof: an element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions
+//! would be needed.
 
 use crate::SurfaceFeature;
 use crate::shape::circle::Circle;
@@ -46,7 +47,7 @@ pub(crate) struct Sample {
     pub(crate) feature: SurfaceFeature,
 }
 
-/// What is asked for.
+/// The limits of the search.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wanted {
     /// Minima up to this, m, and the least one.
@@ -91,7 +92,7 @@ fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
     std::array::from_fn(|k| sample(step * k as f64))
 }
 
-/// Goes once around, dividing stretches as it comes to them.
+/// Visits all stretches once around the circle, and divides those that need it.
 fn walk(
     samples: &[Sample],
     wanted: Wanted,
@@ -161,7 +162,7 @@ impl Cosine {
 fn least_between(from: &Sample, to: &Sample, circle: &Circle) -> (f64, f64) {
     let middle = 0.5 * (from.angle + to.angle);
     if !(from.normal.is_finite() && to.normal.is_finite()) {
-        // No gradient: no place of the stretch is nearer than its way from the ends allows.
+        // Without a gradient, the bound follows from the distances at the ends and the length of the stretch.
         let way = circle.radius * (to.angle - from.angle);
         return (0.5 * (from.distance + to.distance - way), middle);
     }

@@ -1,16 +1,17 @@
-//! Which elements of a polyhedron can decide the separation of a pair: most cannot, and each costs a search.
+//! Exclusion of elements of a polyhedron that cannot decide the separation of a pair. Most cannot, and each costs a search.
 //!
-//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) walks through points `z` of the difference A - B towards the origin:
-//! `U = |z|` is no less than the distance of the bodies. At the deciding place the two elements are at most `U` apart when
-//! the bodies are apart, and when they overlap no farther than the overlap that is known from another axis; so only elements
-//! that come that near to the other body's box count.
-//! When the bodies are apart, those that reach far towards the other body are tried first.
+//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B towards
+//! the origin. `U = |z|` is an upper bound of the distance of the bodies. When the bodies are separated, the two deciding
+//! elements are at most `U` apart. When the bodies overlap, they are no farther apart than the overlap along any axis
+//! that is already known. So only elements within this distance of the other body's box can decide.
+//!
+//! When the bodies are separated, elements that reach far towards the other body are tried first.
 
 use crate::narrow_phase::axis::body::Body;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 
-/// Steps of Gilbert's method: the bound need not be sharp.
+/// Number of steps of Gilbert's method. The bound need not be sharp.
 const STEPS: usize = 16;
 
 /// Part of a polyhedron's size, measured back from its farthest place towards the other body, that is tried first.
@@ -19,13 +20,13 @@ const NEAR_PART: f64 = 0.05;
 /// Which elements are tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Pass {
-    /// Those that reach far towards the other body.
+    /// Elements that reach far towards the other body.
     Near,
-    /// All that may count.
+    /// All elements that can decide.
     All,
 }
 
-/// The other body's box about a polyhedron's frame, blown up by the bound of the distance.
+/// The box of the other body, inflated by the bound of the distance.
 #[derive(Debug, Clone, Copy)]
 struct Bounds {
     low: DVec3,
@@ -35,7 +36,7 @@ struct Bounds {
     near: f64,
 }
 
-/// What is known before the search of elements.
+/// The bounds that are known before elements are searched.
 pub(crate) struct Sieve {
     a: Option<Bounds>,
     b: Option<Bounds>,
@@ -63,7 +64,7 @@ impl Sieve {
         Self { a: of(a, b, -direction), b: of(b, a, direction) }
     }
 
-    /// Whether it lets everything through, so that one pass is enough.
+    /// Whether it excludes nothing, so that one pass is enough.
     pub(crate) const fn is_empty(&self) -> bool {
         self.a.is_none() && self.b.is_none()
     }

@@ -1,8 +1,10 @@
-//! Which of two places of a circle is meant, where its distance from a line, a cone or another circle is least twice.
+//! Which of two places on a circle a contact means, where the distance from a line, a cone or another circle has two local
+//! minima.
 //!
-//! A circle has one place nearest to a point and one lowest over a plane. What else it may touch, it touches at up to two
-//! places, and a contact must stay at its own while the bodies move. A signed length tells them apart, the *offset* of
-//! the place from the border between two halves of the circle (`x` places, `c` centres, `a` axes, `R` the radius):
+//! A circle has one closest point to a given point, and one lowest point over a plane. A line, a cone or another circle
+//! it may touch at two places. A contact must stay at its place while the bodies move. A signed length distinguishes the
+//! two places: the *offset* of the place from the border between two halves of the circle (`x` places, `c` centres, `a`
+//! axes, `R` the radius):
 //!
 //! | other locus | offset, m | at most one place each side |
 //! |---|---|---|
@@ -24,11 +26,11 @@ use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::element::{Element, Locus};
 
-/// Offsets of a ring below this part of its radius have no sign: to either side places stand for each other. Bodies about
+/// Offsets of a ring below this part of its radius have no sign: places on either side are equivalent. Bodies about
 /// one axis with a ring have such offsets all round; the distances of two such places differ by `1e-14` of the radius.
 const NEUTRAL: f64 = 1e-7;
 
-/// A place that is held as the nearest one alone is named anew at this many times the neutral part.
+/// A place without a branch name gets one when its offset exceeds this many times the neutral part.
 const LEFT_NEUTRAL: f64 = 2.0;
 
 /// Two places of a circle nearer to each other than this part of the radius are one.

@@ -6,14 +6,14 @@
 //! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
 //!
 //! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever
-//! `c sin^3 u > -b q`: all along when the line is on this side of the long axis (`q >= 0`), so that there is one minimum; else
-//! between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1` alone, so that there is one when `G'(u_1) <= 0 < G'(pi - u_1)`, and none
-//! otherwise. A minimum that has just come apart from a maximum lies as near to it as one likes, so that samples of `G'` alone
-//! would miss it.
+//! `c sin^3 u > -b q`: all along when the line is on this side of the long axis (`q >= 0`), so that there is one minimum;
+//! else between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1` alone, so that there is one when `G'(u_1) <= 0 < G'(pi - u_1)`,
+//! and none otherwise. A minimum and a maximum that are about to merge are arbitrarily close to each other, so that
+//! samples of `G'` alone would miss them.
 //!
-//! Two circles: to a place of one the other's nearest is a closed form, and all places where that distance is least are
-//! found (`minima.rs`); each is polished by Newton's method in both angles on `|F|^2/2`, whose matrix is regular at
-//! crossings.
+//! Two circles: the point of one circle closest to a given point of the other has a closed form. All local minima of this
+//! distance are found (`minima.rs`), and each is refined by Newton's method in both angles on `|F|^2/2`, whose matrix is
+//! regular at crossings.
 
 use crate::narrow_phase::common_normal::minima::{Height, falling_root};
 use crate::narrow_phase::common_normal::place::{Place, Places};
@@ -55,8 +55,8 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         to.dot(short_seen * cosine - long_seen * sine)
     };
     let slope = |u: f64| slope_at(libm::sincos(u));
-    // Where a line just dips into a thin ellipse its two places lie close together about an end of the long axis: samples
-    // between them and that end keep them apart.
+    // When the line lies just inside a thin ellipse, near an end of its long axis, the two minima are close to each other on
+    // either side of that end. A sample between each of them and the end separates them.
     let tip = libm::acos((line.dot(long) / radius).clamp(-1.0, 1.0));
     let step = PI / LINE_SAMPLES as f64;
     let mut found = Places::none();
@@ -84,7 +84,8 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         }
         // A little farther than the other end, so that a minimum right there lies between two samples.
         visit(PI + OVERLAP);
-        // On the far side of the long axis the samples may have stepped over a minimum and the maximum beside it.
+        // When the line is on the other side of the long axis, the samples may have missed a minimum with the maximum
+        // beside it.
         if !seen && let Some((from, to)) = rising_stretch(radius, half * line.dot(short_seen), sine) {
             let rises = directed(from) <= 0.0 && directed(to) > 0.0;
             if rises {
@@ -93,16 +94,17 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
             }
         }
     }
-    // A slope that is zero to rounding all round belongs to a line through the centre along the axis: any place is nearest.
+    // A slope that is zero to rounding everywhere means that the line is the axis of the circle: all points are equally
+    // close.
     if found.is_empty() {
         push_crossing(&mut found, (point, along), circle, 0.0, (long, short));
     }
     found
 }
 
-/// Where on the half `0 < u < pi` of a circle of this radius (m) the slope over `sin u` rises, for a line beyond the long axis:
-/// `across = b q/R` (m) is below zero there; `sine` is that of the angle between the line and the circle's axis. Nothing when
-/// it rises nowhere, or when the line is on this side.
+/// Where on the half `0 < u < pi` of a circle of this radius (m) the slope over `sin u` rises, for a line beyond the
+/// long axis: `across = b q/R` (m) is below zero there; `sine` is that of the angle between the line and the circle's axis. Nothing
+/// when it rises nowhere, or when the line is on this side.
 fn rising_stretch(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
     let part = -across / (radius * sine * sine);
     let least = libm::asin(libm::cbrt(part));

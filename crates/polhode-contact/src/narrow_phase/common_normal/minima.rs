@@ -1,8 +1,8 @@
-//! All angles about an axis at which a height is least, for the heights that circles and cones ask for:
+//! All local minima, over the angle about an axis, of a height function that occurs for circles and cones:
 //!
 //! `h(t) = p cos t + q sin t - k |m + c cos t + s sin t|`.
 //!
-//! But for a constant these are
+//! Apart from a constant, these heights are
 //!  - half the square of the distance of a circle's place `x(t)` from another circle: `x.(c_1 - c_2)` less the other's radius
 //!    times the length of `x - c_2` across its axis;
 //!  - the distance of a circle's place `x(t)` from the side of a cone: `sin(alpha) x.a` and `cos(alpha)` times the length of
@@ -13,13 +13,14 @@
 //! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at most
 //! four such angles.
 //!
-//! Two of them on the way to merge lie as close together as one likes, so that no number of samples is enough. A stretch of
-//! half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or
-//! when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the harmonics of the square of
-//! the length, so that it is as small as `h'` itself where the height hardly changes all round.
+//! Two of them that are about to merge are arbitrarily close to each other, so that no number of samples is enough. A
+//! stretch of half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of
+//! `|h'''|` on it, or when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the
+//! harmonics of the square of the length, so that it is as small as `h'` itself where the height hardly changes all
+//! round.
 //!
-//! Stretches below [`NARROWEST`] and more than [`MOST_STRETCHES`] at once (heights that are level to rounding) are judged
-//! by the slopes at their ends alone.
+//! When a stretch is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are open at once (heights that are
+//! constant to rounding), only the slopes at the ends of the stretch decide.
 
 use glam::DVec3;
 use std::f64::consts::TAU;

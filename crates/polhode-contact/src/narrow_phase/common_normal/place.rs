@@ -1,4 +1,4 @@
-//! A common normal of two elements: the place it stands on either.
+//! A common normal of two elements, with its place on each of them.
 
 use crate::narrow_phase::feature::element::Element;
 use glam::DVec3;

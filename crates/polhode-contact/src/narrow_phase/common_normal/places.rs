@@ -1,13 +1,13 @@
-//! Places where two elements stand over each other.
+//! The common normals of two elements, and the places on them.
 //!
-//! Two surfaces are nearest, or overlap the least, where one line is normal to both: `F = x_A - x_B` along the common
-//! normal `n`, with `x` a place on each locus. For most pairs of loci these places are closed forms:
+//! Two surfaces are closest, or their penetration is smallest, where one line is normal to both: `F = x_A - x_B` is along
+//! the common normal `n`, with `x` a place on each locus. For most pairs of loci these places have closed forms:
 //!
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;
 //!
-//! Of the others one angle is left, about a cone's axis or along a circle (`minima.rs`): for a circle and a cone here, for
-//! a circle and a line and for two circles in `curves.rs`.
+//! For the others one unknown angle is left, about a cone's axis or along a circle (`minima.rs`): for a circle and a cone in
+//! this module, for a circle and a line and for two circles in `curves.rs`.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::common_normal::curves;

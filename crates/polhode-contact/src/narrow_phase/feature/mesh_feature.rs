@@ -1,8 +1,8 @@
 //! Faces, edges and vertices of a triangle mesh: where they end, and the normals they may have.
 //!
-//! A face has the normal of its patch. An edge or a vertex has those normals `v` across whose plane all its triangles
-//! fall away, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex edge, the
-//! cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
+//! A face has the normal of its patch. An edge or a vertex has the normals `v` for which all its triangles lie below the
+//! plane with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex
+//! edge, the cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
 use crate::bounding::Bounds;
 use crate::clearance::COINCIDENCE;
@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
 /// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
-/// which the surface rises it is zero: what has sunk in there lies under both faces, and both bear it.
+/// which the surface rises it is zero: a body that penetrates there is below both faces, and has contacts with both.
 pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();
@@ -60,7 +60,7 @@ impl TriangleMesh {
     fn rises_at(&self, edge: u32, face: u32) -> bool {
         let Some(plane) = self.face_plane(face) else { return false };
         let height = COINCIDENCE * self.bounds_size();
-        let others = self.at_edge.of(edge).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
+        let others = self.at_edge.of(edge as usize).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
         others.flat_map(|&t| self.corner_places(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
     }
 
@@ -71,7 +71,7 @@ impl TriangleMesh {
 
     /// Unit vectors out of the triangles at an edge, in their planes.
     pub(crate) fn sides_at_edge(&self, edge: u32) -> impl Iterator<Item = DVec3> + '_ {
-        self.at_edge.of(edge).iter().filter_map(move |&t| {
+        self.at_edge.of(edge as usize).iter().filter_map(move |&t| {
             let k = self.edges_of[t as usize].iter().position(|&e| e == edge)?;
             Some(self.sides[t as usize][k])
         })
@@ -79,7 +79,7 @@ impl TriangleMesh {
 
     /// The corners of the triangles at a vertex but for itself; some occur twice.
     pub(crate) fn neighbours(&self, vertex: u32) -> impl Iterator<Item = DVec3> + '_ {
-        let others = self.at_vertex.of(vertex).iter().flat_map(|&t| self.joined[t as usize]);
+        let others = self.at_vertex.of(vertex as usize).iter().flat_map(|&t| self.joined[t as usize]);
         others.filter(move |&v| v != vertex).map(|v| self.vertices[v as usize])
     }
 
@@ -100,7 +100,7 @@ impl TriangleMesh {
         let Some(line) = self.edges.get(edge as usize) else { return false };
         let x = self.vertices[line.vertices[0] as usize];
         let falls = |&t: &u32| self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope));
-        self.at_edge.of(edge).iter().all(falls)
+        self.at_edge.of(edge as usize).iter().all(falls)
     }
 
     /// The same at a vertex.
@@ -110,14 +110,14 @@ impl TriangleMesh {
             // Of the vertex itself the step is zero.
             self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
         };
-        self.at_vertex.of(vertex).iter().all(falls)
+        self.at_vertex.of(vertex as usize).iter().all(falls)
     }
 
     /// How the surface goes on around a vertex within the plane across `v`.
     pub(crate) fn flatness(&self, vertex: u32, v: DVec3, tolerance: f64) -> Flatness {
         let Some(&x) = self.vertices.get(vertex as usize) else { return Flatness::Corner };
         let level = |w: DVec3| (w - x).dot(v).abs() <= tolerance;
-        let around = self.at_vertex.of(vertex);
+        let around = self.at_vertex.of(vertex as usize);
         let mut straight = None;
         for &t in around {
             let others = self.joined[t as usize].map(|n| self.vertices[n as usize]);

@@ -35,8 +35,7 @@ pub(crate) fn pair_manifold(
         let axes = buffers.search.search_deciding(polyhedron_a, polyhedron_b, &x_ab, reach);
         return along_axes(buffers, (polyhedron_a, a), (polyhedron_b, b), (&axes, None), reach, found);
     }
-    let ring = |shape: &Shape| matches!(shape, Shape::Torus(_));
-    if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || ring(shape)) {
+    if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || shape.is_ring()) {
         return of_round(buffers, a, b, reach, found);
     }
     let separation = pair_separation(&mut buffers.search, shape_a, pose_a, shape_b, pose_b);
@@ -62,8 +61,8 @@ pub(crate) fn pair_manifold(
     measure(&mut buffers.features, a, b, reach, &mut found.contacts);
 }
 
-/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring that of
-/// every place at which it is nearest.
+/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring
+/// that of every place at which it is nearest.
 fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
     let features = &mut buffers.features;
     let (pair_a, pair_b) = ((a.shape, a.pose), (b.shape, b.pose));
@@ -81,10 +80,9 @@ fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64,
             round_region::contacts(features, pair_a, pair_b, &gap, reach, &mut found.contacts);
         }
     };
-    let half_space = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
-    if half_space(a.shape) || half_space(b.shape) {
+    if a.shape.is_half_space() || b.shape.is_half_space() {
         add(gap::above_half_space(pair_a, pair_b));
-    } else if matches!(a.shape, Shape::Torus(_)) || matches!(b.shape, Shape::Torus(_)) {
+    } else if a.shape.is_ring() || b.shape.is_ring() {
         ring::each(a.shape, a.pose, b.shape, b.pose, reach, add);
         found.contacts.sort_unstable_by_key(|contact| contact.feature);
         found.contacts.dedup_by_key(|contact| contact.feature);

@@ -10,6 +10,7 @@ use crate::narrow_phase::region::face_contacts::FacePair;
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::kept_region::KeptRegion;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
+use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::narrow_phase::region::tied_faces;
 use crate::narrow_phase::region::upward::is_upward;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
@@ -18,9 +19,6 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// A crossing within so many tolerances of a vertex is that vertex' contact.
-const SAME_PLACES: f64 = 4.0;
 
 /// The contacts of two polyhedra whose best axes are known. B must have been placed.
 pub(crate) fn along_axes(
@@ -104,7 +102,7 @@ fn touching(
     found: &mut Manifold,
 ) {
     let contacts = &mut found.contacts;
-    if axes.deciding_edges().is_none() && found.separation.abs() <= SAME_PLACES * axes.tolerance {
+    if axes.deciding_edges().is_none() && found.separation.abs() <= SAME_PLACE * axes.tolerance {
         let which = (found.separation, axes.tolerance, reach);
         along_best_tied_face(buffers, (polyhedron_a, a), (polyhedron_b, b), which, contacts);
     }
@@ -174,7 +172,7 @@ pub(crate) fn along_tied_faces(
 fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, crossing: &ContactGeometry, tolerance: f64) {
     contacts.retain(|c| c.geometry.margin >= -tolerance);
     let feature = ContactFeature::EdgeEdge { edge_a: edges.edge_a, edge_b: edges.edge_b };
-    let beside = |c: &Contact| c.geometry.point.distance(crossing.point) <= SAME_PLACES * tolerance;
+    let beside = |c: &Contact| c.geometry.point.distance(crossing.point) <= SAME_PLACE * tolerance;
     if crossing.margin < -tolerance || contacts.iter().any(|c| c.feature == feature || beside(c)) {
         return;
     }

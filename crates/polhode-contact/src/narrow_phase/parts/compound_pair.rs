@@ -1,10 +1,17 @@
-//! Compounds: what their parts give, put together.
+//! Contacts of compounds: the contacts of all pairs of parts, combined.
 //!
-//! The separation is the least over the pairs of parts that can be nearest by their boxes. A manifold takes the contacts
-//! of every pair of parts within reach, leaves out those that are none of the whole body (`compound_surface.rs`), adds
-//! what re-entrant edges (`tied_faces.rs`) and bent ridges (`ridge_ends.rs`) hold instead, and keeps one for each place
-//! and normal (`same_places.rs`). All of it is computed about A's origin, so that a pair far away loses nothing; the geometry
-//! of the contacts that stay is that of [`crate::evaluate()`] at the poses given.
+//! The separation is the smallest separation over the pairs of parts. Bounding boxes exclude pairs that cannot be nearest.
+//!
+//! A manifold is computed in these steps:
+//!
+//! 1. compute the contacts of every pair of parts within reach;
+//! 2. remove contacts that the whole body does not have (`compound_surface.rs`);
+//! 3. add the contacts at re-entrant edges (`tied_faces.rs`) and at bent ridges (`ridge_ends.rs`), which single pairs of
+//!    parts do not show;
+//! 4. keep one contact for each place and normal (`same_places.rs`).
+//!
+//! All steps use coordinates relative to A's origin, so that a pair far from the world's origin loses no accuracy. The
+//! geometry of the final contacts is that of [`crate::evaluate()`] at the given poses.
 
 use crate::bounding::Bounds;
 use crate::clearance::place_tolerance;
@@ -16,23 +23,23 @@ use crate::narrow_phase::pair::polyhedra::along_tied_faces;
 use crate::narrow_phase::parts::compound_surface::{Candidate, on_whole};
 use crate::narrow_phase::parts::mesh_pair::{MeshBuffers, mesh_manifold, mesh_separation};
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, TouchingPair, crossings};
-use crate::narrow_phase::parts::same_places::{SAME_PLACE, SamePlaces};
+use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
 use crate::shape::extent::turned;
 use crate::{Contact, Manifold, SeparatingAxis, Shape, Side};
 use polhode_spatial::Pose;
 
-/// Whether a shape is one of parts that are taken one by one.
+/// Whether a shape consists of parts that are processed one by one.
 pub(crate) const fn is_composite(shape: &Shape) -> bool {
     matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_))
 }
 
-/// What is kept from call to call.
+/// Buffers that are reused from call to call.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CompoundBuffers {
-    /// Of the pairs of parts.
+    /// For pairs of parts.
     pub(crate) mesh: MeshBuffers,
     pairs: Vec<[usize; 2]>,
-    /// Of one pair of parts.
+    /// Contacts of one pair of parts.
     of_parts: Manifold,
     candidates: Vec<Candidate>,
     kept: Vec<Candidate>,
@@ -53,7 +60,7 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
     };
     let other = 1 - at;
     let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
-    let unbounded = matches!(shapes[other], Shape::HalfSpace(_));
+    let unbounded = shapes[other].is_half_space();
     let near = |of: &Bounds| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
     let mut measure = |part: u32, _: f64| {
         let mut pair = shapes;
@@ -63,7 +70,7 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
     compound.tree.least(f64::INFINITY, 0.0, &near, &mut measure)
 }
 
-/// All contacts of any pair, part by part; of compounds and meshes the separation only when it is within reach.
+/// All contacts of any pair, part by part. The separation of compounds and meshes is computed only when it is within reach.
 pub(crate) fn manifold_of_parts(
     buffers: &mut CompoundBuffers,
     shapes: [&Shape; 2],
@@ -78,7 +85,7 @@ pub(crate) fn manifold_of_parts(
     }
 }
 
-/// The contacts of a pair of which neither is a compound.
+/// The contacts of a pair without compounds.
 fn without_compounds(
     buffers: &mut MeshBuffers,
     shapes: [&Shape; 2],
@@ -108,7 +115,7 @@ fn of_compound(
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
     candidates.clear();
     pairs.clear();
-    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE * tolerance, pairs);
+    pairs_within(shapes, near, reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance, pairs);
     let pair_of = |parts: [usize; 2]| [part_of(shapes[0], parts[0]), part_of(shapes[1], parts[1])];
     kept.clear();
     for &parts in pairs.iter() {
@@ -127,7 +134,7 @@ fn of_compound(
         };
         candidates.extend(of_parts.contacts.iter().map(candidate));
         if !keep(&of_parts.contacts) {
-            // Along an axis that separates the parts as well there may be contacts of the whole.
+            // Another axis that separates the parts equally well may give contacts of the whole body.
             along_tied_faces(&mut mesh.pair, (pair[0], near[0]), (pair[1], near[1]), reach, of_parts);
             keep(&of_parts.contacts);
         }
@@ -135,22 +142,22 @@ fn of_compound(
     if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
         return found.set_empty(found.separation, SeparatingAxis::None);
     }
-    let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE * tolerance };
-    // Where a ridge bends, what the parts have by themselves is none of the whole: the ridges are crossed there.
+    let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE_OF_PARTS * tolerance };
+    // Where a ridge bends, the contacts of single parts are not contacts of the whole body: cross the ridges there instead.
     let at_border = |c: &&Candidate| touching.is_at_border(&c.geometry);
     ridges.places.extend(candidates.iter().filter(at_border).map(|c| c.geometry.point));
     crossings(ridges, touching, &mut found.contacts);
     if kept.is_empty() && found.contacts.is_empty() && found.separation <= tolerance {
-        // Bodies that touch have a contact, also where the parts hide it: they overlap more than a part is thick.
+        // Bodies that touch must have a contact. None may be left when the penetration exceeds the thickness of a part.
         kept.extend(candidates.iter().min_by(|p, q| p.geometry.separation.total_cmp(&q.geometry.separation)));
     }
     let named = |c: &Candidate| Contact { feature: globalized(c.feature, shapes, c.parts), geometry: c.geometry };
     found.contacts.extend(kept.iter().map(named));
-    same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    same_places.keep_one_each(&mut found.contacts, SAME_PLACE_OF_PARTS * tolerance);
     measure_again(&mut found.contacts, shapes, poses, reach.max(tolerance));
 }
 
-/// A contact of two parts as one of the whole bodies, or nothing when it is none.
+/// The contact of two parts as a contact of the whole bodies; `None` when the whole bodies do not have it.
 fn of_whole(
     candidate: Candidate,
     pair: [&Shape; 2],
@@ -169,7 +176,7 @@ fn of_whole(
     }
 }
 
-/// An axis with the numbers of the whole bodies.
+/// An axis, with the feature numbers of the whole bodies.
 fn axis_of_whole(axis: SeparatingAxis, shapes: [&Shape; 2], parts: [usize; 2]) -> SeparatingAxis {
     let first = |at: usize| match shapes[at] {
         Shape::Compound(c) => c.first.get(parts[at]).copied().unwrap_or_default(),
@@ -183,7 +190,7 @@ fn axis_of_whole(axis: SeparatingAxis, shapes: [&Shape; 2], parts: [usize; 2]) -
     }
 }
 
-/// The size of a body's smallest part: it says how finely features must be told apart.
+/// The size of a body's smallest part. It decides how far apart two distinct features must be.
 fn least_part(shape: &Shape) -> f64 {
     match shape {
         Shape::Compound(c) => c.parts.iter().map(Shape::size).filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min),
@@ -192,10 +199,7 @@ fn least_part(shape: &Shape) -> f64 {
 }
 
 fn part_of(shape: &Shape, part: usize) -> &Shape {
-    match shape {
-        Shape::Compound(c) => c.parts.get(part).unwrap_or(shape),
-        other => other,
-    }
+    shape.parts().get(part).unwrap_or(shape)
 }
 
 /// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
@@ -203,8 +207,8 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
     let x_ba = poses[1].relative(poses[0]);
     let whole = shapes[1].bounds_at(&Pose::IDENTITY).inflated(reach);
     let mut add = |i: usize, part: &Shape| {
-        // A half-space has no box: it may meet anything.
-        let unbounded = matches!(part, Shape::HalfSpace(_)) || matches!(shapes[1], Shape::HalfSpace(_));
+        // A half-space is unbounded: its box overlaps every other box.
+        let unbounded = part.is_half_space() || shapes[1].is_half_space();
         let bounds = if unbounded { Bounds::ALL } else { part.bounds_at(&x_ba).inflated(reach) };
         match shapes[1] {
             Shape::Compound(b) => b.tree.overlaps(&bounds, &mut |j| pairs.push([i, j as usize])),
@@ -212,10 +216,10 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
             _ => {}
         }
     };
-    let everywhere = matches!(shapes[1], Shape::HalfSpace(_));
+    let everywhere = shapes[1].is_half_space();
     match shapes[0] {
         Shape::Compound(a) => {
-            // The box of a part here takes all of its vertices: those of parts out of the other's way are not made.
+            // An exact box needs all vertices of a part: the tree first excludes parts that are too far away.
             let near = |of: &Bounds| everywhere || turned(*of, &x_ba).inflated(reach).overlaps(&whole);
             a.tree.passing(&near, &mut |i| add(i as usize, part_of(shapes[0], i as usize)));
         }

@@ -1,46 +1,49 @@
-//! Which contacts of one part of a compound are contacts of the whole.
+//! Which contacts of one part of a compound are contacts of the whole body.
 //!
-//! Parts may touch in faces that are no surface of the body (an exact decomposition cuts them), or overlap. At a place
-//! `x` of the part's surface with outward normal `v`, looked at with a short probe within the plane across `v`:
-//!  - a contact on a face stands when some of the face beside `x` is free: not every probe meets another part above it;
-//!  - a contact of an edge or vertex stands when no other part at `x` rises above the plane, as the normals of the whole
-//!    body's edge or vertex are those that all its parts have in common; or when it ends a face across the normal that
-//!    is free beside `x`, up to which the whole body's face goes;
-//!  - an edge or vertex between flush faces is none of the body: a crossing there is left out, and a vertex gives way to
-//!    the other body's vertex when there is one, so that the contacts are the vertices of the whole region.
+//! Parts may overlap, or touch at faces that are not on the surface of the body (the cuts of an exact decomposition). Each
+//! contact of a part, at a place `x` of its surface with outward normal `v`, is tested with short probes in the plane
+//! through
+//! `x` with normal `v`:
 //!
-//! Fails for gaps and steps between parts that are shorter than the probe ([`PROBE`]), which count as closed.
+//!  - A contact on a face is kept when the face is free somewhere beside `x`: not every probe has another part above it.
+//!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane. The valid normals at an edge or
+//!    vertex of the whole body are those that are valid for all of its parts. It is also kept when it lies at the end of a face
+//!    with normal `v` that is free beside `x`: the face of the whole body ends there.
+//!  - An edge or vertex between coplanar faces of several parts is not a feature of the whole body. Its edge crossings are
+//!    removed. Its vertex contact is replaced by a vertex of the other body when there is one, so that the contacts are the
+//!    vertices of the whole contact region.
+//!
+//! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
+use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
+use crate::narrow_phase::parts::surface_probe::probe_length;
 use crate::shape::Compound;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, ContactGeometry, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Length of a probe relative to the part: far above the tolerance of places (1e-12), far below a part.
-const PROBE: f64 = 1e-6;
-
-/// Directions that are probed around a place.
+/// Number of directions that are probed around a place.
 const PROBES: u32 = 16;
 
-/// Cosine up to which a direction lies in a plane: far above rounding, far below the slope of any two faces that are not
-/// flush.
+/// A direction lies in a plane when its cosine with the normal is at most this: far above rounding, far below the angle
+/// between any two faces that are not coplanar.
 const IN_PLANE: f64 = 1e-9;
 
-/// Cosine above which two edges run along each other.
+/// Two edges are parallel when the cosine of their angle is above this.
 const ALONG: f64 = 1.0 - 1e-12;
 
 /// A contact of one part of each body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Candidate {
-    /// With numbers within the parts.
+    /// Feature numbers count within the parts.
     pub(crate) feature: ContactFeature,
     pub(crate) parts: [usize; 2],
-    /// About A's origin.
+    /// Relative to A's origin.
     pub(crate) geometry: ContactGeometry,
-    /// A vertex that has taken the place of one of the other body.
+    /// Whether its vertex replaces one of the other body.
     pub(crate) replaced: bool,
 }
 
@@ -55,7 +58,8 @@ struct Place<'a> {
     probe: f64,
 }
 
-/// The contact of two parts as one of the whole body `side`, or nothing when it is none. Poses are those of the candidate;
+/// The contact of two parts as a contact of the whole body `side`; `None` when the whole body does not have it. Poses are
+/// those of the candidate;
 /// `near` is a buffer.
 pub(crate) fn on_whole(
     mut candidate: Candidate,
@@ -71,7 +75,7 @@ pub(crate) fn on_whole(
     let x = pose.inverse_transform_point(geometry.point - geometry.normal * (0.5 * sign * geometry.separation));
     let v = pose.rotation.inverse_rotate(geometry.normal * sign);
     let part = candidate.parts[at];
-    let probe = (PROBE * compound.parts[part].size()).max(32.0 * tolerance);
+    let probe = probe_length(compound.parts[part].size(), tolerance);
     near.clear();
     let reach = Bounds { min: x, max: x }.inflated(2.0 * probe);
     compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
@@ -97,10 +101,10 @@ pub(crate) fn on_whole(
             let local = |direction: DVec3| poses[1 - at].rotation.inverse_rotate(pose.rotation.rotate(direction));
             let x_other = poses[1 - at]
                 .inverse_transform_point(geometry.point + geometry.normal * (0.5 * sign * geometry.separation));
-            let border = if geometry.margin > 8.0 * tolerance {
+            let border = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
                 Border::Inside
             } else {
-                at_border(shapes[1 - at], candidate.feature, x_other, 8.0 * tolerance)
+                at_border(shapes[1 - at], candidate.feature, x_other, SAME_PLACE_OF_PARTS * tolerance)
             };
             match border {
                 Border::Vertex(other) if !candidate.replaced => {
@@ -123,7 +127,7 @@ pub(crate) fn on_whole(
     }
 }
 
-/// What of a body touches.
+/// The kind of feature that touches.
 enum Element {
     Face(u32),
     Edge(u32),
@@ -154,7 +158,7 @@ impl Place<'_> {
         })
     }
 
-    /// Whether another part holds the place strictly inside.
+    /// Whether the place is strictly inside another part.
     fn is_covered(&self) -> bool {
         self.near.iter().any(|&part| match &self.compound.parts[part] {
             Shape::Convex(polyhedron) => polyhedron.outside(self.x) < -self.tolerance,
@@ -163,17 +167,17 @@ impl Place<'_> {
         })
     }
 
-    /// Unit vectors around the normal.
+    /// Unit vectors perpendicular to the normal, evenly spaced.
     fn probes(&self) -> impl Iterator<Item = DVec3> {
         let (u, w) = self.v.any_orthonormal_pair();
         (0..PROBES).map(move |k| {
-            // Turned so that none lies along a symmetric face's edges.
+            // Rotated by an angle that avoids the edge directions of symmetric faces.
             let angle = (f64::from(k) + 0.3) / f64::from(PROBES) * std::f64::consts::TAU;
             u * libm::cos(angle) + w * libm::sin(angle)
         })
     }
 
-    /// Whether some of a face beside the place has no other part above it.
+    /// Whether a region of the face beside the place has no other part above it.
     fn is_exposed(&self, own: &ConvexPolyhedron, face: u32) -> bool {
         let Some(face) = own.face(face as usize) else { return false };
         let mut probed = false;
@@ -190,7 +194,7 @@ impl Place<'_> {
         !probed
     }
 
-    /// Whether a part goes on above a place along the normal.
+    /// Whether another part covers a place: it extends above it along the normal.
     fn is_above(&self, other: &ConvexPolyhedron, x: DVec3) -> bool {
         other.faces.iter().all(|face| {
             let height = face.normal.dot(x) - face.offset;
@@ -198,7 +202,7 @@ impl Place<'_> {
         })
     }
 
-    /// Whether no other part at the place rises above the plane across the normal.
+    /// Whether no other part at the place rises above the contact plane.
     fn is_supported(&self) -> bool {
         let level = self.v.dot(self.x) + self.tolerance;
         self.near.iter().all(|&part| {
@@ -213,8 +217,8 @@ impl Place<'_> {
         })
     }
 
-    /// Whether one of these faces has the normal and is free beside the place: where another part rises the body's face
-    /// ends, and its points up to there touch.
+    /// Whether one of these faces has the contact normal and is free beside the place. The face of the whole body ends where
+    /// another part rises above it, and its points up to there can touch.
     fn ends_a_face(&self, own: &ConvexPolyhedron, faces: &[u32]) -> bool {
         let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - IN_PLANE;
         faces.iter().filter(along).any(|&face| self.is_exposed(own, face))
@@ -224,14 +228,14 @@ impl Place<'_> {
         self.others().any(|other| other.outside(x) <= self.tolerance)
     }
 
-    /// Whether another part goes on in the plane beyond an edge of this one.
+    /// Whether another part continues the surface in the contact plane beyond an edge of this part.
     fn continues_across(&self, own: &ConvexPolyhedron, edge: DVec3) -> bool {
         let side = edge.cross(self.v).normalize_or_zero() * self.probe;
         let away = if own.outside(self.x + side) <= self.tolerance { -side } else { side };
         own.outside(self.x - away) <= self.tolerance && self.is_filled(self.x + away)
     }
 
-    /// The direction of an edge of this part in the plane that goes on beyond the vertex in another part.
+    /// The direction of an edge of this part in the contact plane that another part continues beyond the vertex.
     fn continued_edge(&self, own: &ConvexPolyhedron, vertex: u32) -> Option<DVec3> {
         let directions = own.edges_at.of(vertex as usize).iter().map(|&edge| {
             let edge = &own.edges[edge as usize];
@@ -240,7 +244,7 @@ impl Place<'_> {
         directions.filter(|d| d.dot(self.v).abs() <= IN_PLANE).find(|d| self.is_filled(self.x - *d * self.probe))
     }
 
-    /// Whether the parts fill the plane all around.
+    /// Whether the parts cover the contact plane all around the place.
     fn is_inner(&self) -> bool {
         let Shape::Convex(own) = &self.compound.parts[self.part] else { return false };
         self.probes().all(|d| {

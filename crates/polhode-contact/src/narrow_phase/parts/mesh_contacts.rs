@@ -1,4 +1,4 @@
-//! Contacts of one triangle of a mesh, in the mesh's frame with the mesh as A.
+//! Contacts of one triangle of a mesh with another body. The mesh is body A, and its frame is the frame of computation.
 
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::axis::body::Body;
@@ -9,7 +9,8 @@ use crate::narrow_phase::feature::mesh_feature::Flatness;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
-use crate::narrow_phase::parts::same_places::SAME_PLACE;
+use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
+use crate::narrow_phase::parts::surface_probe::SLOPE;
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
@@ -25,16 +26,16 @@ use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// How much deeper along a triangle's axis than as a whole a body may overlap there.
+/// A triangle gives contacts up to this ratio of the penetration along its own axes to that of the whole pair.
 pub(crate) const DEEPER: f64 = 1.5;
 
-/// A contact in the mesh's frame, the mesh being A.
+/// A contact in the mesh's frame, with the mesh as A.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeshContact {
     pub(crate) contact: Contact,
-    /// Its place among those found.
+    /// Its position in the order of discovery.
     pub(crate) order: u32,
-    /// It lies on an edge or corner of its triangle at which the surface falls away on all sides.
+    /// Whether it lies on a convex edge or corner of its triangle.
     pub(crate) on_convex_edge: bool,
 }
 
@@ -54,7 +55,7 @@ impl<'a> MeshPair<'a> {
     /// The pair in the mesh's frame.
     pub(crate) const fn touching(&'a self) -> TouchingPair<'a> {
         let poses = [&Pose::IDENTITY, &self.x];
-        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE * self.tolerance }
+        TouchingPair { shapes: [self.shape, self.other], poses, same_place: SAME_PLACE_OF_PARTS * self.tolerance }
     }
 }
 
@@ -114,14 +115,15 @@ pub(crate) fn of_polyhedron(
     let judge = OnTriangle { pair, triangle };
     let touching = pair.touching();
     for &feature in &features {
-        // Where a ridge bends, what a triangle has by itself is none of the surface: the ridges are crossed there.
+        // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the ridges
+        // there instead (`ridge_ends.rs`).
         let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
         bends.extend(place.map(|geometry| geometry.point));
         let Some(found) = judge.on_surface(feature) else { continue };
         let geometry = found.contact.geometry;
         let alike = |normal: &DVec3| geometry.normal.dot(*normal) >= ALIKE;
         let decided = deciding.is_none_or(|normals| normals.iter().flatten().any(alike));
-        // Apart, the nearest places of two lines may lie beyond the ends of the edges.
+        // Before contact, the closest points of the two lines may lie beyond the ends of the edges.
         let crossing = deciding.is_some() || geometry.margin >= -tolerance;
         if decided && crossing && geometry.separation <= reach {
             contacts.push(found);
@@ -130,7 +132,7 @@ pub(crate) fn of_polyhedron(
     buffers.features = features;
 }
 
-/// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
+/// The contact on the deciding axis itself: the edge crossing, or the vertex with the largest penetration of the face.
 pub(crate) fn deciding_contact(
     search: &AxisSearch,
     pair: &MeshPair<'_>,
@@ -155,7 +157,7 @@ pub(crate) fn deciding_contact(
     OnTriangle { pair, triangle }.measure(feature)
 }
 
-/// The side of the triangle and the face of the polyhedron that lie on each other, when they do.
+/// The side of the triangle and the face of the polyhedron that are in face-face contact, if any.
 fn faces_of(
     search: &AxisSearch,
     triangle: &Triangle,
@@ -180,7 +182,7 @@ fn faces_of(
     }
 }
 
-/// Of the faces at the lowest vertices along a direction, the one that lies most nearly against it.
+/// Among the faces at the support points along a direction, the face whose normal is closest to the opposite direction.
 fn lowest_face(search: &AxisSearch, polyhedron: &ConvexPolyhedron, outward: DVec3, tolerance: f64) -> u32 {
     let least = search.vertices.iter().map(|v| v.dot(outward)).fold(f64::INFINITY, f64::min);
     let mut best = (0, f64::NEG_INFINITY);
@@ -197,14 +199,14 @@ fn lowest_face(search: &AxisSearch, polyhedron: &ConvexPolyhedron, outward: DVec
     best.0
 }
 
-/// Judges contacts between a triangle and the body.
+/// Decides which contacts of a triangle are contacts of the whole surface.
 struct OnTriangle<'a> {
     pair: &'a MeshPair<'a>,
     triangle: &'a Triangle,
 }
 
 impl OnTriangle<'_> {
-    /// The geometry of a contact with the numbers of the mesh.
+    /// The contact, with the feature numbers of the mesh.
     fn measure(&self, feature: ContactFeature) -> Option<Contact> {
         let index = self.triangle.index as usize;
         let mesh = self.pair.mesh;
@@ -244,7 +246,7 @@ impl OnTriangle<'_> {
         Some(Contact { feature, geometry })
     }
 
-    /// The contact, when the surface of the whole mesh has it.
+    /// The contact; `None` when the surface of the whole mesh does not have it.
     fn on_surface(&self, feature: ContactFeature) -> Option<MeshContact> {
         let contact = self.measure(feature)?;
         let (mesh, tolerance) = (self.pair.mesh, self.pair.tolerance);
@@ -262,7 +264,7 @@ impl OnTriangle<'_> {
                 };
                 let on_body = contact.geometry.point - contact.geometry.normal * (0.5 * contact.geometry.separation);
                 let y = self.pair.x.inverse_transform_point(on_body);
-                match (at_border(self.pair.other, contact.feature, y, 8.0 * tolerance), straight) {
+                match (at_border(self.pair.other, contact.feature, y, SAME_PLACE_OF_PARTS * tolerance), straight) {
                     (Border::Vertex(vertex), _) => {
                         let side = u32::from(outward.dot(self.triangle.normal) < 0.0);
                         let face = 2 * mesh.patch_of[self.triangle.index as usize] + side;
@@ -295,9 +297,9 @@ impl OnTriangle<'_> {
         }
     }
 
-    /// The part of the triangle in which a place lies.
+    /// The feature of the triangle (corner, edge or face) on which a place lies.
     fn part_at(&self, place: DVec3) -> Part {
-        let limit = 8.0 * self.pair.tolerance;
+        let limit = SAME_PLACE_OF_PARTS * self.pair.tolerance;
         let corners = self.triangle.corners;
         if let Some(k) = corners.iter().position(|c| c.distance(place) <= limit) {
             return Part::Corner(k);
@@ -317,14 +319,10 @@ impl OnTriangle<'_> {
     }
 }
 
-/// Sine below which a straight border of the mesh runs along an edge of the body.
+/// A straight border of the mesh is parallel to an edge of the body when the sine of their angle is below this.
 const PARALLEL: f64 = 1e-6;
 
-/// Slope by which the neighbours of an edge may rise above the normal of a crossing: the rounding of that normal, which
-/// grows as the edges become parallel ([`crate::clearance::PARALLEL_SINE`]).
-const SLOPE: f64 = 1e-9;
-
-/// The centres of a sphere or the points of a cloud near a triangle: adds their contacts and gives the least distance, m.
+/// Adds the contacts of a sphere or a point cloud with a triangle. Returns the separation, m.
 pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mut Vec<MeshContact>) -> f64 {
     let MeshPair { mesh, other, x, tolerance, reach, .. } = pair;
     let (tolerance, reach) = (*tolerance, *reach);
@@ -342,7 +340,7 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
         }
         let slope = tolerance / near.distance.abs().max(tolerance);
         let supported = judge.supports(near.part, near.direction, slope);
-        let over_face = near.lateral <= 8.0 * tolerance;
+        let over_face = near.lateral <= SAME_PLACE_OF_PARTS * tolerance;
         if !(supported || over_face) {
             continue;
         }
@@ -365,8 +363,8 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
     least
 }
 
-/// The side on which less of the body overlaps: 0 outer, 1 inner. A body without extent is on the outer side as far as
-/// it overlaps; nothing when its own place decides.
+/// The side of the triangle on which less of the body overlaps: 0 outer, 1 inner. `None` for a sphere, and for a cloud
+/// without extent along the normal: the side then depends on the position of the centre.
 fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Option<u32> {
     let (centers, radius) = other.centers();
     if radius > 0.0 {
@@ -389,7 +387,7 @@ struct NearTriangle {
     /// Signed, m: negative beyond the face on its side.
     distance: f64,
     direction: DVec3,
-    /// Distance within the plane from the nearest place, m.
+    /// In-plane distance from the closest point of the triangle, m.
     lateral: f64,
 }
 
@@ -399,7 +397,7 @@ impl NearTriangle {
         let height = triangle.normal.dot(point) - triangle.offset;
         let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
         let length = away.length();
-        let over = lateral <= 8.0 * tolerance;
+        let over = lateral <= SAME_PLACE_OF_PARTS * tolerance;
         let side = match side {
             Some(side) => side,
             None => u32::from(height < -POINT_DEPTH * tolerance),
@@ -413,7 +411,7 @@ impl NearTriangle {
     }
 }
 
-/// A single point up to this many place tolerances below the outer side is on the outer side.
+/// A single point counts as on the outer side when it is at most this many place tolerances below the plane.
 const POINT_DEPTH: f64 = 64.0;
 
 /// The separation of a triangle from a body that is no polyhedron, m.
@@ -456,7 +454,7 @@ pub(crate) fn of_parts(
         let flat_edge =
             matches!(part, Part::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
         let supported = judge.supports(part, -local.geometry.normal, SLOPE);
-        // A face has its own normal as far as its border, also where the next face rises: in a valley both bear.
+        // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have contacts.
         if is_on_face(local.feature) || (supported && !flat_edge) {
             contacts.push(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported });
         } else {
@@ -479,9 +477,10 @@ const fn is_on_face(feature: ContactFeature) -> bool {
     )
 }
 
-/// The contacts of a round body on a triangle's face, where others that the surface does not have stood for them: in the
-/// bottom of a valley a disc passes by the edge of either side, and a vertex of the mesh lies on the disc where a point of
-/// the rim lies on the face. The contacts of `manifold`, which have been taken over, make room for them.
+/// Adds the contacts of a round body on the face of a triangle that were hidden by invalid contacts at the same place. At
+/// the bottom of a valley, a disc crosses the edges of both sides, and a mesh vertex may lie on the disc at the same
+/// place as a point of the rim lies on the face. The surface does not have the first contact of each such pair, but has
+/// the second one. The contacts of `manifold` must have been used before: this function overwrites them.
 fn on_own_face(
     features: &mut Vec<ContactFeature>,
     judge: &OnTriangle<'_>,
@@ -490,7 +489,7 @@ fn on_own_face(
     contacts: &mut Vec<MeshContact>,
 ) {
     let MeshPair { other, x, reach, tolerance, .. } = judge.pair;
-    let slack = 8.0 * *tolerance;
+    let slack = SAME_PLACE_OF_PARTS * *tolerance;
     let body = Body::whole(other, *x);
     for (side, sign) in [(0, 1.0), (1, -1.0)] {
         let outward = judge.triangle.normal * sign;

@@ -1,11 +1,15 @@
-//! A triangle mesh against another body.
+//! Contacts of a triangle mesh with another body.
 //!
-//! Every triangle that the body's box meets is taken as a flat convex body. Of what it gives only the contacts stay whose
-//! normal the surface has at the mesh's feature (`mesh_feature.rs`): the inner edges and vertices of a flat patch give
-//! none, so that a box on a plane of many triangles has its four corners and no more, and a ball on it one contact. The
-//! side of the surface is the one on which less of the body overlaps; a single point is on the outer side. Of contacts
-//! of one vertex with several faces of a convex edge or corner that it lies on, the one with the lowest face stays.
-//! All is computed in the mesh's frame, and the same whichever body is called A.
+//! Each triangle that overlaps the box of the other body is treated as a flat convex body. A contact of a triangle is
+//! kept only if the whole surface allows its normal at this feature of the mesh (`mesh_feature.rs`). Edges and vertices
+//! inside a flat patch give no contacts: a box on a plane of many triangles has contacts at its four corners only, and a
+//! sphere has one.
+//!
+//! The body is taken to be on the side of the surface on which less of it overlaps. A single point is taken to be on the
+//! outer side. When a vertex lies on a convex edge or corner of the mesh, it has a contact with several faces; the one
+//! with the lowest face number is kept.
+//!
+//! All computation is in the frame of the mesh. The result does not depend on which body is called A.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::pair::measure::measure_again;
@@ -14,14 +18,14 @@ use crate::narrow_phase::parts::mesh_contacts::{
     separation_of_part,
 };
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, crossings};
-use crate::narrow_phase::parts::same_places::{SAME_PLACE, SamePlaces};
+use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes, TriangleBuffers, triangle_axes};
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::TriangleMesh;
 use crate::{ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 
-/// The mesh of a pair and the other body; nothing when none is a mesh.
+/// The mesh of a pair and the other body; `None` when neither is a mesh.
 fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
     match shapes {
         [Shape::TriangleMesh(mesh), other] => Some((0, mesh, other)),
@@ -30,12 +34,13 @@ fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
     }
 }
 
-/// Grounds do not meet each other.
+/// Whether contact of this shape with a mesh is not computed: meshes and half-spaces are fixed surroundings, and have no
+/// contacts with each other.
 const fn never_meets(other: &Shape) -> bool {
     matches!(other, Shape::TriangleMesh(_) | Shape::HalfSpace(_))
 }
 
-/// The separation of a pair of which one is a mesh; nothing for other pairs.
+/// The separation of a mesh from another body; `None` for other pairs.
 pub(crate) fn mesh_separation(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
     let (at, mesh, other) = sides_of(shapes)?;
     if never_meets(other) {
@@ -64,10 +69,10 @@ fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
     place_tolerance(size, mesh.bounds_size(), x.translation)
 }
 
-/// What is kept from call to call.
+/// Buffers that are reused from call to call.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MeshBuffers {
-    /// Of a triangle and the other body.
+    /// For a triangle and the other body.
     pub(crate) pair: PairBuffers,
     axes: TriangleBuffers,
     /// Offsets of the faces of the other body, a polyhedron, m.
@@ -76,13 +81,13 @@ pub(crate) struct MeshBuffers {
     near: Vec<(Triangle, TriangleAxes)>,
     contacts: Vec<MeshContact>,
     flat: FlatTriangle,
-    /// Of one triangle.
+    /// Contacts of one triangle.
     of_part: Manifold,
     ridges: RidgeBuffers,
     same_places: SamePlaces,
 }
 
-/// All contacts of a pair of which one is a mesh; its separation only when it is within reach.
+/// All contacts of a mesh with another body. The separation is computed only when it is within reach.
 pub(crate) fn mesh_manifold(
     buffers: &mut MeshBuffers,
     shapes: [&Shape; 2],
@@ -114,7 +119,7 @@ pub(crate) fn mesh_manifold(
     found.set_empty(found.separation, SeparatingAxis::None);
 }
 
-/// The separation of the triangles within reach and, of bodies that are no polyhedra, their contacts.
+/// The separation of the triangles within reach, and their contacts when the other body is not a polyhedron.
 fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
     let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_part, .. } = buffers;
     let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
@@ -122,7 +127,7 @@ fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Mani
     triangles.clear();
     contacts.clear();
     near.clear();
-    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE * tolerance);
+    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance);
     mesh.tree.overlaps(&bounds, &mut |triangle| triangles.push(triangle));
     triangles.sort_unstable();
     let mut note = |separation: f64, axis: SeparatingAxis| {
@@ -157,20 +162,20 @@ fn of_surface(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifo
     let MeshBuffers { pair: bodies, near, contacts, flat, ridges, same_places, .. } = buffers;
     let tolerance = pair.tolerance;
     if let Shape::Convex(polyhedron) = pair.other {
-        // A triangle along whose own axes the body overlaps more than it does as a whole touches it with a vertex or an
-        // edge only, and the triangles beside it have the axis.
-        near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE * tolerance);
+        // When the penetration along a triangle's own axes exceeds that of the whole pair, the body touches this triangle
+        // only at a vertex or an edge. The deciding axis then belongs to a neighbouring triangle.
+        near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE_OF_PARTS * tolerance);
         for (triangle, axes) in near.iter() {
             of_polyhedron(bodies, pair, triangle, polyhedron, axes, (flat, contacts, &mut ridges.places));
         }
     }
-    one_on_convex_edges(contacts, SAME_PLACE * tolerance);
+    one_on_convex_edges(contacts, SAME_PLACE_OF_PARTS * tolerance);
     found.contacts.extend(contacts.iter().map(|c| c.contact));
     crossings(ridges, pair.touching(), &mut found.contacts);
-    same_places.keep_one_each(&mut found.contacts, SAME_PLACE * tolerance);
+    same_places.keep_one_each(&mut found.contacts, SAME_PLACE_OF_PARTS * tolerance);
     let deepest = near.iter().min_by(|(_, p), (_, q)| p.separation.total_cmp(&q.separation));
     if let (true, true, Some((triangle, axes))) = (found.contacts.is_empty(), found.separation <= tolerance, deepest) {
-        // Bodies that touch have a contact, also where tolerances left none.
+        // Bodies that touch must have a contact. The tolerances may have removed all of them.
         found.contacts.extend(deciding_contact(&bodies.search, pair, triangle, axes));
     }
 }
@@ -193,9 +198,9 @@ fn axis_of(mesh: &TriangleMesh, triangle: &Triangle, decision: Decision) -> Sepa
     }
 }
 
-/// Of contacts of one vertex at a convex edge or corner, with each of its faces, the one with the lowest face stays.
+/// Keeps one contact of a vertex that lies on a convex edge or corner of the mesh: that with the lowest face number.
 fn one_on_convex_edges(found: &mut Vec<MeshContact>, tolerance: f64) {
-    // Of equal features the first found goes first.
+    // Contacts with equal features stay in the order in which they were found.
     (0..).zip(found.iter_mut()).for_each(|(order, c)| c.order = order);
     found.sort_unstable_by_key(|c| (c.contact.feature, c.order));
     let mut count = 0;

@@ -1,20 +1,24 @@
-//! Crossings of ridges that end where the bodies meet.
+//! Edge-edge contacts at the vertices of bent ridges.
 //!
-//! A ridge of a body (a convex edge of its whole surface) may bend: at the vertex between its two pieces the surface rises
-//! beside each of them, as on the inner side of a ring of straight pieces. What rests in such a bend touches both pieces,
-//! and neither the normals of a part nor those of the vertex say so: the body rises above the plane of every crossing there,
-//! so that each alone looks like one of a hidden edge, and the vertex has no normal at all. Two bends may also meet, as in a
-//! taut chain, and cross in four places at once.
+//! A ridge is a convex edge of the whole surface of a body. It may bend at a vertex: on the inner side of a ring of straight
+//! pieces, the surface beside the vertex rises above the planes of both pieces. A body that lies in such a bend touches both
+//! pieces. The normals of a single part do not give these contacts: the whole surface rises above the contact plane at the
+//! vertex, so that each crossing looks like one at a hidden edge, and the vertex itself has no valid normal. Two bends may
+//! also touch each other, as in a tight chain. They then have four crossings at one place.
 //!
-//! At a place where the bodies meet at the border of their features, every edge of A that passes or ends there is crossed
-//! with every one of B. The crossing is a contact when both whole surfaces fall away from its plane right beside the
-//! place, along either edge, and when one of the bodies rises above the plane at the place itself: where neither does, the
-//! normal is one of many that a convex vertex or edge has, of which the separating axes choose.
+//! The search starts from places at which the bodies touch at the border of a feature. Every edge of A that passes
+//! through or ends at such a place is crossed with every such edge of B. The crossing is a contact under two conditions:
 //!
-//! Fails where a piece of a ridge is shorter than a probe ([`PROBE`]), or bends by less than rounding shows over a probe.
+//! - both whole surfaces lie below the contact plane right beside the place, along either edge;
+//! - at least one body rises above the contact plane at the place itself. Where neither does, the normal is one of many
+//!   that a convex vertex or edge allows, and the separating axes choose among those.
+//!
+//! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend over
+//! the length of a probe is smaller than rounding.
 
 use crate::bounding::Bounds;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
+use crate::narrow_phase::parts::surface_probe::{LEAST_PROBE, SLOPE, probe_length};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::triangle::from_triangle;
@@ -23,30 +27,21 @@ use crate::{Contact, ContactFeature, ContactGeometry, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// How far beside the place the surfaces are looked at, relative to the part or the edge: far above the tolerance of places
-/// (1e-12), far below a part.
-const PROBE: f64 = 1e-6;
-
-/// A probe is at least so many tolerances of places long.
-const LEAST_PROBE: f64 = 32.0;
-
-/// Slope by which a surface may rise above the plane of a crossing beside an edge: the rounding of that plane.
-const SLOPE: f64 = 1e-9;
-
 /// Buffers of [`crossings`].
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RidgeBuffers {
-    /// Places at which the bodies meet at the border of a feature, in the frame of the poses.
+    /// Places at which the bodies touch at the border of a feature, in the frame of the poses.
     pub(crate) places: Vec<DVec3>,
     near: Vec<u32>,
     here: [Vec<EdgeHere>; 2],
 }
 
-/// An edge of a body that passes or ends at a place.
+/// An edge of a body that passes through or ends at a place.
 #[derive(Debug, Clone, Copy)]
 struct EdgeHere {
     number: u32,
-    /// A probe away from the place along the edge, in the body's frame; nothing beyond its end.
+    /// Points at the length of a probe from the place, in both directions along the edge, in the body's frame; `None`
+    /// where the edge ends before.
     beside: [Option<DVec3>; 2],
     along: DVec3,
 }
@@ -56,18 +51,18 @@ struct EdgeHere {
 pub(crate) struct TouchingPair<'a> {
     pub(crate) shapes: [&'a Shape; 2],
     pub(crate) poses: [&'a Pose; 2],
-    /// Places nearer than this are one, m.
+    /// Places nearer to each other than this are the same, m.
     pub(crate) same_place: f64,
 }
 
 impl TouchingPair<'_> {
-    /// Whether the bodies meet in a contact of two of their parts at the border of its features.
+    /// Whether a contact of two parts lies at the border of its features, with no gap.
     pub(crate) fn is_at_border(&self, contact: &ContactGeometry) -> bool {
         contact.separation.abs() <= self.same_place && contact.margin.abs() <= self.same_place
     }
 }
 
-/// What a body's surface is made of.
+/// The surface of a body, by kind of shape.
 #[derive(Clone, Copy)]
 enum Surface<'a> {
     Parts(&'a Compound),
@@ -75,19 +70,19 @@ enum Surface<'a> {
     Mesh(&'a TriangleMesh),
 }
 
-/// A surface near a place.
+/// The surface of a body, with the tolerance for tests near a place.
 #[derive(Clone, Copy)]
-struct Looked<'a> {
+struct LocalSurface<'a> {
     surface: Surface<'a>,
-    /// Up to this a place lies in a part, m.
+    /// A place at most this far outside a part counts as inside, m.
     slack: f64,
 }
 
-/// Adds the contacts at the places that the buffers hold; the places are forgotten. Some occur more than once.
+/// Adds the contacts at the places in the buffers and clears these places. The same contact may be added more than once.
 pub(crate) fn crossings(buffers: &mut RidgeBuffers, pair: TouchingPair<'_>, contacts: &mut Vec<Contact>) {
     let RidgeBuffers { places, near, here } = buffers;
-    let looked = [0, 1].map(|at| Looked::new(pair.shapes[at], pair.same_place));
-    let [Some(a), Some(b)] = looked else { return places.clear() };
+    let surfaces = [0, 1].map(|at| LocalSurface::new(pair.shapes[at], pair.same_place));
+    let [Some(a), Some(b)] = surfaces else { return places.clear() };
     places.sort_unstable_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)));
     for (k, &place) in places.iter().enumerate() {
         let mut before = places[..k].iter().rev().take_while(|known| place.x - known.x <= pair.same_place);
@@ -106,10 +101,10 @@ pub(crate) fn crossings(buffers: &mut RidgeBuffers, pair: TouchingPair<'_>, cont
     places.clear();
 }
 
-/// The crossing of two edges at a place, when it is a contact of the whole surfaces.
+/// The crossing of two edges at a place; `None` when it is not a contact of the whole surfaces.
 fn crossing(
     pair: TouchingPair<'_>,
-    bodies: [Looked<'_>; 2],
+    bodies: [LocalSurface<'_>; 2],
     own: [DVec3; 2],
     edges: [&EdgeHere; 2],
     near: &mut Vec<u32>,
@@ -121,11 +116,11 @@ fn crossing(
         return None;
     }
     let outward = [pose_a.rotation.inverse_rotate(-geometry.normal), pose_b.rotation.inverse_rotate(geometry.normal)];
-    let mut stands = |k: usize| {
+    let mut is_convex = |k: usize| {
         let mut beside = edges[k].beside.iter().flatten();
-        beside.any(|&x| bodies[k].falls_away(x, edges[k], outward[k], near))
+        beside.any(|&x| bodies[k].lies_below(x, edges[k], outward[k], near))
     };
-    if !(stands(0) && stands(1)) {
+    if !(is_convex(0) && is_convex(1)) {
         return None;
     }
     let mut rises = |k: usize| bodies[k].rises(own[k], outward[k], near);
@@ -133,8 +128,8 @@ fn crossing(
     (rises(0) || rises(1)).then_some(Contact { feature, geometry })
 }
 
-impl<'a> Looked<'a> {
-    /// Nothing for a shape without edges.
+impl<'a> LocalSurface<'a> {
+    /// `None` for a shape without edges.
     const fn new(shape: &'a Shape, slack: f64) -> Option<Self> {
         let surface = match shape {
             Shape::Compound(compound) => Surface::Parts(compound),
@@ -145,8 +140,8 @@ impl<'a> Looked<'a> {
         Some(Self { surface, slack })
     }
 
-    /// The parts or triangles whose boxes come near a place.
-    fn look(&self, x: DVec3, near: &mut Vec<u32>) {
+    /// Collects the parts or triangles whose boxes are near a place.
+    fn collect_near(&self, x: DVec3, near: &mut Vec<u32>) {
         near.clear();
         let here = Bounds { min: x, max: x }.inflated(self.slack);
         match self.surface {
@@ -157,7 +152,7 @@ impl<'a> Looked<'a> {
         near.sort_unstable();
     }
 
-    /// The polyhedra among the parts looked at, with the number of their first edge.
+    /// The polyhedra among the nearby parts, each with the number of its first edge.
     fn polyhedra(&self, near: &'a [u32]) -> impl Iterator<Item = (&'a ConvexPolyhedron, u32)> {
         let surface = self.surface;
         near.iter().filter_map(move |&part| match surface {
@@ -170,16 +165,16 @@ impl<'a> Looked<'a> {
         })
     }
 
-    /// The edges that pass or end at a place.
+    /// Collects the edges that pass through or end at a place.
     fn edges_at(&self, x: DVec3, near: &mut Vec<u32>, found: &mut Vec<EdgeHere>) {
-        self.look(x, near);
+        self.collect_near(x, near);
         found.clear();
         let mut offer = |number: u32, (from, along, length): (DVec3, DVec3, f64), size: f64| {
             let at = along.dot(x - from);
             if (x - from - along * at.clamp(0.0, length)).length() > self.slack {
                 return;
             }
-            let probe = (PROBE * size).max(LEAST_PROBE * self.slack);
+            let probe = probe_length(size, self.slack);
             let beside = [at - probe, at + probe].map(|s| (0.0..=length).contains(&s).then_some(from + along * s));
             found.push(EdgeHere { number, beside, along });
         };
@@ -205,7 +200,7 @@ impl<'a> Looked<'a> {
         }
     }
 
-    /// An edge by its number among all of the body.
+    /// The line of an edge, by its number in the whole body.
     fn line(&self, number: u32) -> Option<EdgeLine> {
         match self.surface {
             Surface::Parts(compound) => {
@@ -217,26 +212,27 @@ impl<'a> Looked<'a> {
         }
     }
 
-    /// Whether at a place on an edge the whole surface falls away from the plane across `v`, and is not flush with it.
-    fn falls_away(&self, x: DVec3, edge: &EdgeHere, v: DVec3, near: &mut Vec<u32>) -> bool {
+    /// Whether the whole surface at a place on an edge lies below the plane with normal `v`, and does not lie in it on both
+    /// sides of the edge.
+    fn lies_below(&self, x: DVec3, edge: &EdgeHere, v: DVec3, near: &mut Vec<u32>) -> bool {
         if let Surface::Mesh(mesh) = self.surface {
             return mesh.supports_at_edge(edge.number, v, self.slack, SLOPE);
         }
-        self.look(x, near);
+        self.collect_near(x, near);
         let level = v.dot(x) + self.slack;
-        let holding = || self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
-        let falls = |p: &ConvexPolyhedron| p.vertices.iter().all(|w| w.dot(v) <= level + SLOPE * w.distance(x));
-        if !holding().all(falls) {
+        let containing = || self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
+        let below = |p: &ConvexPolyhedron| p.vertices.iter().all(|w| w.dot(v) <= level + SLOPE * w.distance(x));
+        if !containing().all(below) {
             return false;
         }
         let across = edge.along.cross(v).normalize_or_zero() * (LEAST_PROBE * self.slack);
-        let is_filled = |y: DVec3| holding().any(|p| p.outside(y) <= self.slack);
+        let is_filled = |y: DVec3| containing().any(|p| p.outside(y) <= self.slack);
         !(is_filled(x + across) && is_filled(x - across))
     }
 
-    /// Whether the surface at a place rises above the plane across `v`.
+    /// Whether the surface at a place rises above the plane with normal `v`.
     fn rises(&self, x: DVec3, v: DVec3, near: &mut Vec<u32>) -> bool {
-        self.look(x, near);
+        self.collect_near(x, near);
         let above = |w: &DVec3| w.dot(v) > v.dot(x) + LEAST_PROBE * self.slack;
         if let Surface::Mesh(mesh) = self.surface {
             return near.iter().any(|&triangle| {
@@ -244,7 +240,7 @@ impl<'a> Looked<'a> {
                 from_triangle(&corners, x).0.length() <= self.slack && corners.iter().any(above)
             });
         }
-        let mut holding = self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
-        holding.any(|p| p.vertices.iter().any(above))
+        let mut containing = self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
+        containing.any(|p| p.vertices.iter().any(above))
     }
 }

@@ -1,16 +1,20 @@
-//! One contact for each place and normal, where several parts have one there.
+//! Removal of duplicate contacts: one contact for each place and normal.
 //!
-//! A vertex on a face goes before others, then the higher face, vertex and edge number, then the upper body's: a rule that
-//! follows the bodies and not their names.
+//! Several parts may have a contact at the same place. The order of preference depends only on the features of the
+//! bodies, not on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number, then
+//! the feature of the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side};
 use std::cmp::Ordering;
 
-/// Places nearer than this many place tolerances are one: each of two features may stand off by some.
-pub(crate) const SAME_PLACE: f64 = 8.0;
+/// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than this
+/// many place tolerances. Each of the two may deviate from the exact place by some tolerances: this limit is wider than
+/// that within one pair of parts (`region/same_place.rs`).
+pub(crate) const SAME_PLACE_OF_PARTS: f64 = 8.0;
 
-/// Normals that differ by less (length of the difference) are one: that of two flush faces of a decomposition.
+/// Normals that differ by less than this (length of the difference) are equal, as those of two coplanar faces of a
+/// decomposition.
 const SAME_NORMAL: f64 = 1e-9;
 
 /// Buffers of [`SamePlaces::keep_one_each`].
@@ -46,7 +50,7 @@ impl SamePlaces {
                     && !dropped[j]
                     && first.geometry.point.distance(second.geometry.point) <= tolerance
                 {
-                    dropped[if goes_before(&first, &second) { j } else { i }] = true;
+                    dropped[if is_preferred(&first, &second) { j } else { i }] = true;
                 }
             }
         }
@@ -58,8 +62,8 @@ impl SamePlaces {
     }
 }
 
-/// Whether the first of two contacts in one place stays.
-fn goes_before(first: &Contact, second: &Contact) -> bool {
+/// Whether the first of two contacts at the same place is kept.
+fn is_preferred(first: &Contact, second: &Contact) -> bool {
     let upper = |contact: &Contact| if is_upward(contact.geometry.normal) { Side::A } else { Side::B };
     let rank = |contact: &Contact| match contact.feature {
         ContactFeature::VertexFace { vertex_of, vertex, face } => (3, face, vertex, vertex_of == upper(contact)),

@@ -1,9 +1,11 @@
-//! Separating axes of a triangle of a mesh and a convex polyhedron.
+//! Separating axes of a mesh triangle and a convex polyhedron.
 //!
-//! A triangle is a flat convex body: its axes are the two normals of its plane, the normals of the polyhedron's faces and
-//! the common perpendiculars of its edges with the polyhedron's, whose arcs on the Gauss map run from one normal over
-//! the direction out of the triangle to the other. They tell whether the triangle is apart. For contacts only those
-//! axes count that the surface has at the triangle's feature ([`TriangleMesh::supports_at_edge`]).
+//! A triangle is a flat convex body. Its axes are the two normals of its plane, the face normals of the polyhedron, and the
+//! common perpendiculars of a triangle edge and a polyhedron edge. On the Gauss map, the arc of a triangle edge is a half
+//! circle: it runs from one normal of the plane, over the in-plane direction out of the triangle, to the other normal.
+//!
+//! All axes together decide whether the two bodies are separated. For contacts, only those axes are valid that the whole
+//! surface allows at the feature of the triangle ([`TriangleMesh::supports_at_edge`]).
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::AXIS_SLACK;
@@ -13,12 +15,12 @@ use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 
-/// A triangle and its plane, the mesh's frame.
+/// A triangle and its plane in the mesh's frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Triangle {
     pub(crate) index: u32,
     pub(crate) corners: [DVec3; 3],
-    /// Of its patch.
+    /// Normal of its patch.
     pub(crate) normal: DVec3,
     pub(crate) offset: f64,
 }
@@ -30,7 +32,7 @@ impl Triangle {
     }
 }
 
-/// What decides how a triangle and a polyhedron stand.
+/// The kind of axis that decides the separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Decision {
     /// The triangle's outer (0) or inner (1) side.
@@ -44,15 +46,15 @@ pub(crate) enum Decision {
 /// The best axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TriangleAxes {
-    /// Along all axes, m: above zero when the triangle is apart.
+    /// Over all axes, m; positive when the bodies are separated.
     pub(crate) separation: f64,
-    /// Along the axes that the surface has at the triangle, m.
+    /// Over the axes that the whole surface allows at the triangle, m.
     pub(crate) supported: f64,
     pub(crate) decision: Decision,
 }
 
 /// Searches the axes; the polyhedron must have been placed in the mesh's frame, `offsets` are those of its faces there.
-/// Ends early with what it has when the triangle is apart by more than `stop`.
+/// Ends early, with the best axis so far, when the separation exceeds `stop`.
 pub(crate) fn triangle_axes(
     search: &AxisSearch,
     buffers: &mut TriangleBuffers,
@@ -71,7 +73,7 @@ pub(crate) fn triangle_axes(
         return axes;
     }
     buffers.over_faces.clear();
-    // Most triangles are apart, and of those nobody asks what the surface is like.
+    // Most triangles are separated from the body: the surface around them is not needed.
     for (&normal, &offset) in search.normals.iter().zip(offsets) {
         let heights = triangle.corners.map(|c| c.dot(normal));
         let separation = least_of(heights) - offset;
@@ -97,22 +99,22 @@ pub(crate) fn triangle_axes(
     axes
 }
 
-/// What the search keeps from call to call.
+/// Buffers that the search reuses from call to call.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TriangleBuffers {
     /// `normal . corner` of the triangle's corners for every face of the polyhedron, m.
     over_faces: Vec<[f64; 3]>,
-    /// Which corners lie below each face of the polyhedron by more than a limit: a bit for each.
+    /// For each face of the polyhedron, which corners lie below it by more than a limit: one bit for each corner.
     below: Vec<u8>,
-    /// Edges of the polyhedron that may separate well enough.
+    /// Edges of the polyhedron that can still be the deciding edge.
     edges: Vec<u32>,
     /// Components of an edge of the triangle along the face normals of the polyhedron.
     along_normals: Vec<f64>,
 }
 
 impl TriangleBuffers {
-    /// Chooses the edges that no corner of the triangle lies below both of whose faces by more than the limit (negative):
-    /// the others separate worse than the limit along every direction of their arcs (`edge_axes.rs`).
+    /// Chooses the edges that can give a separation above the limit (negative). An edge is excluded when a corner of the
+    /// triangle lies below both of its faces by more than the limit (`edge_axes.rs`).
     fn select(&mut self, polyhedron: &ConvexPolyhedron, offsets: &[f64], limit: f64) {
         self.below.clear();
         self.below.extend(self.over_faces.iter().zip(offsets).map(|([a, b, c], offset)| {
@@ -130,19 +132,19 @@ impl TriangleBuffers {
 }
 
 impl TriangleAxes {
-    /// Axes that separate by no more than this change nothing, m.
+    /// An axis with a separation up to this does not change the result, m.
     fn wanted(&self, tolerance: f64) -> f64 {
         self.separation.min(self.supported + tolerance)
     }
 }
 
-/// Compared by hand, as in [`range`].
+/// Written with comparisons, as in [`range`].
 fn least_of([a, b, c]: [f64; 3]) -> f64 {
     let least = if b < a { b } else { a };
     if c < least { c } else { least }
 }
 
-/// Whether the surface has the normal `v` at the corners of a triangle that lie lowest on a face.
+/// Whether the whole surface allows the normal `v` at those corners of a triangle that are lowest over a face.
 fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3], tolerance: f64) -> bool {
     let least = least_of(heights);
     let low = heights.map(|h| h <= least + tolerance);
@@ -159,7 +161,7 @@ fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3
     }
 }
 
-/// The chosen edges of the polyhedron against those of the triangle.
+/// Tests the chosen edges of the polyhedron against the edges of the triangle.
 fn search_edges(
     search: &AxisSearch,
     TriangleBuffers { edges, along_normals, .. }: &mut TriangleBuffers,
@@ -179,7 +181,7 @@ fn search_edges(
         for j in edges.iter().map(|&j| j as usize) {
             let edge = &polyhedron.edges[j];
             let [first, second] = edge.faces.map(|f| along_normals[f as usize]);
-            // The arc of the polyhedron's edge, turned round, crosses the half circle of the triangle's.
+            // The negated arc of the polyhedron's edge crosses the half circle of the triangle's edge.
             if first * second >= 0.0 {
                 continue;
             }
@@ -204,8 +206,8 @@ fn search_edges(
             if separation <= wanted {
                 continue;
             }
-            // Where an edge lies in the triangle's plane, rounding decides the signs above: both edges must be
-            // outermost along the axis.
+            // When an edge lies in the triangle's plane, rounding decides the signs above. So both edges must also contain
+            // the support points along the axis.
             let (level, base) =
                 (search.vertices[edge.vertices[0] as usize].dot(v) - tolerance, from.dot(v) + tolerance);
             let behind = |p: &DVec3| p.dot(v) < level;
@@ -224,8 +226,8 @@ fn search_edges(
     }
 }
 
-/// Whether the separation `lever / |cross|` (m) is below a wanted one by more than the rounding of either, so that it need
-/// not be computed.
+/// Whether the separation `lever / |cross|` (m) is below a given one by more than the rounding of both. It need not be
+/// computed then.
 fn is_clearly_below(lever: f64, cross: DVec3, between: DVec3, wanted: f64) -> bool {
     let wanted = wanted.min(0.0);
     let square = wanted * wanted * (1.0 + SQUARE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();

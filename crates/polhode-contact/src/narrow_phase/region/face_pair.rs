@@ -18,12 +18,10 @@ use crate::narrow_phase::axis::axes::axis_slack;
 use crate::narrow_phase::axis::axis_search::{AxisSearch, plane_of_b};
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::narrow_phase::region::placed_face::{DEEP_PLACES, FacePairBuffers, following};
+use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Side};
 use glam::DVec3;
-
-/// Two vertices are in one place within this many tolerances: each may stand off the other's edges by one.
-const VERTEX_PLACES: f64 = 4.0;
 
 /// Faces with fewer pairs of vertices than this are measured outright, which is as fast.
 const FEW_PAIRS: usize = 32;
@@ -132,7 +130,7 @@ fn drop_coincident(
             let vertex_b = face_b.vertices[j];
             let between = buffers.a.corners[i] - buffers.b.corners[j];
             let lateral = between - normal * normal.dot(between);
-            if lateral.length() <= VERTEX_PLACES * tolerance {
+            if lateral.length() <= SAME_PLACE * tolerance {
                 let order = (index_a, vertex_a).cmp(&(index_b, vertex_b));
                 match order.then(if upper == Side::A { std::cmp::Ordering::Greater } else { std::cmp::Ordering::Less })
                 {

@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `upward` | which direction is up |
+//! | `same_place` | when two contacts of one pair are at the same place |
 //! | `placed_face` | the corners of a face against the sides of another |
 //! | `face_contacts` | the contacts of two faces, measured |
 //! | `pair_buffers` | what a pair keeps from call to call |
@@ -17,5 +18,6 @@ pub(crate) mod kept_region;
 pub(crate) mod pair_buffers;
 pub(crate) mod placed_face;
 pub(crate) mod round_region;
+pub(crate) mod same_place;
 pub(crate) mod tied_faces;
 pub(crate) mod upward;

@@ -20,15 +20,13 @@
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::{ALIKE, ALIKE_SINE};
 use crate::narrow_phase::feature::contact_name::named;
+use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::shape::circle::RIM_POINTS;
 use crate::shape::round::circles;
 use crate::{Contact, ContactFeature, Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
-
-/// Two contacts are in one place within this many tolerances, as for polygons.
-const SAME_PLACE: f64 = 4.0;
 
 /// What of a body touches along a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,7 +116,7 @@ pub(crate) fn contacts_where(
 /// for which these stand.
 fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> impl Iterator<Item = ContactFeature> + 'a {
     use SurfaceFeature::{Rim, Vertex};
-    let rings = [matches!(shape_a, Shape::Torus(_)), matches!(shape_b, Shape::Torus(_))];
+    let rings = [shape_a.is_ring(), shape_b.is_ring()];
     let along = [rings[0] && gap.a == Rim(0), rings[1] && gap.b == Rim(0) && !rings[0]];
     (0..RIM_POINTS).flat_map(move |k| {
         let of_a = along[0].then(|| named(Vertex(k), gap.b));
@@ -141,9 +139,9 @@ fn grazes(
         RimEntry(rim) => RimExit(rim),
         _ => feature,
     };
-    // Both places of a ring have a tube about them: near each other they stand for one.
+    // Two nearby places on the middle line of a ring are one contact of its tube.
     let radius = |shape: &Shape, feature| match feature {
-        _ if matches!(shape, Shape::Torus(_)) => f64::INFINITY,
+        _ if shape.is_ring() => f64::INFINITY,
         RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
         _ => f64::INFINITY,
     };

@@ -1,9 +1,10 @@
 //! A contact of given features at any poses: its geometry, the first two time derivatives of its separation, and how the
 //! contact itself moves.
 //!
-//! All kinds but edge against edge and pairs of curved elements are a point of a body V (a vertex, a point of a cloud, a sphere's centre) against a feature of the
-//! other body E. Let `y` be the point's place in E's frame, `phi(y)` its distance from the feature and `rho` the sum
-//! of the radii; then `chi = phi(y) - rho`, and with the gradient `g` and Hessian `H` of `phi`
+//! All kinds but edge against edge and pairs of curved elements are a point of a body V (a vertex, a point of a cloud, a
+//! sphere's centre) against a feature of the other body E. Let `y` be the point's place in E's frame, `phi(y)` its
+//! distance from the feature and `rho` the sum of the radii; then `chi = phi(y) - rho`, and with the gradient `g` and
+//! Hessian `H` of `phi`
 //!
 //! `chi'  = g . u`,  `chi'' = g . (a_V - a_E) + 2 u . (w_E x g) + u . H u`,
 //!
@@ -151,7 +152,7 @@ fn by_kind<T>(
 
 /// Whether the contacts of a shape are found element by element (`stationary.rs`).
 fn has_elements(shape: &Shape) -> bool {
-    is_round(shape) || matches!(shape, Shape::Torus(_))
+    is_round(shape) || shape.is_ring()
 }
 
 /// The elements of a contact of a round shape, in world axes relative to A's centre of mass.
