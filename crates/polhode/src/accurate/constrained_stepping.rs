@@ -1,4 +1,4 @@
-//! A step of an island whose held contacts stay: integrated once, before any event is looked for.
+//! A step of an island with a fixed active set: integrated once, before events are located on it.
 //!
 //! By DOP853 each island takes the longest step that its own error estimate accepts; by the classical method of order 4
 //! (`stage_method.rs`) every step is the longest allowed. The attitude of a body that only forces through
@@ -47,7 +47,7 @@ struct Attempt {
     error: Option<f64>,
 }
 
-/// A step that was accepted, and what its error says of the next one.
+/// An accepted step, with the length that its error proposes for the next one.
 struct Accepted {
     step: ConstrainedStep,
     factor: f64,
@@ -70,13 +70,13 @@ impl Engine {
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
         loop {
-            // A step that ends where a force is not smooth may be as short as it must.
+            // A step that ends where a force is not smooth may be arbitrarily short.
             if h < limit {
                 check_step(h, longest, t)?;
             }
             match self.attempt_step(core, bodies, held, (t, h)) {
                 Ok(accepted) => {
-                    // A step that was cut short says nothing against a longer one.
+                    // A shortened step does not reduce the proposed length.
                     let kept = if accepted.factor >= 1.0 && h == limit { proposed } else { 0.0 };
                     let next = (h * accepted.factor).max(kept).min(longest);
                     for &body in bodies {

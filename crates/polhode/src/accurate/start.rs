@@ -1,4 +1,4 @@
-//! The first instant: what touches, and that nothing overlaps.
+//! The first instant: finds touching contacts and checks that no bodies overlap.
 
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
@@ -14,7 +14,7 @@ use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Engine {
-    /// Finds what touches at the start and moves out of each other what overlaps within touch.
+    /// Finds the touching contacts at the start and removes overlaps within the touch distance.
     ///
     /// # Errors
     /// When two bodies overlap by more than touch.
@@ -46,7 +46,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Resolves the first instant, for each connected part of the bodies by itself, and lets all go on.
+    /// Resolves the first instant, for each connected group of bodies separately, and begins their motion.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
@@ -102,7 +102,7 @@ impl Engine {
         Ok(pairs)
     }
 
-    /// Moves bodies that overlap within touch until they just touch, and says so.
+    /// Moves bodies that overlap within the touch distance until they just touch, with a warning.
     fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
         let overlapping = |touch: &&Touch| {
             touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)

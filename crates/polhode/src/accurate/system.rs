@@ -1,9 +1,9 @@
-//! The equations of motion of a group of bodies whose held contacts and pivots stay.
+//! The equations of motion of a group of bodies with fixed active contacts and pivots.
 //!
 //! Within a smooth phase the set of held contacts is frozen and each keeps `chi'' = 0` (thesis 3.4). That makes the
-//! right-hand side smooth over the whole step, also past the instant at which a contact would let go, which is what
-//! an integrator of high order and the location of that instant need. Whether the forces may really act (push, not
-//! pull) is checked on the result, not here.
+//! right-hand side smooth over the whole step, also past the instant at which a contact would break. An integrator of
+//! high order and the location of that instant need this. Whether the forces may really act (push, not pull) is checked
+//! on the result, not here.
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
 //! A pivot is three more rows `a_Q = 0`, with a force at its point. With force fields, and of a body of which turning alone is
