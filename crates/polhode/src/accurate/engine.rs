@@ -100,7 +100,7 @@ pub(crate) struct Engine {
     pub(super) begun: bool,
     /// The instant that a program is about to change.
     pub(super) interrupted: Option<Instant>,
-    /// Whether a program goes on after the end of the run.
+    /// Whether a program continues the simulation after the end of the run.
     pub(super) goes_on: bool,
     /// Time of the last observation of energies and momenta, s.
     pub(super) observed_s: f64,

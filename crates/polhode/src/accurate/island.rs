@@ -38,7 +38,7 @@ pub(super) enum Step {
     Constrained(ConstrainedStep),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
-    /// By one time step of a stretch in which events crowd.
+    /// By one time step of a stretch of crowded events.
     Crowd(Box<CrowdStep>),
     /// None yet: at the end of the run no step may be needed, and prescribed quantities may be undefined beyond it.
     Waiting(f64),

@@ -45,8 +45,8 @@ pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
     dt <= INSTANT_RELATIVE * longest_step_s
 }
 
-/// The same for bodies that have passed a stretch of crowded events: they are expected to crowd again, and a lower
-/// limit detects it earlier.
+/// The same for bodies that have passed a stretch of crowded events: their events are expected to crowd again, and a
+/// lower limit detects this earlier.
 const MOST_STEPS_AGAIN: u64 = 128;
 
 /// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary
@@ -77,7 +77,7 @@ pub(super) struct Pace {
     /// Steps counted for the mean step length, and the start of the first, s.
     mean_steps: u64,
     mean_start: f64,
-    /// Whether events have crowded before.
+    /// Whether the body has passed a stretch of crowded events.
     has_crowded: bool,
 }
 

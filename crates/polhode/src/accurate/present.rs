@@ -103,7 +103,7 @@ impl Engine {
         found
     }
 
-    /// How each body moves; before the first instant, as far as its contacts and forces say.
+    /// How each body moves; before the first instant, as its contacts and forces suggest.
     pub(super) fn present_motions(&self, core: &Core) -> Vec<MotionKind> {
         let kind = |track: &Track| match track.mode {
             Mode::Fixed | Mode::Prescribed => MotionKind::Given,

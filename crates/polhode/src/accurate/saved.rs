@@ -1,8 +1,8 @@
 //! Conversion of a run to plain data and back.
 //!
-//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps, contacts
-//! and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their bits; the agenda
-//! follows from what the islands and pairs say.
+//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps,
+//! contacts and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their
+//! bits; the agenda follows from the islands and pairs.
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;

@@ -35,7 +35,7 @@ impl Engine {
         self.separate_overlaps(core, &mut contacts)?;
         for touch in &mut contacts {
             let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
-            // Every contact that lasts is a first guess for a contact that holds.
+            // Every contact that neither approaches nor separates is a first guess for an active contact.
             if self.is_sustained(core, scale, touch) {
                 touch.hold = Hold::Held;
             }

@@ -284,9 +284,10 @@ fn masses_differ(world: &World, bodies: &[usize]) -> bool {
 /// Gives contacts whose normals are one direction to rounding the same normal, that of a contact with an immovable body
 /// where there is one.
 ///
-/// Under a heavy body that stands flush, forces of its weight W go through a light one from contact to contact. Normals that
-/// differ by the rounding u of attitudes leave `u W` of them across, a wedge that is not there: it moved a box of 1 kg under
-/// 1e9 kg on a slope by 2e-7 m in a second. No attitude in doubles is good enough to tell; that the faces are flush is.
+/// Under a heavy body that stands flush, forces of its weight W go through a light one from contact to contact. Normals
+/// that differ by the rounding u of attitudes leave `u W` of them across, a wedge that is not there: it moved a box of
+/// 1 kg under 1e9 kg on a slope by 2e-7 m in a second. Attitudes in double precision cannot resolve this; the
+/// information that the faces are flush does.
 fn share_normals(world: &World, contacts: &mut [(ContactId, ContactKinematics)]) {
     let is_supported = |id: &ContactId| !world.bodies[id.a].moves() || !world.bodies[id.b].moves();
     let mut directions: Vec<DVec3> = Vec::new();
