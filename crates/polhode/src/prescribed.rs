@@ -123,7 +123,7 @@ impl World {
 
     /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on such a
     /// body can others rest. Other bodies are in nobody's way.
-    pub(crate) fn lets_rest(&self, body: usize, t: f64) -> bool {
+    pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
         self.stands_still(body, t, self.next_corner(body, t).next_down())
     }
 

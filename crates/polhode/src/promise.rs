@@ -1,17 +1,17 @@
-//! What a run is judged by: the penetration and the projection that its tier promises to stay below.
+//! The promised limits of a run: the penetration and the projection that its tier promises not to exceed.
 //!
 //! | tier | penetration of a pair | displacement by one projection | energy that projections take |
 //! |---|---|---|---|
 //! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
-//! | `accurate` by `rk4` | as above | no promise: known by the step | no promise |
-//! | `stepped` | no promise: known by the step | no promise | no promise |
+//! | `accurate` by `rk4` | as above | no promise: depends on the step | no promise |
+//! | `stepped` | no promise: depends on the step | no promise | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
-//! s: size of the smaller body of the pair, m; ulp: that of the largest coordinate of the two, m, and, where bodies meet,
-//! what they approach each other by within four ulp of the time; tolerance: that of the method; drift: the tolerance, at
-//! least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by their size, J.
-//! A run beyond any of these is [`Outcome::Degraded`](crate::Outcome::Degraded), whatever its tier one with a problem that
-//! was not solved as asked.
+//! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m,
+//! and, where bodies meet, their approach within four ulp of the time; tolerance: that of the method; drift: the
+//! tolerance, at least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by
+//! their size, J. A run that exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a
+//! run of any tier with a problem that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
@@ -22,14 +22,14 @@ use crate::world::{World, WorldBody};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
 
-/// Units in the last place of the time of an impact by which bodies may meet late.
+/// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
 
-/// Bodies that a warning names.
+/// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
 
 impl Core {
-    /// What the run is judged by.
+    /// The limits of the whole run.
     pub(crate) fn limits(&self) -> Limits {
         let drift = self.settings.promised_drift();
         let lift_j = |body: &WorldBody| {
@@ -42,7 +42,7 @@ impl Core {
         }
     }
 
-    /// Takes a contact of a pair at `t` (s) into the certificate.
+    /// Records the penetration of a contact of a pair at `t` (s) in the certificate.
     pub(crate) fn note_contact(
         &mut self,
         t: f64,
@@ -53,7 +53,7 @@ impl Core {
         self.note_separation(t, states, pair, (contact.geometry.separation, contact.separation_rate));
     }
 
-    /// Takes the separation of a pair (m) and its rate (m/s) at `t` (s) into the certificate.
+    /// Records the separation of a pair (m) and its rate (m/s) at `t` (s) in the certificate.
     pub(crate) fn note_separation(
         &mut self,
         t: f64,
@@ -63,14 +63,14 @@ impl Core {
     ) {
         let promised = self.settings.promised_penetration();
         let allowed = promised.map_or(f64::INFINITY, |relative| {
-            // Bodies meet at a time that can be told no finer than its rounding.
-            let met_late = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
-            relative * self.world.pair_size(a, b) + self.world.judged_rounding(states, a, b) + met_late
+            // The time of an impact is known to its rounding only.
+            let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
+            relative * self.world.pair_size(a, b) + self.world.judged_rounding(states, a, b) + late_approach
         });
         self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
     }
 
-    /// Books a projection at `t` (s) that has led to these states, and takes it into the certificate.
+    /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.
     pub(crate) fn book_projection(
         &mut self,
         t: f64,
@@ -90,7 +90,7 @@ impl Core {
         self.accounts.measures.drift_energy.add(taken);
     }
 
-    /// The same for overlaps within touch at the start, which are moved out whatever their depth.
+    /// The same for overlaps within the touch distance at the start, which are removed without a limit.
     pub(crate) fn book_initial_projection(&mut self, t: f64, done: &Projection, balances: (Balance, Balance)) {
         if let Some(pair) = done.pair() {
             let moved = Measure { t, pair, value: done.moved_m, allowed: f64::INFINITY };
@@ -99,23 +99,23 @@ impl Core {
         self.enter_projection(t, done, balances);
     }
 
-    /// Books a projection and counts what it has left alone; what it took, J.
+    /// Books a projection and counts the constraints that it did not project. Returns the energy it removed, J.
     fn enter_projection(&mut self, t: f64, done: &Projection, (before, after): (Balance, Balance)) -> f64 {
         let energy_j = self.accounts.books.projection(before, after, done.work_j);
         if let Some(pair) = done.pair() {
-            // What is allowed is a part of the largest energy of the run, which is known at its end.
+            // The limit is a fraction of the largest energy of the run, which is known at its end.
             let taken = Measure { t, pair, value: energy_j.abs(), allowed: f64::INFINITY };
             self.accounts.measures.projection_energy.note(taken);
         }
         for (a, b) in done.jumped.iter().map(ConstraintId::bodies) {
             let names = self.world.pair_names(a, b);
-            self.accounts.tolerate(t, format!("a contact of {names} whose place had jumped was not put together"));
+            self.accounts.tolerate(t, format!("a contact of {names} whose point had jumped was not projected"));
         }
         for constraint in &done.unconverged {
             let (a, b) = constraint.bodies();
             let names = self.world.pair_names(a, b);
             let what = if constraint.contact().is_some() { "contact" } else { "pivot" };
-            self.accounts.tolerate(t, format!("a {what} of {names} was not put exactly together by projection"));
+            self.accounts.tolerate(t, format!("the projection of a {what} of {names} did not converge"));
         }
         energy_j
     }
@@ -127,7 +127,7 @@ impl World {
         if a == b { self.names_of(&[a]) } else { self.names_of(&[a, b]) }
     }
 
-    /// The names of some bodies, as warnings give them: of many the first.
+    /// The names of some bodies, as warnings give them; of many only the first.
     pub(crate) fn names_of(&self, bodies: &[usize]) -> String {
         let names: Vec<_> = bodies.iter().take(MOST_NAMES).map(|&body| self.bodies[body].name.as_str()).collect();
         let named = names.join(" and ");

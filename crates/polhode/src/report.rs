@@ -88,7 +88,8 @@ pub enum Outcome {
     Degraded,
 }
 
-/// A stretch of time in which the events of some bodies crowded, so that they went on by time steps.
+/// A stretch of crowded events (they followed each other so closely that time hardly advanced), in which the bodies
+/// advanced by time steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrowdedStretch {
     /// From, s.
@@ -139,7 +140,7 @@ pub struct RunReport {
     pub certificate: Certificate,
     /// Things a user should know: broken promises first, then the others in order of time.
     pub warnings: Vec<String>,
-    /// Stretches of time that were passed by time steps because events crowded: there the events are not exact.
+    /// Stretches of crowded events, passed by time steps: the events in them are not located exactly.
     pub crowded: Vec<CrowdedStretch>,
     /// When actions of the program changed the plan.
     pub plan_changes: Vec<PlanChange>,

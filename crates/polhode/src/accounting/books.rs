@@ -1,4 +1,4 @@
-//! Keeping the ledger: every change of energy and momentum is booked where it happens.
+//! The books of a run: every change of energy and momentum is entered into the ledger where it happens.
 
 use crate::world::World;
 use crate::{Energy, Ledger, Momentum};
@@ -7,7 +7,7 @@ use polhode_dynamics::momentum::{angular_momentum_about, linear_momentum};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{CompensatedSum, DVec3};
 
-/// What some bodies have at one time.
+/// Energy and momentum of some bodies at one time.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Balance {
     /// Total energy, J, the potential counted from the start.
@@ -15,7 +15,7 @@ pub(crate) struct Balance {
     momentum: Momentum,
 }
 
-/// What the outside gave to some bodies over a stretch of time.
+/// Momentum and energy that external agents gave to some bodies over an interval of time.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Received {
     /// By gravity.
@@ -44,8 +44,7 @@ impl std::ops::AddAssign for Received {
 #[derive(Debug, Clone)]
 pub(crate) struct Books {
     pub(crate) ledger: Ledger,
-    /// Potential energy at the start, J, zero at the world's origin: what reported energies contain and the ledger does
-    /// not.
+    /// Potential energy at the start, J, zero at the world's origin. Reported energies contain it, the ledger does not.
     pub(super) initial_potential_j: f64,
 }
 
@@ -67,14 +66,14 @@ impl Books {
         books
     }
 
-    /// Books in which nothing is entered yet, moments about a point (m): for what may still be given up.
+    /// Empty books, moments about a point (m): for steps that may be rejected.
     pub(crate) fn blank(about: DVec3) -> Self {
         let mut books = Self { ledger: Ledger::default(), initial_potential_j: 0.0 };
         books.ledger.momentum.about = about;
         books
     }
 
-    /// Enters everything that others hold, as one sum for each account.
+    /// Enters all entries of other books, as one sum for each account.
     pub(crate) fn enter(&mut self, others: &Self) {
         let (own, other) = (&mut self.ledger, &others.ledger);
         own.impact.add(other.impact.value());
@@ -93,7 +92,7 @@ impl Books {
         own.numerical.add(other.numerical.value());
     }
 
-    /// What the bodies named have now.
+    /// Energy and momentum of these bodies now.
     pub(crate) fn balance(&self, world: &World, states: &[BodyState], bodies: &[usize]) -> Balance {
         Balance {
             energy_j: energy_of(world, states, bodies),
@@ -101,7 +100,7 @@ impl Books {
         }
     }
 
-    /// Books a smooth stage: what is not explained by what the outside gave is the integrator's.
+    /// Books a smooth motion: changes that external agents do not explain are the error of the integrator.
     pub(crate) fn smooth_stage(&mut self, before: Balance, after: Balance, received: Received) {
         self.ledger.damping.add(received.damping_j);
         self.ledger.external.add(received.external_j);
@@ -115,7 +114,8 @@ impl Books {
         momentum.numerical.add(before.momentum - after.momentum + explained);
     }
 
-    /// Books a projection of positions or velocities, in which prescribed motions did work (J); what it took, J.
+    /// Books a projection of positions or velocities, in which prescribed motions did work (J). Returns the energy it
+    /// removed, J.
     pub(crate) fn projection(&mut self, before: Balance, after: Balance, work_j: f64) -> f64 {
         let taken = before.energy_j - after.energy_j + work_j;
         self.ledger.external.add(work_j);
@@ -124,21 +124,21 @@ impl Books {
         taken
     }
 
-    /// Books bounces that were summed up and velocities that were set to rest, in which prescribed motions did work (J).
+    /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J).
     pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) {
         self.ledger.external.add(work_j);
         self.ledger.rest.add(before.energy_j - after.energy_j + work_j);
         self.ledger.momentum.rest.add(before.momentum - after.momentum);
     }
 
-    /// Books what a program did to bodies: work from outside, and impulse given.
+    /// Books the changes that a program made to bodies: external work and impulse.
     pub(crate) fn program(&mut self, before: Balance, after: Balance) {
         self.ledger.external.add(after.energy_j - before.energy_j);
         self.ledger.momentum.program.add(after.momentum - before.momentum);
     }
 
-    /// Books a body that a program has added: it brings its energy and momentum, and the place it is at counts as its
-    /// start.
+    /// Books a body that a program has added, with its energy and momentum. Its present position counts as its initial
+    /// one.
     pub(crate) fn added(&mut self, world: &World, states: &[BodyState], body: usize) {
         let own = self.balance_of(world, states, body);
         self.ledger.external.add(own.energy_j);
@@ -146,14 +146,14 @@ impl Books {
         self.initial_potential_j += world.start_potential(body);
     }
 
-    /// Books a body that a program takes out: it takes its energy and momentum with it.
+    /// Books a body that a program removes, with its energy and momentum.
     pub(crate) fn removed(&mut self, world: &World, states: &[BodyState], body: usize) {
         let own = self.balance_of(world, states, body);
         self.ledger.external.add(-own.energy_j);
         self.ledger.momentum.program.add(Momentum::default() - own.momentum);
     }
 
-    /// What one body has, without the fields' energy.
+    /// Energy and momentum of one body, without the energy of fields.
     fn balance_of(&self, world: &World, states: &[BodyState], body: usize) -> Balance {
         let (kinetic, potential) = world.energies(body, &states[body]);
         let momentum = momentum_of(world, states, [body].into_iter(), self.ledger.momentum.about);
@@ -168,7 +168,7 @@ impl Books {
         self.ledger.momentum.support.add(support);
     }
 
-    /// Books `dt` seconds of rest in certified equilibrium: the support bears the weight and the forces.
+    /// Books `dt` seconds of rest in equilibrium: the support balances the weight and the forces.
     pub(crate) fn equilibrium(&mut self, world: &World, states: &[BodyState], body: usize, dt: f64) {
         let about = self.ledger.momentum.about;
         let gravity = gravity_at(world, states, body, about, dt);
@@ -183,7 +183,7 @@ impl Books {
         self.ledger.momentum.support.add(Momentum::default() - gravity - fields);
     }
 
-    /// Takes note of energies and momenta now: the totals, and the scales that closure is relative to.
+    /// Records energies and momenta now: the totals, and the scales for the closure of the ledger.
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState]) -> Energy {
         let totals = Totals::of(world, states, self.ledger.momentum.about);
         let (kinetic_j, potential) = (totals.kinetic.value(), totals.potential.value());
@@ -197,7 +197,7 @@ impl Books {
 
     fn note_scale(&mut self, kinetic: f64, potential: f64) {
         let scale = kinetic + potential.abs();
-        // A scene that stays at rest has no energy of its own to be relative to: its potential energy serves.
+        // In a scene at rest this scale is zero; its potential energy is used instead.
         let scale = if scale == 0.0 { self.initial_potential_j.abs() } else { scale };
         self.ledger.scale_j = self.ledger.scale_j.max(scale);
     }
@@ -208,17 +208,18 @@ impl Books {
         let given = ledger.gravity.value();
         ledger.scale_linear = ledger.scale_linear.max(totals.linear).max(given.linear.length());
         ledger.scale_angular = ledger.scale_angular.max(totals.angular).max(given.angular.length());
-        // Weights of bodies on both sides of the point cancel in their moment, their rounding does not.
+        // The moments of weights on both sides of the point cancel, but their rounding errors do not.
         ledger.scale_angular = ledger.scale_angular.max(ledger.scale_linear * totals.extent);
     }
 }
 
-/// Sums over all bodies at one time, in one pass: the bodies of a large scene do not stay in the caches from one to the next.
+/// Sums over all bodies at one time, in one pass, because the bodies of a large scene do not fit into the processor
+/// caches.
 #[derive(Debug, Default)]
 struct Totals {
     /// J.
     kinetic: CompensatedSum,
-    /// Against that at the start, J.
+    /// Relative to that at the start, J.
     potential: CompensatedSum,
     /// Angular part about the point.
     momentum: crate::MomentumSum,
@@ -256,7 +257,7 @@ impl Totals {
     }
 }
 
-/// What gravity gives to a body that stays where it is for `dt` seconds.
+/// Momentum from gravity to a body at rest over `dt` seconds.
 pub(crate) fn gravity_at(world: &World, states: &[BodyState], body: usize, about: DVec3, dt: f64) -> Momentum {
     if !world.carries_momentum(body) {
         return Momentum::default();
@@ -266,7 +267,7 @@ pub(crate) fn gravity_at(world: &World, states: &[BodyState], body: usize, about
     Momentum { linear, angular: (states[body].pose.translation - about).cross(linear) }
 }
 
-/// What force fields give to some bodies per second: momentum (N, N m), what drag takes and the work from outside (W).
+/// Rates at which force fields act on some bodies: momentum (N, N m), dissipation by drag and external work (W).
 pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodies: &[usize], about: DVec3) -> Received {
     let mut sum = crate::MomentumSum::default();
     let mut received = Received::default();
@@ -296,7 +297,7 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
     received
 }
 
-/// Total energy of the bodies named, and of the force fields on all, J.
+/// Total energy of these bodies, and of the force fields on all bodies, J.
 fn energy_of(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
     let sum: CompensatedSum = bodies
         .iter()
@@ -309,7 +310,7 @@ fn energy_of(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
     sum.value()
 }
 
-/// Momentum of the bodies named, the angular part about a point.
+/// Momentum of these bodies, the angular part about a point.
 pub(crate) fn momentum_of(
     world: &World,
     states: &[BodyState],

@@ -1,4 +1,4 @@
-//! What a run is judged by, measured: the worst over the run, with bodies and time.
+//! Measured values that are compared with the promised limits: the worst over the run, with bodies and time.
 
 use super::occurrences::Occurrences;
 use crate::snapshot::{SnapshotError, content};
@@ -9,9 +9,9 @@ use polhode_spatial::CompensatedSum;
 /// Limits of the whole scene.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
-    /// Energy that projections may take or give, relative to the energy of the scene.
+    /// Energy that projections may remove or add, relative to the energy of the scene.
     pub(crate) projection_energy_relative: f64,
-    /// The least that counts as the energy of the scene, J: a run may have less than its bodies would by moving a little.
+    /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
 }
 
@@ -22,12 +22,12 @@ pub(crate) struct Measure {
     pub(crate) t: f64,
     pub(crate) pair: (usize, usize),
     pub(crate) value: f64,
-    /// What is promised for the pair, in the same unit; infinite where nothing is.
+    /// The promised limit for the pair, in the same unit; infinite without a promise.
     pub(crate) allowed: f64,
 }
 
 impl Measure {
-    /// In units of what is allowed.
+    /// The value in units of its limit.
     fn ratio(&self) -> f64 {
         self.value / self.allowed
     }
@@ -42,14 +42,14 @@ impl Measure {
 pub(crate) struct Worst {
     /// The largest value.
     largest: f64,
-    /// The value that is the largest multiple of what its pair is allowed; of several without a limit the largest.
+    /// The value with the largest ratio to its limit; among values without a limit the largest.
     worst: Option<Measure>,
 }
 
 impl Worst {
-    /// Takes note of a measure; one that is not positive is none.
+    /// Records a measure; values that are not positive are ignored.
     pub(crate) fn note(&mut self, measure: Measure) {
-        // NaN is found where states are checked.
+        // NaN is detected by the check of states.
         if measure.value.is_nan() || measure.value <= 0.0 {
             return;
         }
@@ -68,7 +68,7 @@ impl Worst {
         self.worst.map_or(0.0, |worst| worst.ratio())
     }
 
-    /// The worst, if it is beyond what is allowed.
+    /// The worst, if it exceeds its limit.
     fn broken(&self) -> Option<Measure> {
         self.worst.filter(|worst| worst.ratio() > 1.0)
     }
@@ -89,7 +89,7 @@ impl Worst {
     }
 }
 
-/// All that a run is judged by.
+/// All measures that are compared with promised limits.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Measures {
     /// m.
@@ -98,9 +98,9 @@ pub(crate) struct Measures {
     pub(crate) projection: Worst,
     /// Change of energy by one projection, J.
     pub(crate) projection_energy: Worst,
-    /// What all projections took but those of overlaps at the start, J.
+    /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
-    /// Problems that were not solved as asked.
+    /// Problems that were not solved to their tolerance.
     pub(crate) unsolved: Occurrences,
 }
 
@@ -119,7 +119,7 @@ impl Measures {
     /// The measures of a scene with this many bodies.
     ///
     /// # Errors
-    /// When one is of a body that there is not.
+    /// When one is of a body that does not exist.
     pub(super) fn restored(saved: &content::Measures, bodies: usize) -> Result<Self, SnapshotError> {
         Ok(Self {
             penetration: Worst::restored(&saved.penetration, bodies)?,
@@ -143,7 +143,7 @@ impl Measures {
         certificate.max_projection_j_at = self.projection_energy.at();
     }
 
-    /// What was promised and not kept.
+    /// The limits that were exceeded.
     pub(crate) fn broken(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
         let names = |measure: &Measure| world.pair_names(measure.pair.0, measure.pair.1);
         let mut broken = Vec::new();
@@ -186,7 +186,7 @@ mod tests {
         Measure { t, pair, value, allowed }
     }
 
-    /// The large pair overlaps more and keeps its promise, the small one does not: it is named, though not the deepest.
+    /// The large pair penetrates deeper, but within its limit. The small pair exceeds its limit and is the one named.
     #[test]
     fn each_pair_is_judged_by_its_own_limit() {
         let mut worst = Worst::default();
@@ -198,7 +198,7 @@ mod tests {
         assert!((worst.of_limit() - 10.0).abs() < 1e-12);
     }
 
-    /// What is not promised cannot be broken; what is not a number, or not positive, is no measure.
+    /// A value without a limit never exceeds it; NaN and values that are not positive are ignored.
     #[test]
     fn nothing_promised_is_not_broken() {
         let mut worst = Worst::default();

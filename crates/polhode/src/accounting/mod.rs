@@ -1,4 +1,4 @@
-//! Accounting: what a run has to show for itself.
+//! Accounting: the record of a run from which its report is made.
 //!
 //! The ledger, the certificate, the warnings and the events of a run, whatever tier advances it. Events and samples reach
 //! the observer from here alone, in order of time.
@@ -29,11 +29,11 @@ use stretches::Stretches;
 pub(crate) struct Accounts {
     pub(crate) books: Books,
     pub(crate) certificate: Certificate,
-    /// What the run is judged by.
+    /// Measured values that are compared with the promised limits.
     pub(crate) measures: Measures,
     warnings: Occurrences,
     tolerated: Occurrences,
-    /// Events that have not been told yet.
+    /// Events not yet sent to the observer.
     events: Vec<Event>,
     event_count: u64,
     steps: u64,
@@ -73,12 +73,12 @@ impl Accounts {
         self.tolerated.add(t, what.into());
     }
 
-    /// Counts a problem that was not solved as asked at time `t` (s): the run is degraded.
+    /// Counts a problem that was not solved to its tolerance at time `t` (s): the run is degraded.
     pub(crate) fn note_unsolved(&mut self, t: f64, what: impl Into<String>) {
         self.measures.unsolved.add(t, what.into());
     }
 
-    /// Takes a solver's report into the certificate.
+    /// Records a solver's report in the certificate.
     ///
     /// # Errors
     /// When the problem was not solved to its tolerance.
@@ -96,7 +96,7 @@ impl Accounts {
         }
     }
 
-    /// Enters what a time step did: its books, its certificate, and its impacts as events.
+    /// Records a time step: its books, its certificate, and its impacts as events.
     pub(crate) fn note_time_step(&mut self, world: &World, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
@@ -122,7 +122,8 @@ impl Accounts {
         }
     }
 
-    /// Adds an event at a contact point; one that stands for its mirror image too is reported at both.
+    /// Adds an event at a contact point. If the contact also represents its mirror image, the event is reported at both
+    /// points.
     pub(crate) fn add_contact_event(&mut self, world: &World, states: &[BodyState], event: Event, id: ContactId) {
         let Some(aside) = world.mirrored(states, id) else {
             self.add_event(event);
@@ -134,13 +135,13 @@ impl Accounts {
         }
     }
 
-    /// A stretch of crowded events of this many bodies begins at `t` (s); its number.
+    /// Begins a stretch of crowded events of this many bodies at `t` (s). Returns its number.
     pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) -> usize {
-        self.warn(t, "events crowd: the bodies concerned go on by time steps for a while");
+        self.warn(t, "crowded events: the affected bodies advance by time steps for a while");
         self.crowded.begin(t, bodies)
     }
 
-    /// Takes the outcome of an impact of some bodies by a law into the certificate.
+    /// Records the outcome of an impact of some bodies by a law in the certificate.
     pub(crate) fn note_impact(
         &mut self,
         world: &World,
@@ -175,14 +176,14 @@ impl Accounts {
         }
     }
 
-    /// Gives a warning of something that is counted among what was tolerated too.
+    /// Gives a warning and also counts it as tolerated.
     pub(crate) fn warn_of_tolerated(&mut self, t: f64, what: impl Into<String>) {
         let what = what.into();
         self.warn(t, what.clone());
         self.tolerate(t, what);
     }
 
-    /// Checks that the states of all bodies at `t` (s) are finite, and takes note of their energies and momenta.
+    /// Checks that the states of all bodies at `t` (s) are finite, and records their energies and momenta.
     ///
     /// # Errors
     /// When a state or the energy is not finite.
@@ -192,18 +193,18 @@ impl Accounts {
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t }) }
     }
 
-    /// A step has been made.
+    /// Counts a step.
     pub(crate) fn count_step(&mut self) {
         self.steps += 1;
     }
 
-    /// An event that will be told in its turn.
+    /// Adds an event, to be sent to the observer in order of time.
     pub(crate) fn add_event(&mut self, event: Event) {
         self.events.push(event);
     }
 
-    /// Tells the observer all events up to `t` (s), in order of time. The end of bounces that have been summed up lies a
-    /// little ahead, and waits.
+    /// Sends the observer all events up to `t` (s), in order of time. The computed end of bounces may be later than
+    /// `t`; its event waits.
     pub(crate) fn emit_events(&mut self, t: f64, observer: &mut dyn Observer) {
         self.events.sort_by(|x, y| x.t.total_cmp(&y.t));
         let due = self.events.partition_point(|event| event.t <= t);
@@ -218,19 +219,19 @@ impl Accounts {
         self.next_sample as f64 * world.scene.output_interval_s()
     }
 
-    /// Whether no sample has been told yet.
+    /// Whether no sample has been sent yet.
     pub(crate) fn is_unsampled(&self) -> bool {
         self.last_sample_s.is_none()
     }
 
-    /// Passes over the next sample of the output's grid, but for every so many-th; whether it did.
+    /// Skips the next output sample, except every `every`-th one. Returns whether it was skipped.
     pub(crate) fn skips_sample(&mut self, every: u64) -> bool {
         let skips = !self.next_sample.is_multiple_of(every);
         self.next_sample += u64::from(skips);
         skips
     }
 
-    /// Tells the observer the states at `t` (s), unless it has had a sample of that time; whether it was told.
+    /// Sends the observer the states at `t` (s), unless it has had a sample of that time. Returns whether it was sent.
     pub(crate) fn emit_sample(
         &mut self,
         world: &World,
@@ -253,7 +254,7 @@ impl Accounts {
         true
     }
 
-    /// Writes the accounts into the report of a run that ends with these states, and judges it by these limits.
+    /// Writes the accounts into the report of a run that ends with these states, and compares them with these limits.
     pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
         report.energy = self.books.observe(world, states);
         report.ledger = self.books.ledger;
@@ -276,7 +277,7 @@ impl Accounts {
 /// Checks that states are finite.
 ///
 /// # Errors
-/// When one is not.
+/// When a state is not.
 pub(crate) fn check_finite(world: &World, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
     match states.iter().position(|state| !state.is_finite()) {
         Some(body) => Err(SimulationError::Diverged { body: world.bodies[body].name.clone(), t }),

@@ -1,20 +1,19 @@
-//! What happens again and again in a run: each text once, with the times of its first and last occasion and how often it
-//! came.
+//! Repeated messages of a run: each text once, with the times of its first and last occurrence and their number.
 
 use crate::report::Tolerated;
 use crate::snapshot::content;
 use std::collections::BTreeMap;
 
-/// Occurrences in the order in which each came first.
+/// Occurrences in the order of the first of each.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Occurrences {
     list: Vec<Tolerated>,
-    /// Place of each text in the list.
+    /// Index of each text in the list.
     places: BTreeMap<String, usize>,
 }
 
 impl Occurrences {
-    /// Something happens at `t` (s).
+    /// Adds an occurrence at `t` (s).
     pub(crate) fn add(&mut self, t: f64, what: String) {
         if let Some(known) = self.places.get(&what).and_then(|&place| self.list.get_mut(place)) {
             known.last_s = t;
@@ -49,17 +48,17 @@ impl Occurrences {
         Self { list, places }
     }
 
-    /// How often anything has happened.
+    /// Total number of occurrences.
     pub(crate) fn total(&self) -> u64 {
         self.list.iter().map(|known| known.count).sum()
     }
 
-    /// What has happened, in the order in which each came first.
+    /// The occurrences, in the order of the first of each.
     pub(crate) fn list(&self) -> &[Tolerated] {
         &self.list
     }
 
-    /// The same as it is printed.
+    /// The same as printed texts.
     pub(crate) fn texts(&self) -> Vec<String> {
         self.list.iter().map(ToString::to_string).collect()
     }

@@ -1,4 +1,4 @@
-//! The accounts of a run as plain data, and back.
+//! Conversion of the accounts of a run to plain data and back.
 
 use super::Accounts;
 use super::books::Books;
@@ -31,7 +31,7 @@ impl Accounts {
     /// The accounts of a scene with this many bodies.
     ///
     /// # Errors
-    /// When an event is of a body that there is not.
+    /// When an event is of a body that does not exist.
     pub(crate) fn restored(saved: &content::Accounts, bodies: usize) -> Result<Self, SnapshotError> {
         Ok(Self {
             books: restored_books(&saved.books),

@@ -1,4 +1,5 @@
-//! Stretches of crowded events, each by its number: those of two islands may lie side by side in time.
+//! Stretches of crowded events (intervals passed by time steps), each with a number. Those of two islands may overlap
+//! in time.
 
 use crate::CrowdedStretch;
 
@@ -7,7 +8,7 @@ use crate::CrowdedStretch;
 pub(crate) struct Stretches(pub(super) Vec<CrowdedStretch>);
 
 impl Stretches {
-    /// A stretch of this many bodies begins at `t` (s); its number. One that ended there goes on.
+    /// Begins a stretch of this many bodies at `t` (s) and returns its number. A stretch that ended there is continued.
     pub(crate) fn begin(&mut self, t: f64, bodies: usize) -> usize {
         if let Some(number) = self.0.iter().rposition(|stretch| stretch.to_s == t && stretch.from_s < t) {
             self.0[number].bodies = self.0[number].bodies.max(bodies);
@@ -17,7 +18,7 @@ impl Stretches {
         self.0.len() - 1
     }
 
-    /// A time step of a stretch has been made, which ends at `t` (s), with this estimated error.
+    /// Records a time step of a stretch that ends at `t` (s), with its estimated error.
     pub(crate) fn step(&mut self, number: usize, t: f64, steps: u64, error: f64) {
         if let Some(stretch) = self.0.get_mut(number) {
             stretch.steps += steps;
@@ -31,7 +32,7 @@ impl Stretches {
 mod tests {
     use super::*;
 
-    /// What one island does stands with its own stretch while another one is in a stretch too; one that goes on where it
+    /// The steps of two islands are recorded in separate stretches at the same time; a stretch that continues where it
     /// ended is one stretch.
     #[test]
     fn stretches_side_by_side() {

@@ -1,5 +1,5 @@
-//! What is due when: the ends of the islands' steps, the impacts of pairs, the renewal of the boxes of bodies in flight,
-//! and the beginnings of prescribed motions.
+//! The agenda of the run: the times of the ends of the islands' steps, the impacts of pairs, the renewal of the boxes
+//! of bodies in flight, and the beginnings of prescribed motions.
 //!
 //! Entries stand in order of time, those of one time in order of their kind and bodies, so that the order in which they were
 //! put in does not matter.
@@ -45,7 +45,7 @@ pub(super) struct Agenda {
 }
 
 impl Agenda {
-    /// Puts an entry in; one at no finite time is never due.
+    /// Puts an entry in; one at a time that is not finite is never due.
     pub(super) fn add(&mut self, t: f64, due: Due) {
         if t.is_finite() {
             self.entries.insert((Time(t), due));

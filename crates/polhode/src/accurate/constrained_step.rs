@@ -1,5 +1,5 @@
-//! A step of an island whose held contacts stay, as it has been integrated (`constrained_stepping.rs`), and where such a step
-//! ends at the latest.
+//! A step of an island with a fixed active set, as it has been integrated (`constrained_stepping.rs`), and where such a
+//! step ends at the latest.
 
 use super::pace::is_instant;
 use super::system::received;
@@ -26,12 +26,12 @@ pub(super) struct ConstrainedStep {
     pub(super) end_state: Vec<f64>,
     /// Motion of each body, for the search of impacts.
     pub(super) motions: Vec<Option<IntegratedMotion>>,
-    /// Free rotations of those bodies that nothing turns.
+    /// Free rotations of those bodies on which no moment acts.
     pub(super) spins: Vec<Option<Flight>>,
 }
 
 impl ConstrainedStep {
-    /// The pairs that contacts hold together, ascending.
+    /// The pairs with held contacts, ascending.
     pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
         let mut pairs: Vec<_> = self.held.iter().map(|id| (id.a, id.b)).collect();
         pairs.dedup();
@@ -110,7 +110,7 @@ fn horizon(core: &Core, held: &[ContactId], t: f64) -> f64 {
 pub(super) fn step_limit(core: &Core, held: &[ContactId], t: f64) -> f64 {
     let remaining = horizon(core, held, t) - t;
     let longest = core.settings.step_s;
-    // A sum of equal steps may leave over what is no step: it is added to the last.
+    // A sum of equal steps may leave a remainder too short for a step: it is added to the last step.
     if is_instant(remaining - longest, longest) { remaining } else { longest }
 }
 

@@ -1,4 +1,4 @@
-//! A step of an island whose held contacts stay: integrated once, before any event is looked for.
+//! A step of an island with a fixed active set: integrated once, before events are located on it.
 //!
 //! By DOP853 each island takes the longest step that its own error estimate accepts; by the classical method of order 4
 //! (`stage_method.rs`) every step is the longest allowed. The attitude of a body that only forces through
@@ -47,7 +47,7 @@ struct Attempt {
     error: Option<f64>,
 }
 
-/// A step that was accepted, and what its error says of the next one.
+/// An accepted step, with the length that its error proposes for the next one.
 struct Accepted {
     step: ConstrainedStep,
     factor: f64,
@@ -70,13 +70,13 @@ impl Engine {
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
         loop {
-            // A step that ends where a force is not smooth may be as short as it must.
+            // A step that ends where a force is not smooth may be arbitrarily short.
             if h < limit {
                 check_step(h, longest, t)?;
             }
             match self.attempt_step(core, bodies, held, (t, h)) {
                 Ok(accepted) => {
-                    // A step that was cut short says nothing against a longer one.
+                    // A shortened step does not reduce the proposed length.
                     let kept = if accepted.factor >= 1.0 && h == limit { proposed } else { 0.0 };
                     let next = (h * accepted.factor).max(kept).min(longest);
                     for &body in bodies {
@@ -198,7 +198,7 @@ impl Engine {
             for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
                 let allowed = allowed.max(rounding);
                 let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
-                // No error is none, also where nothing moves and nothing is allowed.
+                // A zero error is accepted, also where the limit is zero because nothing moves.
                 let ratio = if error == 0.0 { 0.0 } else { error / allowed };
                 worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
             }
@@ -281,10 +281,11 @@ fn roundings(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f6
     [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
 }
 
-/// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and loads at
-/// both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. Measured as the change of the load over
-/// the step per rounding unit by which the pose has changed, of place or attitude by the larger number of units, so that it
-/// is not too large where the load depends on one of them alone. A body that has not moved tells nothing: zero.
+/// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and
+/// loads at both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. Measured as the change of
+/// the load over the step per rounding unit by which the pose has changed, of place or attitude by the larger number of
+/// units, so that it is not too large where the load depends on one of them alone. For a body that has not moved the
+/// result is zero.
 fn of_places([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
     let (from, to) = (&start.pose, &end.pose);
     let unit = POSE_ROUNDING * from.translation.abs().max(to.translation.abs()).max_element();

@@ -1,4 +1,4 @@
-//! The contacts that touched when their bodies were last looked at, by pair.
+//! The touching contacts at their last evaluation, by pair.
 
 use crate::collision::contact_set::{Hold, Touch};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,10 +1,11 @@
-//! One time step of bodies whose events crowd (`crowding.rs`), and how they go through it: along a line, with a steady turn.
+//! One time step of bodies with crowded events (`crowding.rs`). Within it each body moves along a line at constant
+//! angular velocity.
 
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
 
-/// A body's part in a stretch.
+/// The state of a stretch of crowded events.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crowd {
     /// When the stretch ends, s.
@@ -24,16 +25,16 @@ pub(super) struct CrowdStep {
     pub(super) start: Vec<BodyState>,
     pub(super) states: Vec<BodyState>,
     pub(super) pairs: Vec<(usize, usize)>,
-    /// What the step did, and what was carried before it.
+    /// Report of the step, and the stepper as it was before the step.
     pub(super) report: TimeStepReport,
     pub(super) stepper: TimeStepper,
-    pub(super) ways: Vec<Way>,
+    pub(super) motions: Vec<StepMotion>,
 }
 
 impl CrowdStep {
-    /// Way of the body of this place.
-    pub(super) fn way(&self, place: usize) -> Option<&Way> {
-        self.ways.get(place)
+    /// Motion of the body at this index.
+    pub(super) fn motion(&self, place: usize) -> Option<&StepMotion> {
+        self.motions.get(place)
     }
 
     /// States of the bodies at a time within the step.
@@ -41,28 +42,28 @@ impl CrowdStep {
         if t >= self.end {
             return self.states.clone();
         }
-        let at = |(way, (start, end)): (&Way, (&BodyState, &BodyState))| {
+        let at = |(motion, (start, end)): (&StepMotion, (&BodyState, &BodyState))| {
             let share = if self.end > self.t { (t - self.t) / (self.end - self.t) } else { 0.0 };
             BodyState {
-                pose: way.pose(t),
+                pose: motion.pose(t),
                 linear_velocity: start.linear_velocity.lerp(end.linear_velocity, share),
                 angular_momentum: start.angular_momentum.lerp(end.angular_momentum, share),
             }
         };
-        self.ways.iter().zip(self.start.iter().zip(&self.states)).map(at).collect()
+        self.motions.iter().zip(self.start.iter().zip(&self.states)).map(at).collect()
     }
 }
 
-/// How a body goes through a time step.
+/// Motion of a body within a time step.
 #[derive(Debug, Clone)]
-pub(super) enum Way {
-    /// From its start to its end along a line, with a steady turn.
+pub(super) enum StepMotion {
+    /// From its start to its end along a line, at constant angular velocity.
     Straight(ConstantVelocity),
-    /// Not at all, or not finite, which its states say.
+    /// No motion, or not finite; the states show which.
     Still(Still),
 }
 
-impl Way {
+impl StepMotion {
     fn between((t, start): (f64, &Pose), (end_t, end): (f64, &Pose)) -> Self {
         let h = end_t - t;
         let turn = (end.rotation * start.rotation.inverse()).to_rotation_vector();
@@ -71,7 +72,7 @@ impl Way {
     }
 }
 
-impl Motion for Way {
+impl Motion for StepMotion {
     fn pose(&self, t: f64) -> Pose {
         match self {
             Self::Straight(motion) => motion.pose(t),
@@ -94,7 +95,7 @@ impl Motion for Way {
     }
 }
 
-/// How bodies go from their states at one time (s) to those at another.
-pub(super) fn ways((t, start): (f64, &[BodyState]), (end_t, end): (f64, &[BodyState])) -> Vec<Way> {
-    start.iter().zip(end).map(|(start, end)| Way::between((t, &start.pose), (end_t, &end.pose))).collect()
+/// Motions of bodies from their states at one time (s) to those at another.
+pub(super) fn motions((t, start): (f64, &[BodyState]), (end_t, end): (f64, &[BodyState])) -> Vec<StepMotion> {
+    start.iter().zip(end).map(|(start, end)| StepMotion::between((t, &start.pose), (end_t, &end.pose))).collect()
 }

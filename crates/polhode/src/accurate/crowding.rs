@@ -1,18 +1,19 @@
-//! Stretches of time in which the events of an island crowd, passed by time steps at the level of velocities.
+//! Stretches of crowded events: intervals of time in which an island advances by time steps at velocity level.
 //!
-//! Events crowd when steps no longer advance time (`pace.rs`): bounces that accumulate at several contacts at once, contacts
-//! whose place jumps, piles that settle. The bodies concerned then go on by the time steps of `crate::time_stepping`, all
-//! their touching and nearly touching contacts together, for a stretch of one longest step; after it the events of the tier
-//! are located again. Every further stretch of a body lasts twice as long as its last one, up to [`LONGEST_STRETCH`].
+//! Events are crowded if steps no longer advance time (`pace.rs`): bounces that accumulate at several contacts at once
+//! (Zeno behaviour), contacts whose point jumps, piles that settle. The affected bodies then advance by the time steps
+//! of `crate::time_stepping`, with all their touching and nearly touching contacts, for a stretch of one longest step.
+//! After it events are located again. Every further stretch of a body is twice as long as its last one, up to
+//! [`LONGEST_STRETCH`].
 //!
-//! A stretch keeps its own promise: each time step is compared with two of half its length, and is as short as the tolerance
-//! of crowding asks; the estimates are summed and reported with the stretch. A body of another island whose box meets the
-//! boxes of the crowd joins it. The way of a body within one time step is a line with a steady turn, which is how other
-//! islands see it.
+//! A stretch has its own error control: each time step is compared with two of half its length, and the tolerance of
+//! crowding determines its length. The sum of the estimates is reported with the stretch. The bodies of a stretch are
+//! called its crowd. A body of another island whose bounding box overlaps those of the crowd joins it. For the impact
+//! search of other islands, a body moves within one time step along a straight line at constant angular velocity.
 //!
-//! Fails softly: at its shortest step a stretch goes on, and its reported error says what that cost.
+//! Limit: at the shortest step a stretch continues whatever its error, which the reported estimate contains.
 
-use super::crowd_step::{Crowd, CrowdStep, ways};
+use super::crowd_step::{Crowd, CrowdStep, motions};
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
 use super::island::{Island, Step};
@@ -31,20 +32,20 @@ use std::collections::BTreeSet;
 /// First time step that is tried, as a fraction of the longest step.
 const FIRST_STEP: f64 = 1e-2;
 
-/// Shortest time step, as a fraction of the longest step: there a stretch goes on whatever its error.
+/// Shortest time step, as a fraction of the longest step. It is accepted whatever its error.
 const SHORTEST_STEP: f64 = 1e-5;
 
 /// Longest stretch, in longest steps.
 const LONGEST_STRETCH: f64 = 16.0;
 
-/// Impacts that a time step is split at, at the most.
+/// Most impacts at which a time step is split.
 const MOST_SPLITS: u32 = 4;
 
-/// Overlap that a time step cannot remove, relative to the smallest body: beyond it there is no way out, as for a ball that a
-/// press comes down on, and the run ends.
+/// Remaining penetration, relative to the smallest body, beyond which the run ends: the bodies cannot be separated, as
+/// a ball under a closing press.
 const NO_WAY_OUT: f64 = 1e-3;
 
-/// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
+/// Safety factor on the distance that a body may travel within a step: impulses may double a speed.
 const SWEEP_FACTOR: f64 = 2.0;
 
 /// The next time step aims at this fraction of what is allowed.
@@ -53,14 +54,14 @@ const SAFETY: f64 = 0.8;
 /// Least and largest change of the time step from one to the next.
 const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
 
-/// What makes the time steps of a crowd.
+/// The time stepper of a crowd.
 fn stepper(core: &Core) -> TimeStepper {
     let about = core.accounts.books.ledger.momentum.about;
     let stepper = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
     stepper.following_bounces(core.settings.crowding_tolerance)
 }
 
-/// A time step from `t` over `h` (s) with its estimate, in frames in which turning alone is left of pivoted bodies.
+/// A time step from `t` over `h` (s) with its error estimate. Pivoted bodies are reduced to their rotation.
 ///
 /// # Errors
 /// When it is not possible.
@@ -77,10 +78,11 @@ fn time_step(
 }
 
 impl Engine {
-    /// Begins a stretch of time steps for the bodies of an instant whose events crowd.
+    /// Begins a stretch of time steps for the bodies of an instant with crowded events.
     ///
     /// # Errors
-    /// When crowding ends a run, as [`SimulationError::NoProgress`] says, or a time step is not possible.
+    /// [`SimulationError::NoProgress`] when the settings end a run at crowded events; or when a time step is not
+    /// possible.
     pub(super) fn begin_stretch(
         &mut self,
         core: &mut Core,
@@ -101,15 +103,15 @@ impl Engine {
         self.crowd_step(core, instant, crowd)
     }
 
-    /// Goes on with the stretch that the bodies of an instant are in; nothing when none is.
-    pub(super) fn stretch_of(&self, instant: &Instant) -> Option<Crowd> {
+    /// The stretch that a body of the instant is in, if there is one.
+    pub(super) fn ongoing_stretch(&self, instant: &Instant) -> Option<Crowd> {
         instant.bodies.iter().find_map(|&body| match self.tracks[body].mode {
             Mode::Crowded(crowd) => Some(crowd),
             _ => None,
         })
     }
 
-    /// When a time step from `t` ends at the latest, s.
+    /// Latest end of a time step from `t`, s.
     fn limit_of_crowd_step(&self, core: &Core, t: f64) -> f64 {
         let limit = core.horizon(t).min(t + core.settings.step_s).min(self.end_of_kinematic_boxes(core, t));
         // Samples are taken between time steps.
@@ -117,7 +119,7 @@ impl Engine {
         if sample > t { limit.min(sample) } else { limit }
     }
 
-    /// Makes one time step of the bodies of an instant and of all that may meet them within it.
+    /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it.
     pub(super) fn crowd_step(
         &mut self,
         core: &mut Core,
@@ -139,7 +141,7 @@ impl Engine {
                 scratch[body] = *state;
             }
             let mut stepper = before.clone();
-            // The length is that between the ends, rounded as they are, so that the step can be made again from them.
+            // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
             end = if h >= limit - t { limit } else { t + h };
             let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, end - t));
             let (report, error) = match made {
@@ -166,8 +168,9 @@ impl Engine {
             self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
             self.tracks[body].pace = Pace::after_stretch(t);
         }
-        let ways = ways((t, &start), (end, &states));
-        let step = Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, ways });
+        let motions = motions((t, &start), (end, &states));
+        let step =
+            Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, motions });
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
         }
@@ -177,7 +180,7 @@ impl Engine {
         self.look_ahead(core, &bodies, &firsts, t)
     }
 
-    /// The time step of a crowd, made again from its start with the same bits.
+    /// Repeats the time step of a crowd from its start, bit for bit.
     ///
     /// # Errors
     /// When it is not possible.
@@ -196,11 +199,11 @@ impl Engine {
         let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
-        let ways = ways((t, &start), (end, &states));
-        Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, ways })
+        let motions = motions((t, &start), (end, &states));
+        Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, motions })
     }
 
-    /// Takes into an instant all bodies that may meet its bodies within `h` seconds; the pairs that may meet.
+    /// Adds to an instant all bodies that may meet its bodies within `h` seconds. Returns the pairs that may meet.
     fn gather(
         &mut self,
         core: &mut Core,
@@ -231,7 +234,7 @@ impl Engine {
             if joins.is_empty() {
                 return Ok(pairs.into_iter().collect());
             }
-            let mut more = self.concerned(core, t, &joins.into_iter().collect::<Vec<_>>())?;
+            let mut more = self.affected_bodies(core, t, &joins.into_iter().collect::<Vec<_>>())?;
             more.retain(|body| instant.bodies.binary_search(body).is_err());
             let more = self.end_islands(core, t, more)?;
             for &body in &more.bodies {
@@ -243,16 +246,16 @@ impl Engine {
         }
     }
 
-    /// Sets the box of a body of a crowd: where it may go within `h` seconds.
+    /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
     fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
-        let way = core.world.touch_distance(&self.states, body, body)
+        let travel = core.world.touch_distance(&self.states, body, body)
             + SWEEP_FACTOR * h * (self.speed(core, body) + core.world.gravity().length() * h);
         let shape = core.world.bodies[body].shape.as_ref();
-        let aabb = shape.map(|shape| aabb_of(shape, &self.states[body].pose).and_then(|aabb| aabb.inflated(way)));
+        let aabb = shape.map(|shape| aabb_of(shape, &self.states[body].pose).and_then(|aabb| aabb.inflated(travel)));
         self.set_box(body, aabb.and_then(Result::ok));
     }
 
-    /// States at `t` of the bodies of a crowd's step, and what the step did up to then.
+    /// States at `t` of the bodies of a crowd's step, and the report of the step up to then.
     pub(super) fn crowd_end(
         &mut self,
         core: &Core,
@@ -282,9 +285,9 @@ impl Engine {
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
     }
 
-    /// Moves out the overlap that the time steps of a stretch have left, of all pairs: a step looks only at those that move in
-    /// it. That is of the stretch, and booked, but not judged as drift.
-    fn part_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
+    /// Removes the penetration that the time steps of a stretch have left, of all pairs: a step checks only those that
+    /// move in it. The removal is booked but is not measured as drift.
+    fn remove_overlap_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
         let failed = |source: ResponseError| Core::response_error(instant.t, source);
         let overlaps = Overlaps::find(&core.world, &self.states, &instant.pairs);
         if !overlaps.is_excess {
@@ -298,7 +301,7 @@ impl Engine {
         Ok(())
     }
 
-    /// The time step of a crowd ends: the next one, or the end of its stretch.
+    /// Ends the time step of a crowd. Then the next step begins, or the stretch ends.
     ///
     /// # Errors
     /// When a time step is not possible, or the instant at the end of the stretch cannot be resolved.
@@ -308,28 +311,28 @@ impl Engine {
         for &body in &instant.bodies {
             self.scratch[body] = self.states[body];
         }
-        let Some(crowd) = self.stretch_of(&instant) else { return Ok(()) };
+        let Some(crowd) = self.ongoing_stretch(&instant) else { return Ok(()) };
         if t < crowd.until && !core.is_end_of_run(t) {
             return self.crowd_step(core, instant, crowd);
         }
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Constrained;
         }
-        self.part_at_end(core, &instant)?;
+        self.remove_overlap_at_end(core, &instant)?;
         match self.resolve(core, &mut instant) {
-            Ok(()) => self.go_on(core, instant),
+            Ok(()) => self.continue_motion(core, instant),
             Err(SimulationError::ContactSolve { .. }) if core.is_end_of_run(t) => {
-                // The motion is known; only the forces of the last instant are not.
+                // Only the forces of the last instant are unknown, not the motion.
                 core.accounts.tolerate(t, "contact forces at the end of the run were not found");
                 instant.touches.clear();
-                self.go_on(core, instant)
+                self.continue_motion(core, instant)
             }
-            Err(error) => self.stretch_instead(core, instant, error),
+            Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
         }
     }
 }
 
-/// The error of a time step that ends at `t` (s) and leaves bodies of `pairs` overlapping visibly.
+/// The error of a time step that ends at `t` (s) with a large remaining penetration in one of `pairs`.
 fn no_way_out(
     core: &Core,
     report: &TimeStepReport,
@@ -338,13 +341,13 @@ fn no_way_out(
     t: f64,
 ) -> Option<SimulationError> {
     let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_afresh(states, a, b)?, (a, b)));
-    let visible = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
-    // The overlap that is left bounds that of all pairs, and none is the rule.
+    let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
+    // The remaining penetration bounds that of all pairs, and is usually zero.
     let smallest = pairs.iter().map(|&(a, b)| core.world.pair_size(a, b)).fold(f64::INFINITY, f64::min);
     if report.left_penetration_m <= NO_WAY_OUT * smallest {
         return None;
     }
-    let deepest = pairs.iter().filter_map(overlap).filter(visible).max_by(|x, y| x.0.total_cmp(&y.0));
+    let deepest = pairs.iter().filter_map(overlap).filter(is_large).max_by(|x, y| x.0.total_cmp(&y.0));
     deepest.map(|(overlap_m, (a, b))| {
         let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
         SimulationError::NoWayOut { t, body_a, body_b, overlap_m }

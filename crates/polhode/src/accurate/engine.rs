@@ -1,4 +1,4 @@
-//! The bodies of a run, how each moves until its next event, and the order in which events come.
+//! The state of a run: its bodies, the mode of each until its next event, and the order of events.
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
@@ -6,9 +6,9 @@ use super::crowd_step::Crowd;
 use super::free_stepping::FreeStep;
 use super::instant::Instant;
 use super::island::{Island, Step};
-use super::looked::Looked;
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
+use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::core::Core;
@@ -22,9 +22,9 @@ use polhode_dynamics::{BodyState, Flight};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Where no body is integrated and nobody wants samples, energies and the finiteness of states are looked at once in so many
-/// samples of the output's grid.
-const UNSEEN_SAMPLES: u64 = 256;
+/// If no body is integrated and no observer needs samples, energies and finiteness of states are checked once in so
+/// many output samples.
+const UNOBSERVED_SAMPLES: u64 = 256;
 
 /// How a body moves until the next event.
 #[derive(Debug, Clone)]
@@ -33,19 +33,19 @@ pub(super) enum Mode {
     Fixed,
     /// As prescribed, whatever acts on it.
     Prescribed,
-    /// Freely, by its flight record.
+    /// Free flight, by its flight record.
     Flight(Box<Flight>),
-    /// With held contacts, or under forces, integrated by DOP853.
+    /// Constrained motion: with held contacts, or under forces, integrated by DOP853.
     Constrained,
     /// By the integrator of free motion.
     Stepped,
-    /// By time steps, while the events of its island crowd.
+    /// By time steps, in a stretch of crowded events.
     Crowded(Crowd),
-    /// Not at all: its group is in certified equilibrium at zero velocity.
+    /// At rest: its group is in verified equilibrium at zero velocity.
     Rest,
 }
 
-/// How a body moves, and what is remembered of how it has moved.
+/// How a body moves, with the history that its further motion needs.
 #[derive(Debug, Clone)]
 pub(super) struct Track {
     pub(super) mode: Mode,
@@ -54,9 +54,10 @@ pub(super) struct Track {
     pub(super) pace: Pace,
     /// Step proposed by the error control, s.
     pub(super) proposed_step_s: f64,
-    /// Largest speed so far of the body or of any it has met, or what gravity gives over its size, m/s.
+    /// Largest speed so far of the body or of any it has been in contact with, at least that of a fall over its size,
+    /// m/s.
     pub(super) speed_scale: f64,
-    /// Up to when its rest has been booked, s.
+    /// Time up to which its rest has been booked, s.
     pub(super) rest_booked_s: f64,
     /// Length of the last stretch of crowded events that it was in, s.
     pub(super) last_stretch_s: f64,
@@ -65,7 +66,7 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Of a body at the present that no force has moved yet.
+    /// A new body at the present.
     pub(super) fn new(core: &Core, body: usize) -> Self {
         Self {
             mode: if core.world.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
@@ -83,31 +84,32 @@ impl Track {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// Of bodies in an island at the start of its step, of bodies in flight at their record or last event, of kinematic
-    /// bodies at the event or start of a step that is being worked on.
+    /// For bodies in an island at the start of its step, for bodies in flight at the start of their record or their
+    /// last event, for kinematic bodies at the event or step being processed.
     pub(super) states: Vec<BodyState>,
-    /// A copy of `states` to evaluate other times in.
+    /// A copy of `states`, used to evaluate other times.
     pub(super) scratch: Vec<BodyState>,
     pub(super) tracks: Vec<Track>,
     pub(super) islands: BTreeMap<usize, Island>,
     pub(super) contacts: Contacts,
     pub(super) near: NearPairs,
     pub(super) agenda: Agenda,
-    /// Free rotations of bodies in integrated islands that nothing turns.
+    /// Free rotations of bodies in integrated islands on which no moment acts.
     pub(super) spins: BTreeMap<usize, Flight>,
     /// Whether the first instant has been resolved.
     pub(super) begun: bool,
-    /// What a program is about to change.
+    /// The instant that a program is about to change.
     pub(super) interrupted: Option<Instant>,
-    /// Whether a program goes on after the end of the run.
+    /// Whether a program continues the simulation after the end of the run.
     pub(super) goes_on: bool,
-    /// When energies and momenta were last taken note of, s.
+    /// Time of the last observation of energies and momenta, s.
     pub(super) observed_s: f64,
-    pub(super) looked: Looked,
+    pub(super) state_cache: StateCache,
 }
 
 impl Engine {
-    /// Prepares a run: finds what touches, moves touching bodies out of their round-off, guesses which contacts hold.
+    /// Prepares a run: finds the touching contacts, removes overlaps within the touch distance, and makes a first guess
+    /// of the active set.
     ///
     /// # Errors
     /// When bodies overlap at the start.
@@ -126,7 +128,7 @@ impl Engine {
             interrupted: None,
             goes_on: false,
             observed_s: core.t,
-            looked: Looked::default(),
+            state_cache: StateCache::default(),
         };
         engine.find_initial_contacts(core)?;
         engine.scratch.clone_from(&engine.states);
@@ -139,10 +141,10 @@ impl Engine {
         self.resolve_start(core)
     }
 
-    /// Does what is due at `t`.
+    /// Processes what is due at `t`.
     pub(super) fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
         if due != Due::FlightBoxes {
-            self.looked.forget();
+            self.state_cache.invalidate();
         }
         match due {
             Due::FlightBoxes => self.renew_flight_boxes(core, t).map(|()| Reached::Limit),
@@ -154,7 +156,7 @@ impl Engine {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
             Due::Island(first) if self.islands.get(&first).is_some_and(|island| island.is_unsolved) => {
-                self.stretch_of_island(core, first, t).map(|()| Reached::Event)
+                self.begin_stretch_of_island(core, first, t).map(|()| Reached::Event)
             }
             Due::Island(first) if self.islands.get(&first).is_some_and(Island::is_crowd) => {
                 core.accounts.count_step();
@@ -167,23 +169,24 @@ impl Engine {
         }
     }
 
-    /// Puts the next time at which the motion of a kinematic body is not smooth on the agenda.
+    /// Adds the next time at which the motion of a kinematic body is not smooth to the agenda.
     pub(super) fn expect_corner(&mut self, core: &Core, body: usize, t: f64) {
         self.agenda.add(core.world.next_corner(body, t), Due::Corner(body));
     }
 
-    /// The motion of a kinematic body passes a corner: what rests on it wakes if it begins to move.
+    /// The motion of a kinematic body passes a corner (a time at which it is not smooth). Bodies resting on it wake if
+    /// it begins to move.
     fn pass_corner(&mut self, core: &mut Core, body: usize, t: f64) -> Result<Reached, SimulationError> {
         self.expect_corner(core, body, t);
         let rests = |body: &usize| matches!(self.tracks[*body].mode, Mode::Rest);
         let resting: Vec<usize> = self.contacts.partners(body).filter(rests).collect();
-        if resting.is_empty() || core.world.lets_rest(body, t) {
+        if resting.is_empty() || core.world.allows_rest(body, t) {
             return Ok(Reached::Limit);
         }
         self.resolve_event(core, t, &resting).map(|()| Reached::Event)
     }
 
-    /// Evaluates the states of the present that cannot be evaluated without changing an integrator.
+    /// Evaluates those present states whose evaluation changes an integrator.
     pub(super) fn set_present(&mut self, core: &Core) -> Result<(), SimulationError> {
         for island in self.islands.values_mut() {
             if let Step::Free(step) = &mut island.step {
@@ -193,15 +196,15 @@ impl Engine {
         Ok(())
     }
 
-    /// Takes note of energies and momenta at the present, if a longest step has passed since it was done last.
+    /// Observes energies and momenta at the present, if a longest step has passed since the last observation.
     pub(super) fn observe(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         if core.t - self.observed_s >= core.settings.step_s {
-            self.look(core, core.t)?;
+            self.observe_at(core, core.t)?;
         }
         Ok(())
     }
 
-    /// Tells the observer the samples before `until` (s).
+    /// Sends the observer the samples before `until` (s).
     pub(super) fn emit_samples(
         &mut self,
         core: &mut Core,
@@ -210,34 +213,35 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         let is_watched = observer.wants_samples() || observer.wants_frames();
         emit_samples_before(until, self, core, observer, |engine, core, t| {
-            // In closed form nothing is lost between two looks, and nobody looks.
-            if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNSEEN_SAMPLES) {
+            // Free flight in closed form has no error between two checks, and no observer needs the sample.
+            if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNOBSERVED_SAMPLES) {
                 return Ok(None);
             }
-            engine.look(core, t).map(Some)
+            engine.observe_at(core, t).map(Some)
         })
     }
 
-    /// Takes note of energies and momenta at `t` (s), a time within all present steps; the states of all bodies there.
+    /// Observes energies and momenta at `t` (s), a time within all present steps. Returns the states of all bodies
+    /// there.
     ///
     /// # Errors
     /// When a state cannot be evaluated or is not finite.
-    pub(super) fn look(&mut self, core: &mut Core, t: f64) -> Result<Arc<Vec<BodyState>>, SimulationError> {
-        if let Some(states) = self.looked.at(t) {
+    pub(super) fn observe_at(&mut self, core: &mut Core, t: f64) -> Result<Arc<Vec<BodyState>>, SimulationError> {
+        if let Some(states) = self.state_cache.at(t) {
             return Ok(Arc::clone(states));
         }
-        let mut looked = std::mem::take(&mut self.looked);
-        // The room of the last ones serves again, unless somebody holds them.
-        let states = Arc::make_mut(&mut looked.states);
+        let mut cache = std::mem::take(&mut self.state_cache);
+        // The memory of the last states is reused, unless a caller still holds it.
+        let states = Arc::make_mut(&mut cache.states);
         self.write_states_at(core, t, states)?;
         core.accounts.observe(&core.world, states, t)?;
         self.observed_s = t;
-        looked.t = self.islands.is_empty().then_some(t);
-        self.looked = looked;
-        Ok(Arc::clone(&self.looked.states))
+        cache.t = self.islands.is_empty().then_some(t);
+        self.state_cache = cache;
+        Ok(Arc::clone(&self.state_cache.states))
     }
 
-    /// The island of a body that moves in one.
+    /// The island of a body, if it is in one.
     pub(super) fn island_of(&self, body: usize) -> Option<&Island> {
         self.islands.get(&self.tracks[body].island?)
     }
@@ -247,7 +251,7 @@ impl Engine {
         self.islands.get(&first)
     }
 
-    /// Puts an island in; its first body.
+    /// Adds an island. Returns its first body.
     pub(super) fn insert_island(&mut self, island: Island) -> Option<usize> {
         let first = island.first()?;
         for &body in &island.bodies {
@@ -263,19 +267,19 @@ impl Engine {
         self.islands.iter().filter(|(_, island)| waits(island)).map(|(&first, _)| first).collect()
     }
 
-    /// Takes an island out to work on it.
+    /// Removes an island temporarily; its agenda entry remains.
     pub(super) fn take_island(&mut self, first: usize) -> Option<Island> {
         self.islands.remove(&first)
     }
 
-    /// Takes an island out for good.
+    /// Removes an island and its agenda entry.
     pub(super) fn remove_island(&mut self, first: usize) -> Option<Island> {
         let island = self.islands.remove(&first)?;
         self.agenda.remove(island.due, Due::Island(first));
         Some(island)
     }
 
-    /// Puts the copy of the states back after it has served for these bodies and for kinematic ones.
+    /// Restores the copy of the states after it was used for these bodies and for kinematic ones.
     pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
         for &body in bodies.iter().chain(core.world.prescribed()) {
             scratch[body] = self.states[body];
@@ -339,27 +343,27 @@ impl Engine {
         Some(match core.settings.integrator {
             _ if world.is_held_by_rows(body) => Mode::Constrained,
             _ if core.settings.flies() && !world.is_loaded(body) => {
-                // In planar motion the spin is about a principal axis, to rounding that must not grow.
+                // In planar motion the rotation is about a principal axis; rounding errors of the axis must not grow.
                 let record = if world.plane.is_some() { Flight::steady } else { Flight::new };
                 Mode::Flight(Box::new(record(rigid, t, &self.states[body], world.free_acceleration(body))))
             }
             Integrator::Dop853 => Mode::Constrained,
-            // What is coupled to bodies that contacts may hold is integrated with them.
+            // Bodies coupled to bodies that may be in contact are integrated with them.
             _ if world.may_collide_at_all() && world.is_coupled(body) => Mode::Constrained,
             _ if self.tracks[body].gave_up_splitting => Mode::Constrained,
             _ => Mode::Stepped,
         })
     }
 
-    /// Lets a body move freely from its state at `t`.
+    /// Begins free motion of a body from its state at `t`.
     pub(super) fn begin_free_motion(&mut self, core: &Core, body: usize, t: f64) {
         if let Some(mode) = self.free_mode(core, body, t) {
             self.tracks[body].mode = mode;
         }
     }
 
-    /// The step of bodies that an integrator of free motion moves; where forces have grown too strong for the splitting that
-    /// the plan has chosen, DOP853 goes on from the present states.
+    /// The step of bodies that an integrator of free motion moves. If forces have become too strong for the splitting
+    /// method that the plan has chosen, DOP853 continues from the present states.
     pub(super) fn free_or_constrained(
         &mut self,
         core: &mut Core,
@@ -385,14 +389,14 @@ impl Engine {
         }
     }
 
-    /// Books the flight of a body that ends at `t`, if it is in one.
+    /// Books the flight of a body up to `t`, if it is in free flight.
     pub(super) fn book_flight(&mut self, core: &mut Core, body: usize, t: f64) {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             book_flight(&core.world, &mut core.accounts.books, (body, flight), t, &mut self.states);
         }
     }
 
-    /// Books the rest of a body up to `t`, if it rests; from then on it counts anew.
+    /// Books the rest of a body up to `t`, if it rests. The next interval of rest begins there.
     pub(super) fn book_rest(&mut self, core: &mut Core, body: usize, t: f64) {
         let track = &mut self.tracks[body];
         if matches!(track.mode, Mode::Rest) && t > track.rest_booked_s {
@@ -402,14 +406,14 @@ impl Engine {
     }
 }
 
-/// Whether a kinematic body that an island touches comes to stand at `t`, where its step ends: then the island may come to
-/// rest.
+/// Whether a kinematic body that an island touches stops at `t`, the end of the island's step: then the island may come
+/// to rest.
 pub(super) fn comes_to_stand(core: &Core, island: &Island, t: f64) -> bool {
     let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
-    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.lets_rest(body, t))
+    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
 }
 
-/// Books a flight up to `t`: what its record has lost or gained in energy. The body's state is then that of `t`.
+/// Books a flight up to `t`, with the energy error of its record. Sets the body's state to that at `t`.
 pub(super) fn book_flight(
     world: &World,
     books: &mut Books,
@@ -420,7 +424,8 @@ pub(super) fn book_flight(
     let (start, dt) = (*flight.start(), t - flight.t0());
     states[body] = start;
     let before = books.balance(world, states, &[body]);
-    // The mean place of the flight for the moment of the weight; what it falls adds nothing to it.
+    // The mean position of the flight, for the moment of the weight. The fall along gravity does not change this
+    // moment.
     states[body].pose.translation += start.linear_velocity * (0.5 * dt);
     let gravity = gravity_at(world, states, body, books.ledger.momentum.about, dt);
     states[body] = flight.state(t);

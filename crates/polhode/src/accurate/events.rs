@@ -1,8 +1,9 @@
-//! The instant of an event: whom it concerns, their states at that time, and how they go on.
+//! Processing of an event: the affected bodies, their states at that time, and their motion afterwards.
 //!
-//! An event concerns the bodies it was found for and, from there, every body that moves or rests with one concerned (held
-//! contacts, forces that couple) or touches it at that time. Their islands end, at the states of that time; what happens is
-//! resolved (`resolve.rs`); and islands are formed anew of what holds then. All other bodies go on as if nothing had been.
+//! An event affects the bodies it was found for. From there it spreads to every body that is connected to an affected
+//! one (by held contacts or coupling forces) or touches it at that time. Their islands end with the states of that
+//! time, the event is resolved (`resolve.rs`), and new islands are formed from the contacts that hold then. All other
+//! bodies continue unchanged.
 
 use super::agenda::Due;
 use super::engine::{Engine, Mode};
@@ -19,8 +20,8 @@ use crate::interaction::groups::coupled_groups;
 use polhode_contact::aabb_of;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is counted where time steps stand in.
-const UNSOLVED: &str = "contact forces were not found: time steps carry the bodies on";
+/// The tolerated problem that is counted when time steps replace the location of events.
+const UNSOLVED: &str = "contact forces were not found: time steps advance the bodies";
 
 impl Engine {
     /// Resolves the event at `t` that was found for these bodies.
@@ -33,9 +34,9 @@ impl Engine {
         t: f64,
         found_for: &[usize],
     ) -> Result<(), SimulationError> {
-        let concerned = self.concerned(core, t, found_for)?;
-        let mut instant = self.end_islands(core, t, concerned)?;
-        if let Some(crowd) = self.stretch_of(&instant) {
+        let affected = self.affected_bodies(core, t, found_for)?;
+        let mut instant = self.end_islands(core, t, affected)?;
+        if let Some(crowd) = self.ongoing_stretch(&instant) {
             for &body in &instant.bodies {
                 self.scratch[body] = self.states[body];
             }
@@ -49,14 +50,15 @@ impl Engine {
                 self.begin_stretch(core, instant, stuck)
             }
             None => match self.resolve(core, &mut instant) {
-                Ok(()) => self.go_on(core, instant),
-                Err(error) => self.stretch_instead(core, instant, error),
+                Ok(()) => self.continue_motion(core, instant),
+                Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
             },
         }
     }
 
-    /// Where contact forces cannot be found, time steps carry the bodies of an instant on.
-    pub(super) fn stretch_instead(
+    /// If the contact forces could not be found, time steps advance the bodies of an instant; other errors are
+    /// returned.
+    pub(super) fn begin_stretch_if_unsolved(
         &mut self,
         core: &mut Core,
         instant: Instant,
@@ -72,11 +74,16 @@ impl Engine {
         self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
     }
 
-    /// The forces of an island's contacts, or a step with them, cannot be found: time steps carry it on from `t`.
+    /// Advances an island by time steps from `t`, because its contact forces or a step with them could not be found.
     ///
     /// # Errors
     /// When a time step is not possible.
-    pub(super) fn stretch_of_island(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+    pub(super) fn begin_stretch_of_island(
+        &mut self,
+        core: &mut Core,
+        first: usize,
+        t: f64,
+    ) -> Result<(), SimulationError> {
         let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
         let instant = self.end_islands(core, t, bodies)?;
         for &body in &instant.bodies {
@@ -86,31 +93,31 @@ impl Engine {
         self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
     }
 
-    /// Movable bodies that an event at `t` concerns, ascending.
-    pub(super) fn concerned(
+    /// Movable bodies that an event at `t` affects, ascending.
+    pub(super) fn affected_bodies(
         &mut self,
         core: &Core,
         t: f64,
         found_for: &[usize],
     ) -> Result<Vec<usize>, SimulationError> {
-        let mut concerned = BTreeSet::new();
+        let mut affected = BTreeSet::new();
         let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.world.bodies[b].moves()).collect();
         while let Some(body) = open.pop() {
-            if !concerned.insert(body) {
+            if !affected.insert(body) {
                 continue;
             }
             if let Some(island) = self.island_of(body) {
                 open.extend(island.bodies.iter().copied());
             }
-            for together in core.world.couplings_of(body) {
-                open.extend(together.iter().copied());
+            for coupled in core.world.couplings_of(body) {
+                open.extend(coupled.iter().copied());
             }
             let mut partners: Vec<usize> = self.near.partners(body).to_vec();
             partners.extend(self.contacts.partners(body));
             partners.sort_unstable();
             partners.dedup();
             for other in partners {
-                if !core.world.bodies[other].moves() || concerned.contains(&other) {
+                if !core.world.bodies[other].moves() || affected.contains(&other) {
                     continue;
                 }
                 let pair = (body.min(other), body.max(other));
@@ -119,7 +126,7 @@ impl Engine {
                 }
             }
         }
-        Ok(concerned.into_iter().collect())
+        Ok(affected.into_iter().collect())
     }
 
     /// Whether two bodies touch at `t`.
@@ -130,14 +137,14 @@ impl Engine {
         (states[a], states[b]) = (state_a, state_b);
         let reach = core.world.touch_distance(&states, a, b);
         let boxes = aabb_of(shape_a, &state_a.pose).and_then(|aabb| aabb.inflated(reach));
-        // What cannot be bounded may be anywhere.
+        // A shape without a bounding box may be anywhere.
         let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
         let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
         self.restore_scratch(core, states, &[a, b]);
         Ok(touch)
     }
 
-    /// Ends the islands of these bodies at `t`: their states are those of that time, and what went on is booked.
+    /// Ends the islands of these bodies at `t`: sets their states to those of that time and books their motion.
     pub(super) fn end_islands(
         &mut self,
         core: &mut Core,
@@ -150,7 +157,7 @@ impl Engine {
         let mut ended = Vec::with_capacity(firsts.len());
         for first in firsts {
             let Some(mut island) = self.remove_island(first) else { continue };
-            // Contacts depart at the time that was found for them, not at an earlier event.
+            // Contacts break at the time located for them, not at an earlier event.
             if island.changes && island.due <= t {
                 departing.extend(island.departing.iter().copied());
             }
@@ -164,7 +171,7 @@ impl Engine {
             }
             self.book_rest(core, body, t);
         }
-        // Now that all have come to `t`, none is pushed into another.
+        // All bodies are at `t` now, so the projection can detect neighbours that it would push a body into.
         for (island, balance) in ended {
             self.finish_step(core, &island, balance, t)?;
         }
@@ -191,8 +198,8 @@ impl Engine {
         })
     }
 
-    /// Brings the bodies of an island to `t`, within its step or at its end; the smooth stage that ends there is booked.
-    /// The balance of its bodies there; none where time steps have moved them.
+    /// Advances the bodies of an island to `t`, within its step or at its end, and books the smooth motion up to there.
+    /// Returns the balance of the bodies at `t`; none after time steps.
     fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<Option<Balance>, SimulationError> {
         let (states, received) = match &mut island.step {
             Step::Constrained(step) => {
@@ -223,7 +230,7 @@ impl Engine {
         Ok(Some(integrated))
     }
 
-    /// Puts together what an island holds, after its motion has ended at `t` (s), and checks its bodies.
+    /// Projects the held contacts of an island whose motion has ended at `t` (s), and checks its bodies.
     fn finish_step(
         &mut self,
         core: &mut Core,
@@ -232,7 +239,7 @@ impl Engine {
         t: f64,
     ) -> Result<(), SimulationError> {
         if let Some(balance) = ended {
-            self.put_together(core, &island.bodies, (&island.held, &island.held), t, balance)?;
+            self.project_held_contacts(core, &island.bodies, (&island.held, &island.held), t, balance)?;
         }
         self.check(core, &island.bodies, &island.held, t)
     }
@@ -245,8 +252,8 @@ impl Engine {
             }
             self.tracks[body].speed_scale = self.tracks[body].speed_scale.max(self.speed(core, body));
         }
-        // The separation of a contact point measures penetration only while the point lies on its features, as that of
-        // held contacts does; others are measured when they are detected.
+        // The separation of a contact point measures penetration only while the point lies on its features. Held
+        // contacts satisfy this; other contacts are measured when they are detected.
         for &id in held {
             if let Some(kinematics) = core.world.kinematics(&self.states, id) {
                 core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
@@ -255,7 +262,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Counts an event for all bodies it concerns; whether time no longer advances.
+    /// Counts an event for all bodies it affects. Returns an entry if time no longer advances.
     fn note_events(
         &mut self,
         core: &mut Core,
@@ -272,7 +279,8 @@ impl Engine {
         };
         let advance = pace.note_end(instant.t, end, longest);
         if pace.begins_to_back_off() {
-            let what = "events undo each other at one instant: what is still wrong is tolerated for a moment";
+            let what =
+                "contact changes repeat at one instant: remaining violations are tolerated for a short time (backoff)";
             core.accounts.warn_of_tolerated(instant.t, what);
         }
         for &body in &instant.bodies {
@@ -285,14 +293,15 @@ impl Engine {
         Ok(advance.err())
     }
 
-    /// Lets the bodies of a resolved instant go on.
-    pub(super) fn go_on(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
+    /// Continues the motion of the bodies of a resolved instant.
+    pub(super) fn continue_motion(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
         let (t, bodies) = (instant.t, instant.bodies.clone());
         let firsts = self.form_islands(core, instant)?;
         self.look_ahead(core, &bodies, &firsts, t)
     }
 
-    /// Keeps the contacts of a resolved instant and forms the islands of its bodies; their first bodies.
+    /// Stores the contacts of a resolved instant and forms the islands of its bodies. Returns the first body of each
+    /// island.
     pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
         let Instant { t, bodies, pairs, touches, speed_scale, .. } = instant;
         for pair in pairs {
@@ -327,7 +336,7 @@ impl Engine {
         Ok(firsts)
     }
 
-    /// Makes an island and its first step; its first body.
+    /// Forms an island with its first step. Returns its first body.
     fn begin_island(
         &mut self,
         core: &mut Core,
@@ -359,7 +368,7 @@ impl Engine {
             return self.free_or_constrained(core, bodies, t, first);
         }
         match self.constrained_step(core, bodies, held, t) {
-            // The place of a contact turns or jumps faster than any step can follow.
+            // A contact point moves or jumps faster than any step can follow.
             Err(SimulationError::StepTooSmall { .. }) if !held.is_empty() && core.settings.crowding.steps() => {
                 Ok(Step::Waiting(t))
             }
@@ -367,11 +376,11 @@ impl Engine {
         }
     }
 
-    /// Lets the islands that wait at the end of the run go on.
+    /// Continues the islands that wait at the end of the run.
     ///
     /// # Errors
     /// When no step is possible.
-    pub(super) fn go_on_after_the_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+    pub(super) fn continue_after_end_of_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         self.goes_on = true;
         for first in self.waiting_islands() {
             let Some(island) = self.take_island(first) else { continue };
@@ -384,7 +393,7 @@ impl Engine {
         Ok(())
     }
 
-    /// The step of an island that no event has met ends at `t`, and the next one begins.
+    /// Ends the step of an island at `t` without an event, and begins the next one.
     ///
     /// # Errors
     /// When no step is possible.
@@ -421,7 +430,7 @@ impl Engine {
         self.look_ahead(core, &of_island, &firsts, t)
     }
 
-    /// Finds what will happen to these bodies, of which these islands consist, after `t`.
+    /// Locates the next events after `t` of these bodies and of the islands that they form.
     pub(super) fn look_ahead(
         &mut self,
         core: &mut Core,
@@ -437,7 +446,7 @@ impl Engine {
             let Some(mut island) = self.take_island(first) else { continue };
             island.due = island.end();
             if let Step::Waiting(_) = island.step {
-                // Before the end of the run none was found: time steps carry it on.
+                // No step was found before the end of the run: time steps advance the island.
                 island.is_unsolved = self.goes_on || !core.is_end_of_run(t);
                 island.due = if island.is_unsolved { t } else { f64::INFINITY };
             }
@@ -460,7 +469,7 @@ impl Engine {
         self.search_pairs(core, bodies, t, Search::All)
     }
 
-    /// The pace of the slowest of some bodies; of immovable ones there is none.
+    /// The pace of the slowest of some movable bodies.
     pub(super) fn pace_of(&self, core: &Core, bodies: &[usize]) -> Pace {
         let paces = bodies.iter().filter(|&&body| core.world.bodies[body].moves()).map(|&body| self.tracks[body].pace);
         paces.reduce(Pace::slower).unwrap_or_default()

@@ -1,4 +1,4 @@
-//! Bodies between contacts by the integrator that the scene asks for.
+//! Steps of bodies without contacts by the integrator that the scene names.
 //!
 //! The integrator moves the bodies of an island by steps of the length given, and keeps its own variables from step to
 //! step; after an event it starts anew from the states. The states within its step are the method's own. Where such bodies
@@ -167,7 +167,8 @@ impl FreeStep {
             self.end = end_of(core, &[], self.t, h);
             match self.integrator.step(&motion, self.end - self.t) {
                 Ok(()) => break,
-                // Only a step of the length that the scene allows tells that forces are too strong for splitting.
+                // Only a failed step of the length that the scene allows shows that forces are too strong for
+                // splitting.
                 Err(_) if follows_motion(core) && h > core.settings.step_s => h = (0.5 * h).max(core.settings.step_s),
                 Err(source) => return Err(SimulationError::Integration { t: self.t, source }),
             }

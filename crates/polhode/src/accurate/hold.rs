@@ -1,7 +1,8 @@
-//! Which touching contacts stay, and with what forces.
+//! Active contacts and their forces, from the complementarity problem of accelerations.
 //!
-//! The complementarity problem of thesis 3.4, `0 <= f _|_ chi'' = G f + b >= 0`, decides: a contact that needs a force
-//! stays, one that accelerates apart opens. The motion it gives is unique though the forces may not be (erratum E13).
+//! The complementarity problem of thesis 3.4, `0 <= f _|_ chi'' = G f + b >= 0`, decides: a contact with a positive
+//! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
+//! (erratum E13).
 
 use crate::collision::contact_set::{Hold, Touch};
 use crate::interaction::acceleration_problem::AccelerationProblem;
@@ -12,12 +13,12 @@ use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, Wa
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
-/// A contact that accelerates apart by more than this opens: relative to the largest relative acceleration that the
-/// group's contacts would have without forces. Round-off of the solve is some 1e-15 of it.
+/// A contact breaks if its bodies accelerate apart by more than this, relative to the largest relative acceleration of
+/// the group's contacts without contact forces. The rounding error of the solution is some 1e-15.
 const OPENING_RELATIVE: f64 = 1e-11;
 
 /// The net force on a body in equilibrium is at most this fraction of the sum of the magnitudes of the forces on it;
-/// likewise for moments. Round-off of a few hundred contacts stays below 1e-13.
+/// likewise for moments. The rounding error of a few hundred contacts is below 1e-13.
 const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
 
 /// Forces of some contacts of a group, and the accelerations of its bodies, at one instant.
@@ -29,11 +30,12 @@ pub(super) struct Forces {
     contacts: usize,
     /// Generalised accelerations of the group's bodies.
     accelerations: Vec<f64>,
-    /// When they act, s.
+    /// Time of the forces, s.
     t: f64,
-    /// What counts as opening, m/s^2.
+    /// Relative acceleration above which a contact breaks, m/s^2.
     pub(super) opening: f64,
-    /// Largest sum of weight and force of fields on a body of the group, N: what contact forces may cancel from.
+    /// Largest sum of weight and field force on a body of the group, N: a scale for the rounding error of contact
+    /// forces.
     pub(super) load: f64,
 }
 
@@ -69,25 +71,25 @@ impl Forces {
         Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load })
     }
 
-    /// Forces of the contacts that were solved for, without those of pivots.
+    /// Forces of the contacts, without those of pivots.
     pub(super) fn of_contacts(&self) -> &[f64] {
         self.solution.forces.get(..self.contacts).unwrap_or_default()
     }
 
-    /// The event function by which each contact opens, m/s^2: what it may accelerate apart by before it counts as opening, less
-    /// what it does. While a force holds it it is positive; it falls as the force that would be needed to pull grows.
-    pub(super) fn holding(&self) -> impl Iterator<Item = f64> + '_ {
+    /// The event function of contact break, for each contact, m/s^2: the threshold acceleration minus the relative
+    /// acceleration. It is positive while a force holds the contact, and negative when the contact breaks.
+    pub(super) fn opening_margins(&self) -> impl Iterator<Item = f64> + '_ {
         let accelerations = self.solution.residual_accelerations.iter().take(self.contacts);
         accelerations.map(|w| self.opening - w)
     }
 
-    /// Generalised accelerations: (body, linear, angular).
+    /// Accelerations of the bodies: (body, linear, angular).
     pub(super) fn accelerations(&self) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
         self.assembly.split(&self.accelerations)
     }
 
-    /// Relative acceleration along the normal of a contact of these bodies that is not among those solved for, under
-    /// these forces, m/s^2.
+    /// Relative acceleration under these forces along the normal of another contact of these bodies, which was not part
+    /// of the problem, m/s^2.
     pub(super) fn relative_acceleration(&self, world: &World, states: &[BodyState], touch: &Touch) -> f64 {
         let geometry = &touch.kinematics.geometry;
         let prescribed = world.prescribed_acceleration_of(self.t, states, touch.id, geometry);
@@ -106,7 +108,7 @@ impl Forces {
         relative
     }
 
-    /// Bodies on which the forces certify equilibrium: net force and net moment vanish against their parts.
+    /// Bodies in equilibrium: net force and net moment are negligible against the sums of their magnitudes.
     pub(super) fn balanced_bodies(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
         let mut force_sums = vec![0.0; world.bodies.len()];
         let mut moment_sums = vec![0.0; world.bodies.len()];

@@ -1,12 +1,12 @@
 //! The search for impacts of the pairs of bodies that may meet.
 //!
-//! Every body that may collide has a box around its motion: over the present step of its island, or, in flight or on a
-//! prescribed path, up to the next renewal of all such boxes, which lies on a grid of time that no event shifts. Pairs whose
-//! boxes meet are searched for their impact by conservative advancement on their true motion, and the answer is kept until
-//! the motion of one of them changes. The impact found is never late, but for pairs that touch where the search begins: such
-//! a pair may part and meet again between the times at which the search looks whether it has parted. Pairs held together by
-//! a contact are watched by the location of contact changes; of those that are fast, the parts that are clear of each other
-//! are searched too: between two looks they could go through each other.
+//! Every body that may collide has a bounding box of its motion: over the present step of its island, or, in free
+//! flight or on a prescribed path, up to the next renewal of all such boxes, at times on a fixed grid. If the boxes of
+//! a pair overlap, conservative advancement on their exact motion searches for an impact. The result is kept until the
+//! motion of one of the bodies changes. The impact found is never late, except for pairs that touch where the search
+//! begins: such a pair may separate and meet again between two evaluations of the search. Pairs with a held contact are
+//! checked by the location of contact changes. If they move fast, parts that are apart from each other are searched
+//! too, because they could pass through each other between two checks.
 
 use super::agenda::Due;
 use super::engine::{Engine, Mode};
@@ -21,15 +21,15 @@ use polhode_contact::{Aabb, ImpactError, ImpactSearch, Shape, separation, time_o
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
 
-/// How far bodies that are held together may go between two looks at them, relative to the smaller of their sizes, before
-/// their other parts are searched.
+/// Distance that bodies in held contact may travel between two checks, relative to the smaller size, before their other
+/// parts are searched.
 const FAST: f64 = 0.01;
 
-/// How often a search goes on from where its evaluations were used up: a pair that has come to within roundings of touch is
-/// approached by ever smaller steps, and is left by longer ones when a search begins there.
+/// How often a search is restarted where its evaluations were used up. Close to touch a search advances by ever smaller
+/// steps; one that starts there takes longer steps.
 const SEARCHES_FROM_TOUCH: u32 = 8;
 
-/// Bodies with new boxes from which on the broad phase finds the pairs of all at once.
+/// Number of bodies with new boxes from which the broad phase finds all pairs at once.
 const MANY_NEW_BOXES: usize = 32;
 
 /// A pair in order.
@@ -76,14 +76,14 @@ impl Engine {
                 }
                 Some(Step::Crowd(step)) => {
                     let place = self.island_of(body).and_then(|own| own.bodies.binary_search(&body).ok());
-                    place.and_then(|place| step.way(place)).map_or_else(still, |way| BodyMotion::Within(way))
+                    place.and_then(|place| step.motion(place)).map_or_else(still, |motion| BodyMotion::Within(motion))
                 }
                 Some(Step::Waiting(_)) | None => still(),
             },
         }
     }
 
-    /// When the motion of a body that is known now ends, s.
+    /// The time up to which the motion of a body is known, s.
     fn known_until(&self, body: usize) -> f64 {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => f64::INFINITY,
@@ -94,8 +94,8 @@ impl Engine {
         }
     }
 
-    /// The first time on the grid of the flights' boxes at least half a step after `t`, s: a search over a shorter time would
-    /// soon be made again.
+    /// The first time on the grid of the flights' boxes at least half a step after `t`, s: a shorter search would soon
+    /// have to be repeated.
     fn next_flight_end(core: &Core, t: f64) -> f64 {
         let step = core.settings.step_s;
         let next = ((t / step + 0.5).floor() + 1.0) * step;
@@ -103,13 +103,13 @@ impl Engine {
         if next > t { next } else { next + step }
     }
 
-    /// Until when the boxes of kinematic bodies hold, s; infinite where there are none.
+    /// The time up to which the boxes of kinematic bodies are valid, s; infinite without such bodies.
     pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
         let bounds = !core.world.prescribed().is_empty() && self.near.flight_end > t;
         if bounds { self.near.flight_end } else { f64::INFINITY }
     }
 
-    /// Sees to it that the boxes of flights and of kinematic bodies that begin at `t` have an end.
+    /// Sets the end of validity of the boxes of flights and kinematic bodies that begin at `t`.
     pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
         if self.near.flight_end <= t && core.world.may_collide_at_all() {
             self.near.flight_end = Self::next_flight_end(core, t);
@@ -117,7 +117,8 @@ impl Engine {
         }
     }
 
-    /// Renews the boxes of all bodies in flight and of kinematic bodies at `t`, the end of the ones before, and what follows from them.
+    /// Renews the boxes of all bodies in flight and of kinematic bodies at `t`, the end of the previous boxes, with
+    /// their pairs and impacts.
     ///
     /// # Errors
     /// When a search does not end.
@@ -136,7 +137,7 @@ impl Engine {
         self.search_pairs(core, &flying, t, Search::Ended)
     }
 
-    /// Sets new boxes of these bodies, whose motions are known from `t` on, and finds the pairs that they make.
+    /// Sets new boxes of these bodies, whose motions are known from `t` on, and finds the pairs with overlapping boxes.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -145,7 +146,7 @@ impl Engine {
             return Ok(());
         }
         let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
-        // The boxes of a crowd are those that it was gathered with.
+        // The boxes of a crowd remain those of its collection (`gather`).
         for &body in bodies.iter().filter(|&&body| !matches!(self.tracks[body].mode, Mode::Crowded(_))) {
             let interval = match &self.tracks[body].mode {
                 Mode::Fixed | Mode::Rest => (t, t),
@@ -191,7 +192,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Gives a body new partners; pairs that are no longer near are forgotten.
+    /// Replaces the partners of a body and removes pairs that are no longer near.
     fn replace_partners(&mut self, body: usize, partners: Vec<usize>) {
         let before = std::mem::replace(&mut self.near.partners[body], partners);
         for other in before {
@@ -210,7 +211,7 @@ impl Engine {
         }
     }
 
-    /// Takes a body out of all pairs.
+    /// Removes a body from all pairs.
     pub(super) fn remove_from_pairs(&mut self, body: usize) {
         self.near.boxes.put(body, None);
         self.replace_partners(body, Vec::new());
@@ -270,10 +271,10 @@ impl Engine {
         let impact = match found {
             Some(found) => {
                 let retry = pace.retry_time(longest).min(until);
-                let is_put_off = pace.is_backing_off() && pace.is_stall(found, longest);
-                if is_put_off && !self.penetrates_at(core, (a, b), retry) {
+                let is_postponed = pace.is_backing_off() && pace.is_stall(found, longest);
+                if is_postponed && !self.penetrates_at(core, (a, b), retry) {
                     let names = core.world.pair_names(a, b);
-                    core.accounts.tolerate(found, format!("an impact of {names} was put off for a moment"));
+                    core.accounts.tolerate(found, format!("an impact of {names} was postponed for a short time"));
                     retry
                 } else {
                     found
@@ -286,7 +287,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Whether a pair meets within the time steps of one crowd.
+    /// Whether the time steps of one crowd handle this pair.
     fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
         let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
         let given = |body: usize| !core.world.bodies[body].moves();
@@ -303,14 +304,14 @@ impl Engine {
         self.near.boxes.put(body, aabb);
     }
 
-    /// Bodies whose boxes meet that of `body` and that may collide with it.
+    /// Bodies that may collide with `body` and whose boxes overlap its box.
     pub(super) fn near_boxes(&self, core: &Core, body: usize) -> Vec<usize> {
         let mut found = Vec::new();
         self.near.boxes.near(&core.world, body, |other| found.push(other));
         found
     }
 
-    /// Whether a body stays where it is over an interval (s).
+    /// Whether a body does not move over an interval (s).
     fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => true,
@@ -319,7 +320,7 @@ impl Engine {
         }
     }
 
-    /// Whether two bodies that go on as they do now overlap visibly at `t` (s).
+    /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
     fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
         let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
         core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
@@ -354,8 +355,9 @@ impl Engine {
         let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
         loop {
             match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
-                // Clear up to there, but so near that it takes ever smaller steps: from touch it takes longer ones. Of bodies
-                // of parts only the parts that were searched are clear, and one that is held is searched for all but touch.
+                // No impact up to there, but close to touch, where the search takes ever smaller steps. It is restarted
+                // there. Not for bodies of several parts, of which only the searched parts are known to be apart, nor
+                // for held pairs.
                 Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
                     (from, left) = (t, left - 1);
                 }
@@ -379,12 +381,11 @@ impl Engine {
 pub(super) enum Search {
     /// All: the motion of their bodies is new.
     All,
-    /// Those whose search has come to its end.
+    /// Those whose search interval has ended.
     Ended,
 }
 
-/// Whether two bodies go so far between two of the looks by which their contacts are watched that they could go through
-/// each other.
+/// Whether two bodies travel so far between two checks of their contacts that they could pass through each other.
 fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f64)) -> bool {
     let speed = bodies.map(|(body, motion)| {
         let bounds = motion.bounds(start, end);

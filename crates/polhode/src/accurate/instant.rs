@@ -1,4 +1,4 @@
-//! The instant of an event: when it is, and whom it concerns (`events.rs` says how).
+//! The instant of an event: its time, affected bodies and contacts (`events.rs` collects them).
 
 use super::pace::NoAdvance;
 use crate::SimulationError;
@@ -7,7 +7,7 @@ use crate::core::Core;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What an event concerns.
+/// Time, bodies and contacts of an event.
 #[derive(Debug)]
 pub(super) struct Instant {
     /// s.
@@ -18,18 +18,18 @@ pub(super) struct Instant {
     pub(super) pairs: Vec<(usize, usize)>,
     /// Contacts, sorted by identity.
     pub(super) touches: Vec<Touch>,
-    /// Contacts whose forces have been found to reach zero at this instant.
+    /// Contacts that break at this instant: their forces reach zero.
     pub(super) departing: BTreeSet<ContactId>,
     /// Bodies that this instant wakes from rest.
     pub(super) woken: BTreeSet<usize>,
-    /// When bounces that are summed up at this instant end, by body, s.
+    /// When the bounces that are ended at this instant would have ended, by body, s.
     pub(super) rest_times: BTreeMap<usize, f64>,
     /// Largest speed of any of the bodies so far, or what gravity gives over a body's size, m/s.
     pub(super) speed_scale: f64,
 }
 
 impl Instant {
-    /// Pairs that are held together.
+    /// Pairs with a held contact.
     pub(super) fn held_pairs(&self) -> BTreeSet<(usize, usize)> {
         let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);
         held.map(|touch| (touch.id.a, touch.id.b)).collect()
@@ -42,15 +42,15 @@ impl Instant {
         let point = touch.map_or(DVec3::ZERO, |touch| touch.kinematics.geometry.point);
         let name = |body: usize| core.world.bodies[body].name.clone();
         let touching = touch.map(|touch| [touch.id.a, touch.id.b]);
-        // Without a contact the bodies that the events are of say where to look.
-        let of = touching
+        // Without a contact, the bodies of the event are named.
+        let members = touching
             .unwrap_or_else(|| [self.bodies.first(), self.bodies.last()].map(|body| body.copied().unwrap_or(0)));
-        let [body_a, body_b] = of.map(name);
+        let [body_a, body_b] = members.map(name);
         let (steps, advanced_s) = (stuck.steps, stuck.advanced_s);
         SimulationError::NoProgress { t: self.t, steps, advanced_s, body_a, body_b, point }
     }
 
-    /// All contacts with their numbers, as groups are formed from.
+    /// All contacts with their indices, as input of group formation.
     pub(super) fn numbered(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
         self.touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b))
     }

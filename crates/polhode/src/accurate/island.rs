@@ -1,8 +1,8 @@
 //! Islands: bodies that move together until the next event.
 //!
 //! An island is a connected part of the bodies that held contacts join, or forces that make the motion of one depend on
-//! another, or one integrator's variables. It advances by its own steps, with its own contacts and events; a body in flight
-//! or at rest is in none. Bodies of different islands that may meet share nothing but the search for their impact.
+//! another, or one integrator's variables. It advances by its own steps, with its own contacts and events; a body in
+//! flight or at rest is in none. Bodies of different islands interact only through the search for their impact.
 
 use super::constrained_step::ConstrainedStep;
 use super::crowd_step::CrowdStep;
@@ -21,13 +21,13 @@ pub(super) struct Island {
     pub(super) t: f64,
     /// The present step.
     pub(super) step: Step,
-    /// When the step ends, or the contacts that are held cease to be the right ones, s.
+    /// When the step ends, or its active set ceases to be valid, s.
     pub(super) due: f64,
     /// Whether the contacts change then.
     pub(super) changes: bool,
     /// Whether the forces of the contacts could not be found.
     pub(super) is_unsolved: bool,
-    /// Contacts whose forces have been found to reach zero then.
+    /// Contacts that break then: their forces reach zero.
     pub(super) departing: BTreeSet<ContactId>,
 }
 
@@ -38,25 +38,26 @@ pub(super) enum Step {
     Constrained(ConstrainedStep),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
-    /// By one time step of a stretch in which events crowd.
+    /// By one time step of a stretch of crowded events.
     Crowd(Box<CrowdStep>),
-    /// None yet: at the end of the run nobody may ever ask for one, and what acts is not asked beyond it.
+    /// None yet: at the end of the run no step may be needed, and prescribed quantities may be undefined beyond it.
     Waiting(f64),
 }
 
 impl Island {
-    /// Bodies (ascending) that begin a step at `t` (s) with these contacts held (ascending): what ends it is not yet looked for.
+    /// Bodies (ascending) that begin a step at `t` (s) with these contacts held (ascending): the event that ends it is
+    /// not located yet.
     pub(super) fn beginning(bodies: Vec<usize>, held: Vec<ContactId>, t: f64, step: Step) -> Self {
         let departing = BTreeSet::new();
         Self { bodies, held, t, step, due: f64::INFINITY, changes: false, is_unsolved: false, departing }
     }
 
-    /// The first body, by which the island is known.
+    /// The first body, which identifies the island.
     pub(super) fn first(&self) -> Option<usize> {
         self.bodies.first().copied()
     }
 
-    /// Whether its events crowd, so that it goes on by time steps.
+    /// Whether it is in a stretch of crowded events and advances by time steps.
     pub(super) fn is_crowd(&self) -> bool {
         matches!(self.step, Step::Crowd(_))
     }

@@ -1,10 +1,10 @@
-//! When the held contacts of an island cease to be the right ones.
+//! Location of contact changes: the time until which the active set of an island is valid.
 //!
-//! Within a step the set of held contacts is frozen. It is right as long as (a) every held contact lies on its
-//! features (margin) and its place does not jump to where the bodies approach or part, (b) no other contact of the bodies it holds together penetrates, and (c) forces that only push
-//! can hold it: the complementarity problem over it has `chi'' = 0` everywhere. The first instant at which one of
-//! these fails is found by the locator of events (`crate::interaction::locator`) on the dense output of the step, to 1e-13 of
-//! the step.
+//! Within a step the active set (the held contacts) is fixed. It is valid as long as (a) every held contact point lies
+//! on its features (margin) and does not jump to a point at which the bodies approach or separate, (b) no other contact
+//! between these bodies penetrates, and (c) pushing forces suffice: the complementarity problem over the set has
+//! `chi'' = 0` at every contact. A failure of one of these conditions is called a violation. The event locator
+//! (`crate::interaction::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
@@ -15,36 +15,36 @@ use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
-use crate::interaction::projection::moves_apart;
+use crate::interaction::projection::rate_exceeds_drift;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
-/// How far after the opening of a contact its acceleration is measured again, as a fraction of the step: long enough
-/// to tell its growth from rounding, so short that the growth is linear.
+/// Time after the break of a contact at which its acceleration is evaluated again, as a fraction of the step: long
+/// enough to distinguish its growth from rounding, short enough for linear growth.
 const EXTRAPOLATION: f64 = 1e-5;
 
-/// Longest extrapolation back, in units of the distance of the two times: beyond it the growth is not linear.
+/// Longest backward extrapolation, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
-/// What is wrong earlier than what was suspected, at the most, before the time found is taken as it is.
-const MOST_SUSPECTS: usize = 16;
+/// Most searches for an earlier violation. After them the time found so far is accepted.
+const MOST_VIOLATIONS: usize = 16;
 
 /// Intervals of a step at whose ends held contacts are checked for leaving their features, and others for penetration.
 pub(super) const PENETRATION_CHECKS: u32 = 8;
 
-/// When and how the held contacts of an island cease to be right.
+/// The end of the validity of an island's active set.
 #[derive(Debug, Default)]
 pub(super) struct ContactChange {
     /// s.
     pub(super) t: f64,
-    /// Contacts whose forces have been found to reach zero then.
+    /// Contacts that break then: their forces reach zero.
     pub(super) departing: BTreeSet<ContactId>,
 }
 
 impl Engine {
-    /// The first time in a step, up to `limit` (s), at which its held contacts cease to be right.
+    /// The first time in a step, up to `limit` (s), at which its active set ceases to be valid.
     ///
     /// # Errors
     /// When contact forces cannot be found.
@@ -72,8 +72,8 @@ impl Engine {
         let longest = core.settings.step_s;
         let mut tolerated = BTreeSet::new();
         let mut found = None;
-        let mut wrong = self.first_wrong(core, step, limit, &tolerated, states)?;
-        while let Some(t) = wrong.filter(|&t| pace.is_backing_off() && pace.is_stall(t, longest)) {
+        let mut violated = self.first_violation(core, step, limit, &tolerated, states)?;
+        while let Some(t) = violated.filter(|&t| pace.is_backing_off() && pace.is_stall(t, longest)) {
             let before = tolerated.len();
             tolerated.extend(self.violations(core, step, t, &tolerated, states)?);
             if tolerated.len() == before {
@@ -81,49 +81,51 @@ impl Engine {
             }
             limit = limit.min(pace.retry_time(longest));
             found = Some(ContactChange { t: limit, departing: BTreeSet::new() });
-            wrong = self.first_wrong(core, step, limit, &tolerated, states)?;
+            violated = self.first_violation(core, step, limit, &tolerated, states)?;
         }
         let mut pairs: Vec<_> = tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
         pairs.dedup();
         for (a, b) in pairs {
             let names = core.world.pair_names(a, b);
-            core.accounts.tolerate(step.t, format!("contacts of {names} that no longer hold were kept for a moment"));
+            core.accounts
+                .tolerate(step.t, format!("contacts of {names} that no longer hold were tolerated for a short time"));
         }
-        match wrong {
-            Some(wrong) => self.change_before(core, step, wrong, &tolerated, states).map(Some),
+        match violated {
+            Some(violated) => self.locate_change(core, step, violated, &tolerated, states).map(Some),
             None => Ok(found),
         }
     }
 
-    /// The time of the change that shows at `wrong`: when the contact closes that penetrates by then, or the force of
-    /// one that opens reaches zero. What penetrates most visibly at `wrong` need not have been the first to: where
-    /// another contact penetrates by the time found, it is located in turn.
-    fn change_before(
+    /// The time of the change that is visible at `violated` (s): when the penetrating contact closes, or when the force
+    /// of the breaking contact reaches zero. The contact that penetrates at `violated` need not be the first one. If
+    /// another contact penetrates at the time found, that contact is located in turn.
+    fn locate_change(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
-        mut wrong: f64,
+        mut violated: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<ContactChange, SimulationError> {
         let at = |t: f64| ContactChange { t, departing: BTreeSet::new() };
         loop {
-            let Some(closing) = self.closing_time(core, step, wrong, states) else {
-                return opening(core, step, wrong, states);
+            let Some(closing) = self.closing_time(core, step, violated, states) else {
+                return breaking(core, step, violated, states);
             };
             step.states_at(&core.world, closing, states);
-            if closing >= wrong || self.penetrating(core, step, states, tolerated).is_none() {
+            if closing >= violated || self.penetrating(core, step, states, tolerated).is_none() {
                 return Ok(at(closing));
             }
-            match self.first_wrong(core, step, closing, tolerated, states)? {
-                Some(earlier) if earlier < wrong => wrong = earlier,
+            match self.first_violation(core, step, closing, tolerated, states)? {
+                Some(earlier) if earlier < violated => violated = earlier,
                 _ => return Ok(at(closing)),
             }
         }
     }
 
-    /// The end of the shortest interval, to 1e-13 of the step, at whose start the set is right and at whose end wrong.
-    fn first_wrong(
+    /// The first violation: the end of an interval of 1e-13 of the step, at whose start the set is valid and at whose
+    /// end it is violated.
+    fn first_violation(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
@@ -132,33 +134,34 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<f64>, SimulationError> {
         let start = step.t;
-        let (mut right, mut wrong) = match self.first_wrong_interval(core, step, start, limit, tolerated, states)? {
-            Some(interval) => interval,
-            None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
-            None => (start, limit),
-        };
-        if right > start && !self.violations(core, step, right, tolerated, states)?.is_empty() {
-            (right, wrong) = (start, right);
+        let (mut valid, mut violated) =
+            match self.first_violation_interval(core, step, start, limit, tolerated, states)? {
+                Some(interval) => interval,
+                None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
+                None => (start, limit),
+            };
+        if valid > start && !self.violations(core, step, valid, tolerated, states)?.is_empty() {
+            (valid, violated) = (start, valid);
         }
         loop {
-            wrong = self.first_of_suspects(core, step, (right, wrong), tolerated, states)?;
-            // Another pair may have come to overlap before.
-            step.states_at(&core.world, wrong, states);
-            if !self.penetrates_unseen(core, step, states, tolerated) {
-                return Ok(Some(wrong));
+            violated = self.first_violation_in(core, step, (valid, violated), tolerated, states)?;
+            // Another pair may have begun to overlap earlier.
+            step.states_at(&core.world, violated, states);
+            if !self.penetrates_undetected(core, step, states, tolerated) {
+                return Ok(Some(violated));
             }
-            match self.penetration_shown_within(core, step, (start, wrong), tolerated, states) {
-                Some(t) if t < wrong => (right, wrong) = (start, t),
-                _ => return Ok(Some(wrong)),
+            match self.contact_penetrating_within(core, step, (start, violated), tolerated, states) {
+                Some(t) if t < violated => (valid, violated) = (start, t),
+                _ => return Ok(Some(violated)),
             }
         }
     }
 
-    /// The first of some intervals of the step at whose end a held contact has left its features or a contact that is not held
-    /// penetrates: bodies that rock on
-    /// each other may penetrate and part again within a step, and its end would not show it. Nor would it show that a kinematic
-    /// body has left what it carries for a moment: where one moves, forces are looked at too.
-    fn first_wrong_interval(
+    /// The first of some intervals of the step at whose end a held contact has left its features or an open contact
+    /// penetrates. Bodies that rock on each other may penetrate and separate again within a step, which a check at its
+    /// end alone would miss. It would also miss that a moving kinematic body loses contact for a short time: if one
+    /// moves, forces are checked too.
+    fn first_violation_interval(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
@@ -169,26 +172,28 @@ impl Engine {
     ) -> Result<Option<(f64, f64)>, SimulationError> {
         let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
         let driven = members.any(|body| !core.world.stands_still(body, start, limit));
-        let first_look = start + (limit - start) / f64::from(PENETRATION_CHECKS);
-        if let Some(interval) = self.interval_of_approach(core, step, (start, first_look), tolerated, states) {
+        let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
+        if let Some(interval) = self.approach_interval(core, step, (start, first_check), tolerated, states) {
             return Ok(Some(interval));
         }
         let mut before = start;
         for k in 1..=PENETRATION_CHECKS {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
             step.states_at(&core.world, t, states);
-            // Contacts may leave their features long before others penetrate.
+            // Contact points may leave their features long before other contacts penetrate.
             let mut held = step.held.iter().filter(|id| !tolerated.contains(id));
             if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(core, states, id).is_none()) {
                 return Ok(Some((before, t)));
             }
             let penetration = self.first_penetration(core, step, states, tolerated);
-            // What is wrong at the end is looked for there, with all else.
+            // The caller checks the end of the step for all violations.
             if penetration.contact.is_some() && k < PENETRATION_CHECKS {
                 return Ok(Some((before, t)));
             }
-            let unseen = penetration.contact.is_none() && penetration.is_unseen();
-            if unseen && let Some(t) = self.penetration_shown_within(core, step, (before, t), tolerated, states) {
+            let is_undetected = penetration.contact.is_none() && penetration.is_undetected();
+            if is_undetected
+                && let Some(t) = self.contact_penetrating_within(core, step, (before, t), tolerated, states)
+            {
                 return Ok(Some((before, t)));
             }
             if driven && k < PENETRATION_CHECKS && !self.violations(core, step, t, tolerated, states)?.is_empty() {
@@ -199,8 +204,8 @@ impl Engine {
         Ok(None)
     }
 
-    /// What is wrong with the held contacts of a group at time `t` of its trial: the contacts of the first kind of
-    /// violation found, those tolerated left out.
+    /// The contacts that violate the active set at time `t` of the step, without the tolerated ones. Only the first
+    /// kind of violation found is returned.
     fn violations(
         &self,
         core: &mut Core,
@@ -225,86 +230,86 @@ impl Engine {
             left.extend(self.penetrating(core, step, states, tolerated));
         }
         if left.is_empty() {
-            left = opening_contacts(core, step, t, states, &touches, tolerated)?;
+            left = breaking_contacts(core, step, t, states, &touches, tolerated)?;
         }
         Ok(left)
     }
 
-    /// The end of the shortest interval between two times, at the first of which nothing is wrong and at whose end something is. What
-    /// is wrong at the end is followed to where it begins, and all else is asked only there: in a large group that is most of
-    /// the work.
-    fn first_of_suspects(
+    /// The time of the first violation between a valid time and a violated one. The violation at the end is traced back
+    /// to its start, and only there all other conditions are checked again: in a large group that check is most of the
+    /// work.
+    fn first_violation_in(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
-        (right, mut wrong): (f64, f64),
+        (valid, mut violated): (f64, f64),
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<f64, SimulationError> {
-        let mut suspect = self.suspect(core, step, wrong, tolerated, states)?;
-        for _ in 0..MOST_SUSPECTS {
-            let bracket = close_in((right, wrong), |t| {
-                let is_wrong = match suspect {
-                    Some(suspect) => self.shows(core, step, suspect, t, tolerated, states)?,
+        let mut violation = self.violation_at(core, step, violated, tolerated, states)?;
+        for _ in 0..MOST_VIOLATIONS {
+            let bracket = close_in((valid, violated), |t| {
+                let is_violated = match violation {
+                    Some(violation) => self.is_violated(core, step, violation, t, tolerated, states)?,
                     None => !self.violations(core, step, t, tolerated, states)?.is_empty(),
                 };
-                Ok::<_, SimulationError>(if is_wrong { Side::After } else { Side::Before })
+                Ok::<_, SimulationError>(if is_violated { Side::After } else { Side::Before })
             })?;
-            wrong = bracket.after;
-            if suspect.is_none() || bracket.before <= right {
+            violated = bracket.after;
+            if violation.is_none() || bracket.before <= valid {
                 break;
             }
-            match self.suspect(core, step, bracket.before, tolerated, states)? {
-                Some(earlier) => (wrong, suspect) = (bracket.before, Some(earlier)),
+            match self.violation_at(core, step, bracket.before, tolerated, states)? {
+                Some(earlier) => (violated, violation) = (bracket.before, Some(earlier)),
                 None => break,
             }
         }
-        Ok(wrong)
+        Ok(violated)
     }
 
-    /// What is wrong at a time, if anything is.
-    fn suspect(
+    /// A violation at a time, if there is one.
+    fn violation_at(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
         t: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
-    ) -> Result<Option<Suspect>, SimulationError> {
+    ) -> Result<Option<Violation>, SimulationError> {
         let Some(&id) = self.violations(core, step, t, tolerated, states)?.first() else { return Ok(None) };
-        let kind = [Suspect::Leaves(id), Suspect::Penetrates(id.a, id.b), Suspect::Opens];
-        for suspect in kind {
-            if self.shows(core, step, suspect, t, tolerated, states)? {
-                return Ok(Some(suspect));
+        let kind = [Violation::Leaves(id), Violation::Penetrates(id.a, id.b), Violation::Breaks];
+        for violation in kind {
+            if self.is_violated(core, step, violation, t, tolerated, states)? {
+                return Ok(Some(violation));
             }
         }
         Ok(None)
     }
 
-    /// Whether what is suspected is wrong at a time.
-    fn shows(
+    /// Whether this violation is present at a time.
+    fn is_violated(
         &self,
         core: &mut Core,
         step: &ConstrainedStep,
-        suspect: Suspect,
+        violation: Violation,
         t: f64,
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<bool, SimulationError> {
         step.states_at(&core.world, t, states);
-        match suspect {
-            Suspect::Leaves(id) => {
+        match violation {
+            Violation::Leaves(id) => {
                 let is_held = step.held.binary_search(&id).is_ok() && !tolerated.contains(&id);
                 Ok(is_held && held_kinematics(core, states, id).is_none())
             }
-            Suspect::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
-            Suspect::Opens => {
+            Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
+            Violation::Breaks => {
                 let touches = step.held.iter().map(|&id| {
                     let kinematics = core.world.kinematics(states, id)?;
                     Some(Touch { id, kinematics, hold: Hold::Held, known: true })
                 });
                 match touches.collect::<Option<Vec<_>>>() {
-                    Some(touches) => Ok(!opening_contacts(core, step, t, states, &touches, tolerated)?.is_empty()),
+                    Some(touches) => Ok(!breaking_contacts(core, step, t, states, &touches, tolerated)?.is_empty()),
                     // A contact has left its features.
                     None => Ok(true),
                 }
@@ -312,10 +317,16 @@ impl Engine {
         }
     }
 
-    /// When a contact that was clear at the start of the step closes within it: the time at which its separation is
-    /// zero, not that at which it shows as penetration.
-    fn closing_time(&self, core: &Core, step: &ConstrainedStep, wrong: f64, states: &mut [BodyState]) -> Option<f64> {
-        step.states_at(&core.world, wrong, states);
+    /// When a contact that had a gap at the start of the step closes within it: the time of zero separation, which is
+    /// before the time at which the penetration is detected.
+    fn closing_time(
+        &self,
+        core: &Core,
+        step: &ConstrainedStep,
+        violated: f64,
+        states: &mut [BodyState],
+    ) -> Option<f64> {
+        step.states_at(&core.world, violated, states);
         let id = self.penetrating(core, step, states, &BTreeSet::new())?;
         let mut separation = |t: f64| {
             step.states_at(&core.world, t, states);
@@ -324,24 +335,24 @@ impl Engine {
         if separation(step.t)? <= TOUCH_RELATIVE * core.world.pair_size(id.a, id.b) {
             return None;
         }
-        let bracket = close_in((step.t, wrong), |t| separation(t).map(Side::of).ok_or(()));
+        let bracket = close_in((step.t, violated), |t| separation(t).map(Side::of).ok_or(()));
         bracket.ok().map(|bracket| bracket.after)
     }
 }
 
-/// What may be wrong with the held contacts of a group.
+/// A violation of the active set of a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Suspect {
+enum Violation {
     /// A held contact that leaves its features.
     Leaves(ContactId),
-    /// A pair of which a contact that is not held penetrates.
+    /// A pair with a penetrating contact that is not held.
     Penetrates(usize, usize),
-    /// Forces that only push cannot hold the contacts.
-    Opens,
+    /// Pushing forces do not suffice: a held contact breaks.
+    Breaks,
 }
 
-/// The held contacts that open under forces that only push, those tolerated left out.
-fn opening_contacts(
+/// The held contacts that break under pushing forces, without the tolerated ones.
+fn breaking_contacts(
     core: &mut Core,
     step: &ConstrainedStep,
     t: f64,
@@ -350,33 +361,34 @@ fn opening_contacts(
     tolerated: &BTreeSet<ContactId>,
 ) -> Result<Vec<ContactId>, SimulationError> {
     let forces = forces_of(core, step, t, states, touches)?;
-    let opens = touches.iter().zip(forces.holding());
-    let opens = opens.filter(|&(touch, holding)| holding < 0.0 && !tolerated.contains(&touch.id));
+    let opens = touches.iter().zip(forces.opening_margins());
+    let opens = opens.filter(|&(touch, margin)| margin < 0.0 && !tolerated.contains(&touch.id));
     Ok(opens.map(|(touch, _)| touch.id).collect())
 }
 
-/// A held contact that lies on its features and whose place has not jumped to where the bodies approach or part.
+/// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
+/// bodies approach or separate.
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
     let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
     let kinematics = core.world.kinematics(states, id)?;
     let stays = ContactEvent::Leaving.value(&kinematics) >= -tolerance
-        && !moves_apart(&core.world, states, id, &kinematics, core.settings.step_error());
+        && !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error());
     stays.then_some(kinematics)
 }
 
-/// When the forces of contacts that open after `wrong` reach zero: their accelerations, which grow from zero, are
-/// extrapolated back from two times just after. The contacts are noted, because at that instant nothing but the
-/// past tells them from those that hold.
-fn opening(
+/// When the forces of contacts that break by `violated` (s) reach zero: their accelerations grow from zero and are
+/// extrapolated back from two times just after the break. The contacts are recorded, because at the instant itself they
+/// cannot be distinguished from contacts that hold.
+fn breaking(
     core: &mut Core,
     step: &ConstrainedStep,
-    wrong: f64,
+    violated: f64,
     states: &mut [BodyState],
 ) -> Result<ContactChange, SimulationError> {
-    let late = (wrong + EXTRAPOLATION * (step.end - step.t)).min(step.end);
+    let late = (violated + EXTRAPOLATION * (step.end - step.t)).min(step.end);
     let mut openings = Vec::with_capacity(2);
     let mut departing = BTreeSet::new();
-    for t in [wrong, late] {
+    for t in [violated, late] {
         step.states_at(&core.world, t, states);
         let contacts: Vec<Touch> = step
             .held
@@ -387,17 +399,17 @@ fn opening(
             })
             .collect();
         let forces = forces_of(core, step, t, states, &contacts)?;
-        let opening = contacts.iter().zip(forces.holding()).filter(|&(_, holding)| holding < 0.0);
+        let opening = contacts.iter().zip(forces.opening_margins()).filter(|&(_, margin)| margin < 0.0);
         departing.extend(opening.map(|(contact, _)| contact.id));
         let accelerations = forces.solution.residual_accelerations;
         openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
     }
     let (first, second) = (openings[0], openings[1]);
     if departing.is_empty() || second <= first {
-        return Ok(ContactChange { t: wrong, departing });
+        return Ok(ContactChange { t: violated, departing });
     }
-    let back = first * (late - wrong) / (second - first);
-    let t = (wrong - back.min(LONGEST_EXTRAPOLATION * (late - wrong))).max(step.t);
+    let back = first * (late - violated) / (second - first);
+    let t = (violated - back.min(LONGEST_EXTRAPOLATION * (late - violated))).max(step.t);
     Ok(ContactChange { t, departing })
 }
 

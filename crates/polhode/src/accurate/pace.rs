@@ -1,41 +1,43 @@
-//! How fast time advances for a body from event to event.
+//! Progress of time from event to event, for each body; detection of stalls and crowded events.
 //!
-//! Several events may fall on one instant, and some degenerate contacts have two answers that undo each other there at the
-//! level of rounding. Events that do not let time advance are counted for each body; after [`STALL_LIMIT`] of them what is
-//! still found wrong is tolerated for a time that grows with every try (backoff). Steps also become short for good reasons
-//! (an event at which forces jump is approached by some sixty steps, each a part of the one before), but never hundreds
-//! of them in a row: where a contact cannot be followed, because its place jumps or because bodies touch where no contact is
-//! found, a run would go on for ever. And where bounces accumulate at many contacts of a pile, time does advance, but ever
-//! more slowly. Such events crowd: they are not located one by one (`crowding.rs`). The counts travel with the bodies, so
-//! that one island's trouble is not another's.
+//! Stalls: several events may occur at one instant, and at a degenerate contact, rounding may make the same contact
+//! change repeat for ever. Events without an advance of time are counted for each body. After [`STALL_LIMIT`] of them
+//! the body backs off: remaining violations of contact conditions are tolerated for a time that grows with every retry.
+//!
+//! Crowded events: events follow each other so closely that time advances too slowly, similar to Zeno behaviour. Steps
+//! may become short for a good reason (some sixty shrinking steps approach an event at which forces jump), but not
+//! hundreds in a row. That happens where a contact cannot be followed, because its point jumps or because bodies touch
+//! where no contact is found. Where bounces accumulate at many contacts of a pile, time advances ever more slowly.
+//! Crowded events are not located one by one (`crowding.rs`). The counts belong to the bodies, so that islands do not
+//! influence each other.
 
 use crate::snapshot::content;
 
-/// An event that lets time advance by less than this fraction of the longest step is one of the same instant.
+/// An event after less than this fraction of the longest step belongs to the same instant.
 const INSTANT_RELATIVE: f64 = 1e-9;
 
-/// Events of the same instant after which what is still found wrong is tolerated for a moment.
+/// Events of the same instant after which remaining violations are tolerated (backoff).
 const STALL_LIMIT: u32 = 16;
 
-/// The first such moment lasts this many times as long as an instant, each further one this many times the one before.
+/// The first backoff lasts this many instants, each further one this many times as long as the one before.
 const BACKOFF_FACTOR: f64 = 8.0;
 
-/// Time has advanced when it has by this fraction of the longest step: far above what the approach to one event or its
-/// resolution takes, and what a contact whose place jumps lets through in [`MOST_STEPS`] (at most some 1e-6).
+/// Time has advanced if it grew by this fraction of the longest step. That is far above the approach to one event, and
+/// above the advance in [`MOST_STEPS`] at a contact whose point jumps (at most some 1e-6).
 const ADVANCE_RELATIVE: f64 = 1e-4;
 
-/// Steps without an advance of time that are too many: many times those that approach an event.
+/// Most steps without an advance of time: several times as many as approach an event.
 const MOST_STEPS: u64 = 256;
 
-/// Steps over which their mean length is taken: at a contact whose place turns ever faster, as that of a ball that settles in
-/// a ring, every step advances, and yet a run would take for ever.
+/// Number of steps for the mean step length. At a contact whose point moves around ever faster, as when a ball settles
+/// in a ring, every step advances, but the run would never end.
 const MEAN_OF_STEPS: u64 = 2048;
 
 /// The same of bodies that have been through a stretch of crowded events.
 const MEAN_OF_STEPS_AGAIN: u64 = 256;
 
-/// Mean length of these steps below which they crowd, as a fraction of the longest step: a turn of a contact's place takes
-/// some ten of them.
+/// Mean step length below which events count as crowded, as a fraction of the longest step. One revolution of a contact
+/// point takes some ten steps.
 const MEAN_RELATIVE: f64 = 1e-4;
 
 /// Whether a time is too short to be a step, s.
@@ -43,23 +45,23 @@ pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
     dt <= INSTANT_RELATIVE * longest_step_s
 }
 
-/// The same of bodies that have been through a stretch of crowded events: what crowds there again need not be found out
-/// at length.
+/// The same for bodies that have passed a stretch of crowded events: their events are expected to crowd again, and a
+/// lower limit detects this earlier.
 const MOST_STEPS_AGAIN: u64 = 128;
 
-/// Events of an island within one longest step that are too many to be located one by one: some ten times those of a pile
-/// that is followed with ease.
+/// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary
+/// pile.
 const MOST_EVENTS: u64 = 256;
 
 /// The same of bodies that have been through a stretch of crowded events.
 const MOST_EVENTS_AGAIN: u64 = 32;
 
-/// The pace of one body, or of an island: that of its slowest.
+/// The pace of one body, or of an island: that of its slowest body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Pace {
     /// When the present step began: at an event or at the end of a step, s.
     pub(super) since: f64,
-    /// How many events in a row have not let time advance.
+    /// Number of events in a row without an advance of time.
     stalls: u32,
     /// Events since a whole step was made.
     events: u64,
@@ -67,24 +69,24 @@ pub(super) struct Pace {
     advanced_at: f64,
     /// Steps since then.
     steps: u64,
-    /// How often something wrong has been tolerated since then.
+    /// Number of backoffs since then.
     backoffs: u32,
     /// Events within the present window of one longest step, and its start, s.
     window_events: u64,
     window_start: f64,
-    /// Steps of which the mean length is to be taken, and the start of the first, s.
+    /// Steps counted for the mean step length, and the start of the first, s.
     mean_steps: u64,
     mean_start: f64,
-    /// Whether events have crowded before.
+    /// Whether the body has passed a stretch of crowded events.
     has_crowded: bool,
 }
 
 /// Time no longer advances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct NoAdvance {
-    /// Steps made in vain.
+    /// Number of steps without sufficient advance.
     pub(super) steps: u64,
-    /// How far they advanced, s.
+    /// Advance of time in these steps, s.
     pub(super) advanced_s: f64,
 }
 
@@ -159,7 +161,7 @@ impl Pace {
         }
     }
 
-    /// Whether the present instant has been resolved so often that what is still found wrong is tolerated until
+    /// Whether the present instant has been resolved so often that remaining violations are tolerated until
     /// [`Self::retry_time`].
     pub(super) fn is_backing_off(&self) -> bool {
         self.stalls >= STALL_LIMIT
@@ -170,12 +172,12 @@ impl Pace {
         self.stalls == STALL_LIMIT
     }
 
-    /// Whether an event at `t` comes without time having advanced.
+    /// Whether an event at `t` belongs to the present instant: time has not advanced.
     pub(super) fn is_stall(&self, t: f64, longest_step_s: f64) -> bool {
         is_instant(t - self.since, longest_step_s)
     }
 
-    /// When what is tolerated is looked at again, s: soon, for a contact that does close then penetrates.
+    /// When tolerated violations are checked again, s: soon, because a contact that really closes penetrates meanwhile.
     pub(super) fn retry_time(&self, longest_step_s: f64) -> f64 {
         let growth = libm::pow(BACKOFF_FACTOR, f64::from(self.backoffs + 1));
         self.since + longest_step_s * (INSTANT_RELATIVE * growth).min(1.0)
@@ -196,7 +198,7 @@ impl Pace {
         }
         self.events = match ends {
             StepEnd::AsPlanned => 0,
-            // A body in flight makes no steps of its own: a longest step without an event counts as one.
+            // A body in free flight makes no steps: a longest step without an event counts as a whole step.
             _ if t - self.since >= longest_step_s => 1,
             _ => self.events + 1,
         };
@@ -219,10 +221,10 @@ impl Pace {
         if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
     }
 
-    /// Takes a step with held contacts that ends at `t` into the mean of their lengths.
+    /// Adds a step with held contacts that ends at `t` to the mean step length.
     ///
     /// # Errors
-    /// When they are too short on the mean.
+    /// When the mean step length is too small.
     pub(super) fn note_mean_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
         self.mean_steps += 1;
         let (steps, advanced_s) = (self.mean_steps, t - self.mean_start);
@@ -241,7 +243,7 @@ impl Pace {
         self.events
     }
 
-    /// The slower of two paces, for bodies that go on together from the same instant.
+    /// The slower of two paces, for bodies that continue in one island from the same instant.
     pub(super) fn slower(self, other: Self) -> Self {
         let slowest = if other.steps > self.steps { other } else { self };
         Self {
@@ -264,8 +266,8 @@ impl Pace {
 pub(super) enum StepEnd {
     /// At an event.
     AtEvent,
-    /// At an impact that loses nothing: such impacts do not accumulate, however many there are.
+    /// At an impact without loss of energy: such impacts do not accumulate.
     AtElasticImpact,
-    /// Where it was meant to.
+    /// At its planned end.
     AsPlanned,
 }

@@ -1,12 +1,12 @@
-//! Bodies held together that come to overlap elsewhere.
+//! Penetration of bodies in contact at points that no held contact covers.
 //!
-//! A contact that is not held, penetrates and closes shows by itself as long as it stands on its features: that is for
-//! some 1e-11 of the bodies' size where features end, as at the bend of a ridge. A trial is checked at a few times only, and
-//! by then the bodies may overlap so much more that none of their contacts shows where the penetration began. The separation
-//! of the pair does, which is that of its parts along all axes: an interval at whose end it is below those of all contacts
-//! is bisected until the contact shows.
+//! An open contact that penetrates and closes is found among the contacts of the pair as long as its point lies on its
+//! features. Where features end, as at the bend of a ridge, this holds only up to a depth of some 1e-11 of the bodies'
+//! size. A step is checked at a few times only. By then the penetration may be so deep that no contact shows where it
+//! began. The separation of the pair, taken over all its parts and axes, still shows it: an interval at whose end the
+//! pair penetrates deeper than all its contacts is bisected until the contact is found.
 //!
-//! Fails where bodies come to overlap and part again between two checks.
+//! Limit: a penetration that begins and ends between two checks is not found.
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
@@ -17,32 +17,32 @@ use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 
-/// Depth at which a contact that is not held counts as penetrating, relative to size: a quarter of what a run is
-/// judged by (1e-12).
+/// Depth at which an open contact counts as penetrating, relative to size: a quarter of the promised limit of
+/// penetration (1e-12, `promise.rs`).
 pub(super) const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
-/// Bodies that overlap by this many such depths more than any of their contacts penetrate somewhere else: three quarters of
-/// what a run is judged by.
-const DEEP: f64 = 3.0;
+/// Bodies that overlap by this many such depths more than each of their contacts penetrate at another point: three
+/// quarters of the promised limit.
+const UNDETECTED_DEPTHS: f64 = 3.0;
 
-/// How far a pair that is held together penetrates beside the contacts that hold it.
+/// Penetration of a pair in contact besides its held contacts.
 pub(super) struct Penetration {
-    /// A contact that is not held, penetrates and closes.
+    /// An open contact that penetrates and closes.
     pub(super) contact: Option<ContactId>,
-    /// Without such a contact: how much more the bodies overlap than any of their contacts, held or parting, in units of the
-    /// depth at which a contact counts as penetrating.
+    /// Without such a contact: the overlap of the bodies minus the largest penetration of their contacts, in units of
+    /// the depth at which a contact counts as penetrating.
     excess_depths: f64,
 }
 
 impl Penetration {
-    /// Whether the pair overlaps where no contact shows it.
-    pub(super) fn is_unseen(&self) -> bool {
-        self.excess_depths > DEEP
+    /// Whether the pair overlaps at a point that none of its contacts shows.
+    pub(super) fn is_undetected(&self) -> bool {
+        self.excess_depths > UNDETECTED_DEPTHS
     }
 }
 
 impl Engine {
-    /// A contact of the group's touching pairs that is not held, penetrates and closes.
+    /// An open contact of the group's touching pairs that penetrates and closes.
     pub(super) fn penetrating(
         &self,
         core: &Core,
@@ -53,19 +53,19 @@ impl Engine {
         self.penetrations(core, step, states, tolerated).find_map(|penetration| penetration.contact)
     }
 
-    /// Whether some pair of the group overlaps where no contact shows it.
-    pub(super) fn penetrates_unseen(
+    /// Whether some pair of the group overlaps at a point that none of its contacts shows.
+    pub(super) fn penetrates_undetected(
         &self,
         core: &Core,
         step: &ConstrainedStep,
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> bool {
-        self.penetrations(core, step, states, tolerated).any(|penetration| penetration.is_unseen())
+        self.penetrations(core, step, states, tolerated).any(|penetration| penetration.is_undetected())
     }
 
-    /// The penetration of the first pair of the group with a penetrating contact; without one, that of the pair that overlaps
-    /// most where no contact shows it.
+    /// The penetration of the first pair of the group with a penetrating contact. Without such a pair, the largest
+    /// overlap that no contact shows.
     pub(super) fn first_penetration(
         &self,
         core: &Core,
@@ -78,13 +78,13 @@ impl Engine {
             if penetration.contact.is_some() {
                 return penetration;
             }
-            // A NaN compares as nothing, and is found where it comes from.
+            // `max` ignores NaN, which is detected where it arises.
             excess_depths = excess_depths.max(penetration.excess_depths);
         }
         Penetration { contact: None, excess_depths }
     }
 
-    /// Whether a contact of one pair that is not held penetrates and closes.
+    /// Whether an open contact of one pair penetrates and closes.
     pub(super) fn penetrates(
         &self,
         core: &Core,
@@ -117,9 +117,10 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
     ) -> Penetration {
         let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
-        // The same reach as everywhere, so that the same contacts are seen as when the event is resolved.
+        // The same reach as in the resolution of the event, so that both find the same contacts.
         let (separation, contacts) = core.world.pair(states, a, b, core.world.touch_distance(states, a, b));
-        // What parts already needs no contact: it leaves by itself, unless it has begun to penetrate since the step began.
+        // A separating contact is left open, because it ends the penetration by itself, unless the penetration began
+        // within the step.
         let began_in_step = || separation < -depth && !self.overlapped(core, (a, b), depth);
         let closing = contacts.iter().filter(|touch| {
             touch.kinematics.geometry.separation < -depth
@@ -137,21 +138,21 @@ impl Engine {
         Penetration { contact, excess_depths: (shown - separation) / depth }
     }
 
-    /// Whether a contact was clear of its features at the start of the step.
+    /// Whether a contact had a gap at the start of the step.
     fn was_clear(&self, core: &Core, id: ContactId, depth: f64) -> bool {
         core.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
-    /// Whether two bodies overlapped at the start of the step. What has swung through another one since then is nearest to
-    /// the way out on its far side, by features that were never clear.
+    /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest
+    /// features may be on the far side, where there was never a gap.
     fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
         core.world.separation_afresh(&self.states, a, b).is_some_and(|separation| separation < -depth)
     }
 
-    /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before `end` (s):
-    /// where it parts again before anybody looks, the penetration would not be seen. Its looks are at the time at which it
-    /// would close, and at that twice, four times, eight times as late.
-    pub(super) fn interval_of_approach(
+    /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before
+    /// `end` (s). If it separated again before the next check, the penetration would be missed. It is checked after the
+    /// predicted time to closing, and after two, four, eight times as long.
+    pub(super) fn approach_interval(
         &self,
         core: &Core,
         step: &ConstrainedStep,
@@ -162,10 +163,10 @@ impl Engine {
         step.states_at(&core.world, start, states);
         let mut closing = Vec::new();
         for (a, b) in step.held_pairs() {
-            let way = (self.speed(core, a) + self.speed(core, b)) * (end - start);
-            let (_, contacts) = core.world.pair(states, a, b, way + core.world.touch_distance(states, a, b));
-            let free = contacts.iter().filter(|touch| step.held.binary_search(&touch.id).is_err());
-            let wait = free.filter_map(|touch| {
+            let travel = (self.speed(core, a) + self.speed(core, b)) * (end - start);
+            let (_, contacts) = core.world.pair(states, a, b, travel + core.world.touch_distance(states, a, b));
+            let open = contacts.iter().filter(|touch| step.held.binary_search(&touch.id).is_err());
+            let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
                 (gap > 0.0 && rate < 0.0).then(|| gap / -rate).filter(|&wait| start + wait < end)
             });
@@ -185,9 +186,9 @@ impl Engine {
         None
     }
 
-    /// A time at which the contact shows through which the bodies have come to overlap within an interval: once they
-    /// overlap deeply it may have left its features, and nothing else tells where the penetration began.
-    pub(super) fn penetration_shown_within(
+    /// A time within an interval at which the contact that began to penetrate is found. At larger depths its point may
+    /// have left its features, and nothing else shows where the penetration began.
+    pub(super) fn contact_penetrating_within(
         &self,
         core: &Core,
         step: &ConstrainedStep,

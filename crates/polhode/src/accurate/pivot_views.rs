@@ -1,4 +1,4 @@
-//! What pivots bear at one instant.
+//! Forces of pivots at one instant.
 //!
 //! By rows it is the force of constraint. Of a body of which turning alone is left it follows from Newton's law for its centre
 //! of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with `a_cm = alpha x r + w x (w x r)`, r from the pivot to the centre of

@@ -1,4 +1,4 @@
-//! What the engine says of the present: the state of a body, the contacts that touch, the bodies that they join.
+//! Queries at the present: the state of a body, the touching contacts, the groups that they form.
 
 use super::engine::{Engine, Mode, Track};
 use super::hold::Forces;
@@ -12,10 +12,10 @@ use crate::{Effects, SimulationError};
 use polhode_dynamics::BodyState;
 
 impl Engine {
-    /// State of a body at the present; the states of others are not looked at.
+    /// State of a body at the present; the states of others are not evaluated.
     pub(super) fn present_state(&self, core: &Core, body: usize) -> BodyState {
         let t = core.t;
-        if let Some(state) = self.looked.at(t).and_then(|states| states.get(body)) {
+        if let Some(state) = self.state_cache.at(t).and_then(|states| states.get(body)) {
             return *state;
         }
         if let Mode::Flight(flight) = &self.tracks[body].mode {
@@ -36,8 +36,8 @@ impl Engine {
         present.unwrap_or(start)
     }
 
-    /// A body at the present as it is reported. The record of a flight holds the body's mass properties, near what has just
-    /// been read.
+    /// A body at the present as it is reported. The flight record contains the body's mass properties, which are close
+    /// in memory to the data just read.
     pub(super) fn present_sample(&self, core: &Core, body: usize) -> BodySample {
         self.sample_in(core, body, &self.present_state(core, body))
     }
@@ -50,18 +50,18 @@ impl Engine {
         }
     }
 
-    /// Contacts that touched when their bodies were last looked at, as they stand in these states.
+    /// The touching contacts of the last evaluation, evaluated in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
         let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
         self.contacts.all().filter_map(present).collect()
     }
 
-    /// Bodies connected by contacts that neither approach nor part, and those contacts.
+    /// Bodies connected by contacts that neither approach nor separate, and those contacts.
     pub(super) fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
         let contacts = self.present_contacts(core, states);
         let sustained = |touch: &Touch| {
             let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
-            // While an island moves on, its contacts are those that it holds.
+            // Within the step of an island, its contacts are the held ones.
             if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
         };
         let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
@@ -70,7 +70,7 @@ impl Engine {
                 .into_iter()
                 .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
                 .collect();
-        // What rows hold at a pivot and nothing touches is a group of its own.
+        // A pivoted body without contacts is a group of its own.
         for &body in &core.world.held_by_rows {
             if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
                 found.push((vec![body], Vec::new()));
@@ -103,7 +103,7 @@ impl Engine {
         found
     }
 
-    /// How each body moves; before the first instant, as far as its contacts and forces say.
+    /// How each body moves; before the first instant, as its contacts and forces suggest.
     pub(super) fn present_motions(&self, core: &Core) -> Vec<MotionKind> {
         let kind = |track: &Track| match track.mode {
             Mode::Fixed | Mode::Prescribed => MotionKind::Given,

@@ -1,7 +1,7 @@
-//! What a program does to bodies between two steps.
+//! Changes that a program makes to bodies between two steps.
 //!
-//! The islands of the bodies concerned end at the present; the program changes states, forces or bodies; then what touches
-//! is found anew, what approaches is struck, and islands are formed as after any event.
+//! The islands of the affected bodies end at the present. The program changes states, forces or bodies. Then touching
+//! contacts are found again, impacts are resolved, and islands are formed as after any event.
 
 use super::engine::{Engine, Mode, Track};
 use super::impact_search::Search;
@@ -13,7 +13,7 @@ use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
 impl Engine {
-    /// Ends the motions of these bodies and of all that they concern at the present.
+    /// Ends the motions of these bodies and of all bodies that they affect at the present.
     ///
     /// # Errors
     /// When their states cannot be evaluated.
@@ -22,13 +22,13 @@ impl Engine {
             self.begin(core)?;
         }
         let mut found_for: BTreeSet<usize> = bodies.iter().copied().collect();
-        // An immovable body concerns those it touches.
+        // An immovable body affects the bodies it touches.
         for &body in bodies.iter().filter(|&&body| !core.world.bodies[body].moves()) {
             found_for.extend(self.contacts.partners(body));
         }
         let t = core.t;
-        let concerned = self.concerned(core, t, &found_for.into_iter().collect::<Vec<_>>())?;
-        let mut instant = self.end_islands(core, t, concerned)?;
+        let affected = self.affected_bodies(core, t, &found_for.into_iter().collect::<Vec<_>>())?;
+        let mut instant = self.end_islands(core, t, affected)?;
         for &body in &instant.bodies {
             self.book_flight(core, body, t);
             let mode = &mut self.tracks[body].mode;
@@ -41,7 +41,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Resolves the present of the bodies that have been interrupted and lets them go on; the poses of `moved` are new.
+    /// Resolves the present instant of the interrupted bodies and continues their motion; the poses of `moved` are new.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
@@ -62,7 +62,7 @@ impl Engine {
         }
         self.resolve(core, &mut instant)?;
         let t = instant.t;
-        self.go_on(core, instant)?;
+        self.continue_motion(core, instant)?;
         // No step begins for a body that no force moves; its box is new all the same.
         let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
         for &body in &unmoved {
@@ -76,7 +76,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Takes what a body touches where a program has put it into the instant.
+    /// Adds the bodies that a body touches at its new pose to the instant.
     fn find_touched(&mut self, core: &mut Core, instant: &mut Instant, body: usize) -> Result<(), SimulationError> {
         let others = (0..core.world.bodies.len()).filter(|&other| core.world.scene.may_collide(body, other));
         let mut pairs: BTreeSet<(usize, usize)> = instant.pairs.iter().copied().collect();
@@ -87,7 +87,7 @@ impl Engine {
             }
             pairs.insert(pair);
             if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
-                let mut more = self.concerned(core, instant.t, &[other])?;
+                let mut more = self.affected_bodies(core, instant.t, &[other])?;
                 more.retain(|body| instant.bodies.binary_search(body).is_err());
                 let more = self.end_islands(core, instant.t, more)?;
                 pairs.extend(more.pairs);

@@ -1,8 +1,8 @@
-//! Everything that happens at one instant.
+//! Resolution of one instant: impacts, contact breaks, resting contacts.
 //!
-//! Stages: find what touches; strike what approaches; sum up bounces too small to see; decide which contacts hold;
-//! put held contacts exactly together; give every body its mode until the next event; report. What is concerned are the
-//! bodies of the instant (`instant.rs`): nothing else is looked at.
+//! Stages: find the touching contacts; apply impacts to those that approach; end sequences of bounces too small to
+//! resolve; determine the active set (which contacts hold); project the held contacts onto zero separation; give every
+//! body its mode until the next event; report. Only the bodies of the instant (`instant.rs`) take part.
 
 use super::engine::{Engine, Mode};
 use super::hold::Forces;
@@ -19,36 +19,37 @@ use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
-/// A contact whose relative speed is below this fraction of the speeds of its bodies neither approaches nor parts:
-/// some thousand roundings.
+/// A contact whose relative speed is below this fraction of the speeds of its bodies counts as neither approaching nor
+/// separating. It is about a thousand rounding units.
 const SUSTAINED_RELATIVE: f64 = 1e-12;
 
-/// The same, as a fraction of the largest speed of the run: what rounding leaves of velocities that cancelled.
+/// The same, as a fraction of the largest speed of the run: the rounding error of velocities that cancelled.
 const SUSTAINED_SCENE_RELATIVE: f64 = 1e-14;
 
-/// Bodies in equilibrium slower than this fraction of the largest speed of the run are at rest: what rounding and the
-/// projection of velocities leave after the last impact.
+/// Bodies in equilibrium slower than this fraction of the largest speed of the run are at rest: rounding and the
+/// projection of velocities leave such speeds after the last impact.
 const STOPPED_RELATIVE: f64 = 1e-13;
 
-/// Bounces up to this many times the distance that counts as touch are summed up: lower ones could not be told from
-/// touch while they last.
-const INVISIBLE_HEIGHT: f64 = 64.0;
+/// Bounces up to this many times the touch distance in height are not resolved one by one: during such a bounce the
+/// bodies cannot be distinguished from touching ones.
+const NEGLIGIBLE_HEIGHT: f64 = 64.0;
 
-/// An impulse below this fraction of the largest of an impact is what rounding leaves at a contact, and no event of its own.
+/// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
+/// event.
 const NEGLIGIBLE_IMPULSE: f64 = 1e-12;
 
-/// Impacts that the ends of bounces may set off at one instant, each weaker than the one before.
+/// Most impacts that ending bounces may cause at one instant. Each is weaker than the one before.
 const MOST_IMPACTS_OF_BOUNCES: usize = 32;
 
-/// A contact whose force is below this fraction of the group's largest carries none.
+/// A contact force below this fraction of the largest force of the group counts as zero.
 const DEPARTED_FORCE: f64 = 1e-6;
 
-/// The same as a fraction of the weight and the forces on a body of the group: where all contacts of a group let go at
-/// once, the largest of their forces is a rounding too.
+/// The same as a fraction of the weight and the forces on a body of the group: if all contacts of a group break at
+/// once, their largest force is only rounding error too.
 const DEPARTED_LOAD: f64 = 1e-9;
 
-/// Contacts that open are told from those that hold at this fraction of the threshold by which the location of
-/// contact changes found them, so that both sides of a mirror-symmetric scene open together.
+/// A contact breaks if its acceleration exceeds this fraction of the threshold that the location of contact changes
+/// uses. The fraction is below one so that both sides of a mirror-symmetric scene break contact together.
 const OPENING_FRACTION: f64 = 0.5;
 
 impl Engine {
@@ -63,14 +64,14 @@ impl Engine {
         for group in self.groups_in_motion(core, instant) {
             self.decide_holds(core, instant, &group)?;
         }
-        self.part_overlapping(core, instant)?;
+        self.remove_overlaps(core, instant)?;
         self.wake_coupled(core, instant);
         self.release_free_bodies(core, instant);
         self.report_pairs(core, instant, &held_before);
         Ok(())
     }
 
-    /// Finds the contacts of all pairs that touched or are near, except between bodies that have not moved.
+    /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved.
     fn detect(&mut self, core: &mut Core, instant: &mut Instant) {
         let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(instant.touches.len());
@@ -81,7 +82,7 @@ impl Engine {
             }
             let reach = core.world.touch_distance(&self.states, a, b);
             let (separation, mut contacts) = core.world.pair(&self.states, a, b, reach);
-            // Bodies may overlap more than any contact tells.
+            // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, touch| touch.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
             for touch in &mut contacts {
@@ -94,13 +95,13 @@ impl Engine {
         }
         found.sort_by_key(|touch| touch.id);
         instant.touches = found;
-        // A point beside its features overlaps nothing.
+        // A contact point outside its features measures no penetration.
         for touch in instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0) {
             core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
     }
 
-    /// Strikes every group in which a contact approaches.
+    /// Applies the impact law to every group in which a contact approaches.
     fn strike_approaching(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         for group in groups(&core.world, instant.numbered()) {
             if group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
@@ -136,9 +137,9 @@ impl Engine {
         core.accounts.books.impact(outcome.energy_change, given, work);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
-        let applications = outcome.applications.iter().zip(&struck.whose);
+        let applications = outcome.applications.iter().zip(&struck.constraints);
         for (application, constraint) in applications.filter(|(application, _)| is_event(application.impulse)) {
-            // The impulse of a pivot is no event of a contact: it stands in the ledger of momentum.
+            // The impulse of a pivot is not a contact event. It is booked in the momentum ledger.
             let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
             let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
             let touch = instant.touches[index];
@@ -158,25 +159,25 @@ impl Engine {
         Ok(())
     }
 
-    /// Groups with a body that is not at rest, or that touches a kinematic body which does not stand still.
+    /// Groups with a body that is not at rest or that touches a moving kinematic body.
     fn groups_in_motion(&self, core: &Core, instant: &Instant) -> Vec<Group> {
         let mut moving = groups(&core.world, instant.numbered());
         moving.retain(|group| {
             let ids: Vec<ContactId> = group.contacts.iter().map(|&i| instant.touches[i].id).collect();
             group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest))
-                || !let_rest(core, instant.t, &ids)
+                || !allow_rest(core, instant.t, &ids)
         });
         moving
     }
 
-    /// Decides which contacts of a group hold until the next event, and whether its bodies rest.
+    /// Determines the active contacts of a group until the next event, and whether its bodies rest.
     fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
         let (mut candidates, mut forces, mut has_ended) = self.candidates(core, instant, group)?;
         let mut impacts = 0;
-        // To end the bounces of one contact may push a body into another.
+        // Ending the bounces of one contact may make other contacts approach.
         while has_ended && group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
             if impacts == MOST_IMPACTS_OF_BOUNCES {
-                core.accounts.tolerate(instant.t, "bounces were summed up while bodies still approach each other");
+                core.accounts.tolerate(instant.t, "bounces were ended while bodies still approach each other");
                 break;
             }
             impacts += 1;
@@ -194,7 +195,7 @@ impl Engine {
         self.settle(core, instant, group, &candidates, &forces)
     }
 
-    /// Contacts of a group that may hold, their forces, and whether bounces have been summed up.
+    /// Contacts of a group that may hold, their forces, and whether bounces have been ended.
     fn candidates(
         &mut self,
         core: &mut Core,
@@ -205,9 +206,10 @@ impl Engine {
         let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let mut forces = self.forces(core, instant, group, &candidates)?;
         let mut has_ended_bounces = false;
-        // A contact may come back only because the one below it is held, so those found hold before others are judged.
+        // A contact may close again only because the one below it holds. The contacts found so far are therefore held
+        // before the others are tested.
         loop {
-            let bounces = self.invisible_bounces(core, instant, group, &candidates, &forces);
+            let bounces = self.negligible_bounces(core, instant, group, &candidates, &forces);
             if bounces.is_empty() {
                 break;
             }
@@ -253,9 +255,10 @@ impl Engine {
         instant.touches[i].known = true;
     }
 
-    /// Contacts that part so slowly that they would come back without ever leaving touch: their endless sequence of
-    /// bounces is summed up. A contact with restitution 1 never ends bouncing and is not among them.
-    fn invisible_bounces(
+    /// Contacts that separate so slowly that they would close again without exceeding the touch distance. Their
+    /// infinite sequence of bounces is replaced by its end. A contact with restitution 1 never stops bouncing and is
+    /// not included.
+    fn negligible_bounces(
         &self,
         core: &Core,
         instant: &mut Instant,
@@ -274,8 +277,8 @@ impl Engine {
             }
             let height = speed * speed / (-2.0 * acceleration);
             let touch_distance = core.world.touch_distance(&self.states, touch.id.a, touch.id.b);
-            if height <= INVISIBLE_HEIGHT * touch_distance {
-                // The bounces to come last 2w/a (1 + e + e^2 + ...) together (thesis 3.3).
+            if height <= NEGLIGIBLE_HEIGHT * touch_distance {
+                // The remaining bounces take 2w/a (1 + e + e^2 + ...) in total (thesis 3.3).
                 let rest = instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 for body in [touch.id.a, touch.id.b] {
                     let known = instant.rest_times.entry(body).or_insert(rest);
@@ -287,7 +290,7 @@ impl Engine {
         bounces
     }
 
-    /// Ends the bounces that have been summed up: all candidates lose what is left of their relative velocity.
+    /// Ends the bounces: sets the relative velocity of all candidates to zero.
     fn end_bounces(
         &mut self,
         core: &mut Core,
@@ -307,7 +310,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Puts held contacts exactly together and gives their bodies their mode: at rest, or constrained.
+    /// Projects held contacts onto zero separation and sets the mode of their bodies: at rest or constrained motion.
     fn settle(
         &mut self,
         core: &mut Core,
@@ -325,9 +328,9 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            self.put_together(core, &component.bodies, (&touching, &ids), instant.t, before)?;
+            self.project_held_contacts(core, &component.bodies, (&touching, &ids), instant.t, before)?;
             let scale = instant.speed_scale;
-            let rests = let_rest(core, instant.t, &ids)
+            let rests = allow_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
                 });
@@ -343,9 +346,9 @@ impl Engine {
         Ok(())
     }
 
-    /// Moves bodies that no contact holds out of each other: an impact is found by the overlap that it leaves, and several
-    /// in a row must not add up.
-    fn part_overlapping(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+    /// Removes the penetration of bodies that no contact holds together. Each impact leaves a small penetration, and
+    /// those of several impacts in a row must not accumulate.
+    fn remove_overlaps(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         for group in groups(&core.world, instant.numbered()) {
             let touches: Vec<Touch> = group.contacts.iter().map(|&i| instant.touches[i]).collect();
             let overlaps = |touch: &Touch| is_excess(&core.world, &self.states, touch.id, &touch.kinematics.geometry);
@@ -355,7 +358,7 @@ impl Engine {
             self.end_flights(core, instant.t, &group);
             let ids: Vec<_> = touches.iter().map(|touch| touch.id).collect();
             let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            let done = projection::part(&core.world, &mut self.states, &group.bodies, &ids, &mut core.solver)
+            let done = projection::remove_overlap(&core.world, &mut self.states, &group.bodies, &ids, &mut core.solver)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
             core.book_projection(instant.t, &self.states, &done, (before, after));
@@ -364,8 +367,8 @@ impl Engine {
         Ok(())
     }
 
-    /// The held contacts of a component, and those of its contacts that overlap though they part: they are moved out
-    /// of each other too.
+    /// The held contacts of a component, and its open contacts that penetrate although they separate: the projection
+    /// removes their penetration too.
     fn with_overlaps(&self, core: &Core, instant: &Instant, held: &[ContactId], component: &Group) -> Vec<ContactId> {
         let within = |body: usize| component.bodies.binary_search(&body).is_ok() || !core.world.bodies[body].moves();
         let overlaps = instant.touches.iter().filter(|touch| {
@@ -377,7 +380,7 @@ impl Engine {
         held.iter().copied().chain(overlaps.map(|touch| touch.id)).collect()
     }
 
-    /// Ends the flights of a group's bodies.
+    /// Ends the free flight of a group's bodies.
     fn end_flights(&mut self, core: &mut Core, t: f64, group: &Group) {
         for &body in &group.bodies {
             self.book_flight(core, body, t);
@@ -387,7 +390,7 @@ impl Engine {
         }
     }
 
-    /// Sets a body in equilibrium exactly to rest; what kinetic energy it had left is booked.
+    /// Sets a body in equilibrium exactly to rest and books its remaining kinetic energy.
     fn stop(&mut self, core: &mut Core, instant: &mut Instant, body: usize) {
         let before = core.accounts.books.balance(&core.world, &self.states, &[body]);
         self.states[body].linear_velocity = DVec3::ZERO;
@@ -403,7 +406,7 @@ impl Engine {
         }
     }
 
-    /// Bodies whose last held contact has gone fly; those woken from rest are reported.
+    /// Bodies without a held contact begin free motion. Bodies woken from rest are reported.
     fn release_free_bodies(&mut self, core: &mut Core, instant: &mut Instant) {
         let held = instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
@@ -418,7 +421,7 @@ impl Engine {
         }
     }
 
-    /// Reports pairs that have begun or ceased to be held together.
+    /// Reports pairs between which contact has begun or ended.
     fn report_pairs(&self, core: &mut Core, instant: &Instant, before: &BTreeSet<(usize, usize)>) {
         if instant.t == 0.0 {
             return;
@@ -439,7 +442,7 @@ impl Engine {
         }
     }
 
-    /// Relative speed below which a contact neither approaches nor parts, m/s.
+    /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
     fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
         let speed = |body: usize| self.speed(core, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
@@ -449,8 +452,8 @@ impl Engine {
         touch.kinematics.separation_rate.abs() <= self.sustained_speed(core, speed_scale, touch)
     }
 
-    /// Whether the forces on a body stay as they are while it rests: none changes with time, and the bodies that forces
-    /// couple it to rest too or are about to.
+    /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
+    /// by forces rest too or are slow enough to rest.
     fn forces_last(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
         let couplings = core.world.couplings_of(body);
         let still =
@@ -458,14 +461,14 @@ impl Engine {
         !core.world.is_driven(body) && couplings.flatten().all(still)
     }
 
-    /// Wakes what rests and is coupled by a force to a body that moves, and what rests with it.
+    /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
     fn wake_coupled(&mut self, core: &Core, instant: &mut Instant) {
         let rests = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Rest);
         loop {
             let mut wake = BTreeSet::new();
-            for together in &core.world.couplings {
-                if together.iter().any(|&body| !rests(self, body)) {
-                    wake.extend(together.iter().copied().filter(|&body| rests(self, body)));
+            for coupled in &core.world.couplings {
+                if coupled.iter().any(|&body| !rests(self, body)) {
+                    wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
                 }
             }
             for touch in instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
@@ -495,7 +498,7 @@ impl Engine {
         velocity.linear.length() + velocity.angular.length() * core.world.bodies[body].size
     }
 
-    /// Evaluates every contact of the instant at the current states; those that no longer exist are dropped.
+    /// Evaluates every contact of the instant at the current states and drops those that no longer exist.
     fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
         instant.touches.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
             Some(kinematics) => {
@@ -507,16 +510,16 @@ impl Engine {
     }
 }
 
-/// Whether all kinematic members of contacts let others rest on them from `t` (s).
-fn let_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
-    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.lets_rest(body, t))
+/// Whether other bodies can rest from `t` (s) on all kinematic members of the contacts.
+fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
+    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.allows_rest(body, t))
 }
 
-/// Whether a candidate holds: it carries force, or it neither opens nor has been open.
+/// Whether a candidate holds: it carries force, or it does not break and was not open before.
 fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hold {
     let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
     let was_open = touch.known && touch.hold == Hold::Open;
-    // The force of a contact that departs has fallen to zero; one that still carries load was found by mistake.
+    // The force of a breaking contact has fallen to zero. A contact that still carries load is not breaking.
     let largest = forces.of_contacts().iter().fold(0.0f64, |most, &f| most.max(f));
     let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
     if instant.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {

@@ -1,8 +1,8 @@
-//! What a run goes on from, as plain data and back.
+//! Conversion of a run to plain data and back.
 //!
-//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps, contacts
-//! and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their bits; the agenda
-//! follows from what the islands and pairs say.
+//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps,
+//! contacts and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their
+//! bits; the agenda follows from the islands and pairs.
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
@@ -10,9 +10,9 @@ use super::crowd_step::Crowd;
 use super::engine::{Engine, Mode, Track};
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};
-use super::looked::Looked;
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
+use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
@@ -64,7 +64,7 @@ impl Engine {
             begun: saved.begun,
             goes_on: saved.goes_on,
             observed_s: saved.observed_s,
-            looked: Looked::default(),
+            state_cache: StateCache::default(),
             interrupted: None,
         };
         for island in &saved.islands {
@@ -75,7 +75,7 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Puts in what the islands and pairs say is due.
+    /// Fills the agenda from the islands and pairs.
     fn rebuild_agenda(&mut self) {
         for (&first, island) in &self.islands {
             self.agenda.add(island.due, Due::Island(first));

@@ -23,7 +23,7 @@ pub(super) enum StageMethod {
 }
 
 impl StageMethod {
-    /// The scene's: DOP853, unless it asks for the classical method.
+    /// The scene's method: DOP853, unless it names the classical method.
     pub(super) fn of(settings: &Settings) -> Self {
         if settings.constrains_by_rk4() { Self::Classical } else { Self::Dop853 }
     }

@@ -1,4 +1,4 @@
-//! The first instant: what touches, and that nothing overlaps.
+//! The first instant: finds touching contacts and checks that no bodies overlap.
 
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
@@ -14,7 +14,7 @@ use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Engine {
-    /// Finds what touches at the start and moves out of each other what overlaps within touch.
+    /// Finds the touching contacts at the start and removes overlaps within the touch distance.
     ///
     /// # Errors
     /// When two bodies overlap by more than touch.
@@ -35,7 +35,7 @@ impl Engine {
         self.separate_overlaps(core, &mut contacts)?;
         for touch in &mut contacts {
             let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
-            // Every contact that lasts is a first guess for a contact that holds.
+            // Every contact that neither approaches nor separates is a first guess for an active contact.
             if self.is_sustained(core, scale, touch) {
                 touch.hold = Hold::Held;
             }
@@ -46,7 +46,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Resolves the first instant, for each connected part of the bodies by itself, and lets all go on.
+    /// Resolves the first instant, for each connected group of bodies separately, and begins their motion.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
@@ -102,7 +102,7 @@ impl Engine {
         Ok(pairs)
     }
 
-    /// Moves bodies that overlap within touch until they just touch, and says so.
+    /// Moves bodies that overlap within the touch distance until they just touch, with a warning.
     fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
         let overlapping = |touch: &&Touch| {
             touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)

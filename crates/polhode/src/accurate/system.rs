@@ -1,9 +1,9 @@
-//! The equations of motion of a group of bodies whose held contacts and pivots stay.
+//! The equations of motion of a group of bodies with fixed active contacts and pivots.
 //!
 //! Within a smooth phase the set of held contacts is frozen and each keeps `chi'' = 0` (thesis 3.4). That makes the
-//! right-hand side smooth over the whole step, also past the instant at which a contact would let go, which is what
-//! an integrator of high order and the location of that instant need. Whether the forces may really act (push, not
-//! pull) is checked on the result, not here.
+//! right-hand side smooth over the whole step, also past the instant at which a contact would break. An integrator of
+//! high order and the location of that instant need this. Whether the forces may really act (push, not pull) is checked
+//! on the result, not here.
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
 //! A pivot is three more rows `a_Q = 0`, with a force at its point. With force fields, and of a body of which turning alone is
@@ -284,9 +284,10 @@ fn masses_differ(world: &World, bodies: &[usize]) -> bool {
 /// Gives contacts whose normals are one direction to rounding the same normal, that of a contact with an immovable body
 /// where there is one.
 ///
-/// Under a heavy body that stands flush, forces of its weight W go through a light one from contact to contact. Normals that
-/// differ by the rounding u of attitudes leave `u W` of them across, a wedge that is not there: it moved a box of 1 kg under
-/// 1e9 kg on a slope by 2e-7 m in a second. No attitude in doubles is good enough to tell; that the faces are flush is.
+/// Under a heavy body that stands flush, forces of its weight W go through a light one from contact to contact. Normals
+/// that differ by the rounding u of attitudes leave `u W` of them across, a wedge that is not there: it moved a box of
+/// 1 kg under 1e9 kg on a slope by 2e-7 m in a second. Attitudes in double precision cannot resolve this; the
+/// information that the faces are flush does.
 fn share_normals(world: &World, contacts: &mut [(ContactId, ContactKinematics)]) {
     let is_supported = |id: &ContactId| !world.bodies[id.a].moves() || !world.bodies[id.b].moves();
     let mut directions: Vec<DVec3> = Vec::new();

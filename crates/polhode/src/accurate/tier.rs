@@ -1,5 +1,5 @@
-//! What the tier does when it is asked to: it advances to a time or to the first event before, and says how the bodies stand
-//! at the present.
+//! The interface of the tier: it advances to a time or to the first event before it, and reports the states at the
+//! present.
 
 use super::engine::{Engine, Mode, Track, book_flight};
 use super::free_stepping::free_end;
@@ -18,7 +18,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
 use std::collections::BTreeMap;
 
-/// Samples between two looks of a caller at bodies that all fly in closed form and meet nothing.
+/// Samples between two returns to the caller while all bodies are in free flight and cannot collide.
 const SAMPLES_OF_FREE_FLIGHT: f64 = 256.0;
 
 impl Tier for Engine {
@@ -29,12 +29,12 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            self.looked.forget();
+            self.state_cache.invalidate();
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
         if core.is_end_of_run(core.t) && limit_s > core.t {
-            self.go_on_after_the_run(core)?;
+            self.continue_after_end_of_run(core)?;
         }
         while let Some((t, due)) = self.agenda.first().filter(|&(t, _)| t <= limit_s) {
             self.emit_samples(core, t, observer)?;
@@ -46,7 +46,7 @@ impl Tier for Engine {
             }
             self.observe(core)?;
             let more = self.agenda.first().is_some_and(|(next, _)| next <= t);
-            // Islands whose steps end together are one step for those who watch.
+            // Islands whose steps end at the same time are one step for the observer.
             if reached == Reached::Event || (reached == Reached::StepEnd && !more && t < limit_s) {
                 self.set_present(core)?;
                 core.accounts.emit_events(core.t, observer);
@@ -63,8 +63,8 @@ impl Tier for Engine {
         Ok(Reached::Limit)
     }
 
-    /// Where no event can come, islands end their own steps, and motion in closed form needs none, but is stopped now and
-    /// then for those who watch it.
+    /// Without events, islands end their own steps. Free flight needs no steps, but returns to the observer from time
+    /// to time.
     fn stride(&self, core: &Core) -> f64 {
         let rests = |track: &Track| matches!(track.mode, Mode::Fixed | Mode::Rest);
         if core.effects == Effects::All {
@@ -79,7 +79,7 @@ impl Tier for Engine {
     }
 
     fn states(&self, core: &Core) -> Vec<BodyState> {
-        if let Some(states) = self.looked.at(core.t) {
+        if let Some(states) = self.state_cache.at(core.t) {
             return states.to_vec();
         }
         let mut states = Vec::with_capacity(self.states.len());
@@ -113,7 +113,7 @@ impl Tier for Engine {
 
     fn samples(&self, core: &Core) -> Vec<BodySample> {
         let sample = |(body, state): (usize, &BodyState)| self.sample_in(core, body, state);
-        match self.looked.at(core.t) {
+        match self.state_cache.at(core.t) {
             Some(states) => states.iter().enumerate().map(sample).collect(),
             None => self.states(core).iter().enumerate().map(sample).collect(),
         }
@@ -203,7 +203,7 @@ impl Tier for Engine {
         for touch in self.present_contacts(core, states) {
             let (id, geometry) = (touch.id, touch.kinematics.geometry);
             let force = forces_by_id.get(&id).copied();
-            // A contact that has opened since its bodies were last looked at touches no more.
+            // A contact that has opened since its last evaluation no longer touches.
             if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
                 continue;
             }
@@ -226,27 +226,27 @@ impl Tier for Engine {
     }
 
     fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
-        self.looked.forget();
+        self.state_cache.invalidate();
         self.interrupt_bodies(core, bodies)
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
-        self.looked.forget();
+        self.state_cache.invalidate();
         &mut self.states
     }
 
     fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
-        self.looked.forget();
+        self.state_cache.invalidate();
         self.resume_bodies(core, moved)
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
-        self.looked.forget();
+        self.state_cache.invalidate();
         self.make_room(core, state);
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.looked.forget();
+        self.state_cache.invalidate();
         self.forget_body(body);
     }
 

@@ -61,7 +61,7 @@ impl Coordinates {
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
-    /// Whose rows they are: contacts, then pivots.
+    /// The constraints of the rows: contacts, then pivots.
     constraints: Vec<ConstraintId>,
     /// How many of them are contacts.
     contacts: usize,
@@ -125,13 +125,13 @@ impl Assembly {
         Ok(Self { problem, constraints, contacts, pivots, bodies: bodies.to_vec(), coordinates })
     }
 
-    /// Whose row this is.
+    /// The constraint of a row.
     pub(crate) fn constraint(&self, row: usize) -> Option<ConstraintId> {
         let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
         self.constraints.get(place).copied()
     }
 
-    /// The pivots, as they stood when they were assembled.
+    /// The pivots at the states of the assembly.
     pub(crate) fn pivots(&self) -> &[PivotKinematics] {
         &self.pivots
     }

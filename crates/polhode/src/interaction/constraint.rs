@@ -1,12 +1,13 @@
-//! Constraints: whatever holds bodies, by one kind of identity.
+//! Constraints of all kinds, with a common identity.
 //!
 //! | constraint | row block | signed event functions |
 //! |---|---|---|
-//! | contact | unilateral (a cone where there is friction) | separation; margin of its features; how far it is from opening |
-//! | pivot | bilateral, three rows | none: it never opens |
+//! | contact | unilateral (a cone where there is friction) | separation; margin of its features; margin to contact
+//! break |
+//! | pivot | bilateral, three rows | none: it never breaks |
 //!
-//! An event function is positive while all is as it was and passes zero where it changes; one locator
-//! (`crate::interaction::locator`) finds where.
+//! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
+//! finds the time.
 
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;
@@ -25,7 +26,7 @@ pub(crate) enum ConstraintId {
 }
 
 impl ConstraintId {
-    /// What its rows ask for together.
+    /// The kind of condition that its rows state together.
     pub(crate) fn block(&self) -> RowBlock {
         match self {
             Self::Contact(_) => RowBlock::Unilateral,
@@ -33,7 +34,7 @@ impl ConstraintId {
         }
     }
 
-    /// The bodies that it is between; the one body twice where the world is the other.
+    /// The two bodies that it connects; the same body twice if it connects the body to the world.
     pub(crate) fn bodies(&self) -> (usize, usize) {
         match *self {
             Self::Contact(id) => (id.a, id.b),

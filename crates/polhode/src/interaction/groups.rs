@@ -1,7 +1,7 @@
 //! Groups: bodies connected by contacts, or by forces between them.
 //!
-//! Immovable bodies carry no motion from one contact to another and so connect nothing. Groups and their members are
-//! ordered by body number, so that results do not depend on how they were found.
+//! Immovable bodies transmit no motion between contacts, so they do not connect bodies. Groups and their members are
+//! ordered by body number, so that results do not depend on the order of detection.
 
 use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
@@ -29,7 +29,7 @@ pub(crate) fn coupled_groups(
     joined(world, contacts, bodies)
 }
 
-/// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies concerned alone.
+/// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies in question alone.
 fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, bodies: &[usize]) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
     let moves = |body: &usize| world.bodies[*body].moves();

@@ -1,4 +1,4 @@
-//! Impacts: contacts that approach are struck, together with everything that touches them.
+//! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
@@ -16,7 +16,7 @@ use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
 use polhode_spatial::DVec3;
 
 /// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
-/// about a point: what contacts with fixed bodies give, since between bodies that move nothing is gained.
+/// about a point: only contacts with immovable bodies contribute, since impulses between movable bodies cancel.
 pub(crate) fn support<'a>(
     world: &World,
     about: DVec3,
@@ -44,18 +44,18 @@ pub(crate) fn pivot_support<'a>(about: DVec3, forces: impl Iterator<Item = (&'a 
     sum.value()
 }
 
-/// What an impact has done.
+/// Result of an impact.
 #[derive(Debug)]
 pub(crate) struct Struck {
-    /// By the rows of contacts, and after them those of pivots.
+    /// In the order of the rows: contacts first, then pivots.
     pub(crate) outcome: ImpactOutcome,
-    /// Whose impulses `outcome.applications` are.
-    pub(crate) whose: Vec<Option<ConstraintId>>,
+    /// The constraint of each of `outcome.applications`.
+    pub(crate) constraints: Vec<Option<ConstraintId>>,
     /// The pivots that took part, and the impulse of each (N s, world).
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
 }
 
-/// Rounding of a relative velocity as a fraction of the speeds that cancel in it: some sixteen roundings.
+/// Rounding error of a relative velocity as a fraction of the speeds that cancel in it: some sixteen rounding units.
 const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Largest speed of any point of some bodies, m/s, bounded by their sizes.
@@ -67,12 +67,13 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
     bodies.iter().map(speed).fold(0.0, f64::max)
 }
 
-/// Energy that impulses may seem to give, relative to that of the bodies and to the work of prescribed motions: more is no
-/// rounding of an answer, but an answer of roundings, where impulses that cancel are larger than all momenta by many digits.
+/// Allowed apparent gain of energy by impulses, relative to the energy of the bodies and to the work of prescribed
+/// motions. A larger gain means that rounding errors dominate the solution: impulses that cancel are larger than all
+/// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
-/// Applies impulses of contacts and of pivots to some bodies; whether their energy has not risen but by the work of prescribed
-/// motions. Otherwise nothing has changed.
+/// Applies impulses of contacts and of pivots to some bodies. Returns whether the energy increased by no more than the
+/// work of prescribed motions. Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],
@@ -98,8 +99,8 @@ pub(crate) fn apply_without_gain<'a>(
     is_sound
 }
 
-/// Strikes the contacts of a group, whose pivots hold, and updates the momenta of its bodies. Where the law finds no answer,
-/// nothing has changed, and the status says so.
+/// Applies the impact law to the contacts and pivots of a group and updates the momenta of its bodies. If the law finds
+/// no solution, the states are unchanged and the status says so.
 ///
 /// # Errors
 /// When the problem is not finite.
@@ -119,7 +120,7 @@ pub(crate) fn strike(
     let mut restitution: Vec<f64> =
         members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
     before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
-    // Rows of pivots have none.
+    // Pivots have no restitution.
     restitution.resize(before.len(), 0.0);
     let law = match law {
         ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
@@ -127,7 +128,8 @@ pub(crate) fn strike(
         ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
     };
     let delassus = assembly.problem.delassus();
-    // Bodies that fit exactly between others seem squeezed by the rounding of velocities that nearly cancel.
+    // Bodies that fit exactly between others may appear to be compressed because of the rounding of velocities that
+    // nearly cancel.
     let noise_floor = RATE_ROUNDING * largest_speed(world, states, &group.bodies);
     let with_noise = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
     let contacts: Vec<_> = members.iter().map(|touch| (touch.id, touch.kinematics.geometry)).collect();
@@ -150,8 +152,8 @@ pub(crate) fn strike(
         };
     }
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
-    let whose = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    Ok(Struck { outcome, whose, pivots })
+    let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
+    Ok(Struck { outcome, constraints, pivots })
 }
 
 /// The event of one impulse at one contact point.

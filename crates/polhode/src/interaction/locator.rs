@@ -1,14 +1,14 @@
-//! The locator of events: where what constraints tell of themselves changes within a step.
+//! Event location: the time within a step at which the state of a constraint changes.
 //!
-//! Every event is a change of side: before it all is as it was, after it something is not. What tells the sides apart is a
-//! signed event function of a constraint ([`super::constraint`]: positive before, not positive after) or a judgement over many
-//! of them. The bracket of both sides is halved on the states within the step, as interpolated, until it is 2^-44 (some 5e-14)
-//! of what it was, or its ends are neighbours.
+//! Each time in a step is on one of two sides of an event: before it or after it. The side follows from a signed event
+//! function of a constraint ([`super::constraint`]: positive before, not positive after) or from a test of many
+//! constraints together. The bracket of the event is bisected on the interpolated states within the step until it is
+//! 2^-44 (some 5e-14) of its initial length, or its ends are adjacent numbers.
 //!
-//! Assumption: one change of side in the bracket; of several, one is found. Halving asks for no smoothness: forces of
-//! complementarity have corners where they open, and a judgement has no value to interpolate. Fails with the question's own
-//! error. Impacts of bodies apart are found by bounds that overlook none (`polhode-contact`), events of free motion that a user
-//! of `polhode-dynamics` asks for by its own secants (Oliveira and Takahashi 2021).
+//! Assumption: one change of side in the bracket; of several, one is found. Bisection needs no smoothness: contact
+//! forces have corners where contacts break, and a test without a value cannot be interpolated. Errors are those of the
+//! evaluation of the side. Impacts of separate bodies are found by bounds that miss none (`polhode-contact`), events of
+//! free motion that a user of `polhode-dynamics` defines by its own secant method (Oliveira and Takahashi 2021).
 
 /// Halvings of a bracket: 2^-44 is below 1e-13.
 const HALVINGS: usize = 44;
@@ -18,7 +18,7 @@ const HALVINGS: usize = 44;
 pub(crate) enum Side {
     Before,
     After,
-    /// Near enough: no more need be asked.
+    /// Close enough: the search ends.
     Here,
 }
 
@@ -29,18 +29,18 @@ impl Side {
     }
 }
 
-/// What is left of a bracket, s.
+/// The final bracket, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Bracket {
     /// The last time known to be before the event.
     pub(crate) before: f64,
     /// The first time known to be after it.
     pub(crate) after: f64,
-    /// A time that was found near enough.
+    /// A time that was close enough.
     pub(crate) here: Option<f64>,
 }
 
-/// Closes in on the event between two times, at which the sides are known.
+/// Narrows the bracket of an event between two times at which the sides are known.
 ///
 /// # Errors
 /// Those of `side`.

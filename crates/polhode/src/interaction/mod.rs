@@ -1,7 +1,8 @@
-//! Where bodies meet: what every tier does with touching bodies.
+//! Interaction of touching bodies, shared by all tiers.
 //!
-//! Collision detection knows no mass and the response knows no shape; here contacts become rows over bodies, bodies
-//! become groups, impulses become momenta, and what has drifted is put back together.
+//! Collision detection is independent of masses, and the response is independent of shapes. This module connects them:
+//! it assembles constraint rows from contacts, groups connected bodies, applies impulses to momenta, and projects drift
+//! away.
 
 pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;

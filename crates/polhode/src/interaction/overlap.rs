@@ -1,11 +1,12 @@
-//! Overlap is moved out: the smallest displacement, in the metric of mass, that leaves no overlap.
+//! Removal of penetration: the smallest displacement, in the mass metric, after which no bodies penetrate.
 //!
-//! With the separations `chi` of all contacts of the bodies, `dq = M^-1 J^T l` and `0 <= l _|_ G l + chi >= 0`: what overlaps is
-//! moved until it touches, what touches is not pushed into anything else, and nothing is pulled together. Repeated with
-//! contacts found afresh, since normals turn with the bodies. A contact whose place has jumped to another part of its features,
-//! as that of a ball within a ring does, stays among the rows at its old place too, its separation carried along with the
-//! bodies: otherwise the rounds would push to and fro. Pivots stay in place. Velocities stay. A round moves bodies by no more
-//! than `sqrt(d r)`, with the largest overlap d and the size r; what that leaves is for the next.
+//! With the separations `chi` of all contacts of the bodies, `dq = M^-1 J^T l` and `0 <= l _|_ G l + chi >= 0`:
+//! penetrating bodies are moved until they touch, touching bodies are not pushed into others, and no bodies are pulled
+//! together. This is repeated with newly detected contacts, since normals turn with the bodies. A contact point may
+//! jump to another part of its features, as that of a ball within a ring. The contact then remains among the rows at
+//! its old point too, with its separation updated by the displacement of the bodies: otherwise the rounds would
+//! oscillate. Pivots remain in place, velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the
+//! largest penetration d and the size r; the next round removes the remainder.
 
 use super::assembly::{Assembly, largest_change};
 use super::groups::groups;
@@ -16,28 +17,28 @@ use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
-/// Rounds: each squares what is left of an overlap relative to the size, so that the third is at rounding also for overlaps
-/// of a hundredth of the size; a round that is cut short, or contacts whose place jumps, take some more.
+/// Most rounds. Each squares the remaining penetration relative to the size, so that the third reaches rounding even
+/// from a hundredth of the size. Limited rounds and contact points that jump take some more.
 const MOST_ROUNDS: usize = 8;
 
-/// Overlap that is left, relative to the size of the smaller body, besides rounding: a quarter of what a run is judged by
-/// (1e-12).
+/// Penetration that may remain, relative to the size of the smaller body, besides rounding: a quarter of the promised
+/// limit (1e-12).
 const LEFT_RELATIVE: f64 = 2.5e-13;
 
-/// The part of the rounding of two poses (eight units in the last place) that may be left: two such units.
+/// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.
 const LEFT_ROUNDING: f64 = 0.25;
 
-/// The place of a contact has jumped when it is farther away than this fraction of the size of the smaller body.
+/// A contact point has jumped if it is farther away than this fraction of the size of the smaller body.
 const JUMPED_RELATIVE: f64 = 1e-3;
 
-/// What moving bodies out of each other has done.
+/// Result of the removal of penetration.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Removed {
-    /// Largest overlap that is left, m.
+    /// Largest remaining penetration, m.
     pub(crate) left_m: f64,
     /// Largest displacement of any point of a body, m, bounded by its size.
     pub(crate) moved_m: f64,
-    /// Problems that were not solved as asked.
+    /// Number of problems that were not solved to their tolerance.
     pub(crate) fallbacks: u64,
 }
 
@@ -60,7 +61,7 @@ impl Earlier {
         Self { overlap, poses: [states[overlap.id.a].pose, states[overlap.id.b].pose] }
     }
 
-    /// The contact at its old place, its separation as the bodies have moved since.
+    /// The contact at its old point, with its separation updated by the displacement of the bodies since then.
     fn carried(&self, states: &[BodyState]) -> Overlap {
         let Overlap { id, mut geometry } = self.overlap;
         let [a, b] = [(id.a, &self.poses[0]), (id.b, &self.poses[1])].map(|(body, then)| {
@@ -73,15 +74,15 @@ impl Earlier {
     }
 }
 
-/// Contacts of some pairs within touch, and the largest overlap.
+/// Contacts of some pairs within the touch distance, and the largest penetration.
 #[derive(Debug, Default)]
 pub(crate) struct Overlaps {
     contacts: Vec<Overlap>,
     /// The largest, m.
     pub(crate) deepest_m: f64,
-    /// The contact that overlaps most; none when none overlaps.
+    /// The contact that penetrates deepest; none when none penetrates.
     pub(crate) deepest: Option<ContactId>,
-    /// Whether one is more than may be left.
+    /// Whether one penetrates by more than may remain.
     pub(crate) is_excess: bool,
 }
 
@@ -91,7 +92,7 @@ impl Overlaps {
         Self::within(world, states, pairs, 0.0)
     }
 
-    /// With contacts up to a distance (m) beyond touch: what is moved by as much may come to touch them.
+    /// With contacts up to a distance (m) beyond the touch distance: bodies displaced by as much may reach them.
     fn within(world: &World, states: &[BodyState], pairs: &[(usize, usize)], beyond: f64) -> Self {
         let mut found = Self::default();
         for &(a, b) in pairs {
@@ -110,7 +111,8 @@ impl Overlaps {
         found
     }
 
-    /// Moves `bodies` (movable, ascending) out of each other and of immovable ones, where the contacts of `pairs` overlap.
+    /// Removes the penetration of `bodies` (movable, ascending) into each other and into immovable ones, at the
+    /// contacts of `pairs`.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -140,7 +142,7 @@ impl Overlaps {
         Ok(Removed { left_m: self.deepest_m, moved_m: moved.fold(0.0, f64::max), fallbacks })
     }
 
-    /// Whether a contact is among these, at the place where it was.
+    /// Whether a contact is among these, at its old point.
     fn has_at_place(&self, world: &World, old: &Overlap) -> bool {
         let near = JUMPED_RELATIVE * world.pair_size(old.id.a, old.id.b);
         let same = |now: &Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
@@ -148,7 +150,7 @@ impl Overlaps {
     }
 }
 
-/// One round; the number of problems that were not solved as asked.
+/// One round. Returns the number of problems that were not solved to their tolerance.
 fn move_out(
     world: &World,
     states: &mut [BodyState],
@@ -183,22 +185,22 @@ fn move_out(
     Ok(fallbacks)
 }
 
-/// The part of a displacement up to which the contacts are those that it was found for. Bodies in a straight row between walls
-/// get out of an overlap `d` by going aside by `sqrt(d r)`, `r` being their size: the less the row is bent, the farther aside
-/// the contacts at the start would send them, without end.
+/// The fraction of a displacement within which its linearised contacts are valid. Bodies in a straight row between
+/// walls leave a penetration `d` by a lateral displacement of `sqrt(d r)`, with their size `r`. The linearised problem
+/// overestimates it: the straighter the row, the larger its lateral displacement, without bound.
 fn share_of_move(world: &World, rows: &[Overlap], changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let deepest = rows.iter().map(|row| -row.geometry.separation).fold(0.0, f64::max);
     let size = rows.iter().map(|row| world.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
     ((deepest * size).sqrt() / largest_change(world, changes).max(f64::MIN_POSITIVE)).min(1.0)
 }
 
-/// Whether a contact overlaps by more than may be left.
+/// Whether a contact penetrates by more than may remain.
 pub(crate) fn is_excess(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
     let left = LEFT_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
     lies_on_features(world, states, id, geometry) && geometry.separation < -left
 }
 
-/// A point beside its features overlaps nothing; one at their end, to rounding, does.
+/// A contact point outside its features measures no penetration; one at their boundary, within rounding, does.
 fn lies_on_features(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
     geometry.margin >= -world.rounding(states, id.a, id.b)
 }

@@ -1,8 +1,8 @@
 //! Projection: held contacts back onto zero separation and zero relative velocity, pivots back to their places.
 //!
 //! Positions: Newton on the separations in the metric of mass, `dq = M^-1 J^T l`, `G l = -separation`; velocities:
-//! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that do it and neither is fed back into the motion
-//! as a force; what they change in energy is booked in the ledger.
+//! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that satisfy the constraints. Neither acts on the
+//! motion as a force. The ledger books their change of energy.
 
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses, largest_change};
@@ -16,70 +16,74 @@ use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseE
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
 
-/// Newton steps on the separations. The correction is of the order of the integration error (1e-11) or of touch, so
-/// that the second step is already at round-off.
+/// Newton steps on the separations. The correction is of the order of the integration error (1e-11) or of the touch
+/// distance, so that the second step already reaches rounding error.
 const MAX_NEWTON_STEPS: usize = 3;
 
-/// A separation beyond this fraction of the pair's size is not drift: the contact's place has jumped (a ring's nearest place
-/// on an edge, say), and to put it together would throw the bodies. Drift is of the order of the tolerance.
+/// A separation beyond this fraction of the pair's size is not drift: the contact point has jumped (for example, a
+/// ring's nearest point on an edge), and its projection would displace the bodies far. Drift is of the order of the
+/// tolerance.
 const JUMPED_RELATIVE: f64 = 1e-5;
 
-/// A relative velocity beyond this fraction of the speeds of the bodies and of what gravity gives over their size, and beyond
-/// the tolerance of the method, is not drift either: the place of a contact has jumped to where the bodies approach or part,
-/// and to stop them there is the part of an impact.
+/// A relative velocity beyond this fraction of the speeds of the bodies and of what gravity gives over their size, and
+/// beyond the tolerance of the method, is not drift either: the contact point has jumped to a point at which the bodies
+/// approach or separate. Only an impact may stop them there.
 const JUMPED_SPEED: f64 = 1e-7;
 
-/// Contacts that are farther from zero separation than this fraction of the pair's size and rounding after the last Newton
-/// step have not been put together: by what penetration is judged by at the default tolerance.
+/// Contacts farther from zero separation than this fraction of the pair's size plus rounding after the last Newton step
+/// have not converged. It is the promised limit of penetration at the default tolerance.
 const UNCONVERGED_RELATIVE: f64 = 1e-12;
 
-/// Separations below this fraction of the rounding that penetration is judged with are left alone.
+/// Separations below this fraction of the rounding allowance of penetration are not projected.
 const ROUNDING_FRACTION: f64 = 0.25;
 
-/// Contacts of a pile may depend on each other so nearly that putting them exactly together moves bodies by thousands of times
-/// the distances. Beyond this many times the largest (dimensionless, 2 to 100) they are put together in part.
-const SOFT_AMPLIFICATION: f64 = 5.0;
+/// Contacts of a pile may be so nearly linearly dependent that an exact projection moves bodies by thousands of times
+/// their separations. If it moves them by more than this many times the largest separation (dimensionless, 2 to 100),
+/// the projection is partial (regularised).
+const PARTIAL_AMPLIFICATION: f64 = 5.0;
 
-/// Distances below `NEGLIGIBLE_RELATIVE` of the pair's size are put together in part, too, beyond this many times the largest
-/// (dimensionless), unless at most `WORTH_PART` of them is left then: a buckled row of bodies between walls that is too long by
-/// a rounding would straighten a little at every step, and be as long as before.
-const CHEAP_AMPLIFICATION: f64 = 1e3;
-const WORTH_PART: f64 = 0.1;
+/// Separations below `NEGLIGIBLE_RELATIVE` of the pair's size are projected partially, too, beyond this many times the
+/// largest (dimensionless), unless the exact projection leaves at most `EFFECTIVE_REMAINDER` of them. Otherwise a
+/// buckled row of bodies between walls that is too long by a rounding error would straighten a little at every step
+/// without becoming shorter.
+const MODERATE_AMPLIFICATION: f64 = 1e3;
+const EFFECTIVE_REMAINDER: f64 = 0.1;
 const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
 
-/// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of what projections may move a body
-/// by at the default tolerance.
-const SOFT_RELATIVE: f64 = 5e-11;
+/// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of the promised limit of
+/// displacement at the default tolerance.
+const PARTIAL_RELATIVE: f64 = 5e-11;
 
-/// What a projection has done.
+/// Result of a projection.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Projection {
     /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all points.
     pub(crate) moved_m: f64,
-    /// The constraint that was farthest from what it was put to; none when nothing was to be done.
+    /// The constraint with the largest violation before the projection; none when there was none.
     pub(crate) farthest: Option<ConstraintId>,
-    /// Whether contacts that depend on each other nearly were put together in part.
-    pub(crate) is_soft: bool,
-    /// Whether contacts were put together from farther than penetration is judged by: others may overlap now.
-    pub(crate) is_far: bool,
-    /// Contacts that were left alone because their place had jumped.
+    /// Whether the projection was partial, because contacts are nearly linearly dependent.
+    pub(crate) is_partial: bool,
+    /// Whether separations exceeded the promised limit of penetration: the projection may have made other contacts
+    /// penetrate.
+    pub(crate) exceeds_tolerance: bool,
+    /// Contacts that were not projected because their point had jumped.
     pub(crate) jumped: Vec<ConstraintId>,
-    /// Constraints that are farther off than rounding after the last Newton step.
+    /// Constraints whose violation exceeds rounding after the last Newton step.
     pub(crate) unconverged: Vec<ConstraintId>,
     /// Work of prescribed motions by the impulses that removed velocities, J.
     pub(crate) work_j: f64,
 }
 
 impl Projection {
-    /// The bodies of the constraint that was farthest from what it was put to.
+    /// The bodies of the constraint with the largest violation.
     pub(crate) fn pair(&self) -> Option<(usize, usize)> {
         self.farthest.as_ref().map(ConstraintId::bodies)
     }
 }
 
-/// Puts the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of those that
-/// are held: what a step within `tolerance`, or touch, leaves of them. Contacts whose place jumps are left as they are. Where
-/// that leaves overlap, it is moved out with all contacts of the group's pairs.
+/// Projects the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of
+/// the held ones. Both are remainders of a step within `tolerance` or of the touch distance. Contacts whose point has
+/// jumped are not projected. Remaining penetration is removed with all contacts of the group's pairs.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -91,23 +95,24 @@ pub(crate) fn project(
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
-    if done.is_far || done.is_soft || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
-        done.moved_m += part(world, states, bodies, touching, solver)?.moved_m;
+    if done.exceeds_tolerance || done.is_partial || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
+        done.moved_m += remove_overlap(world, states, bodies, touching, solver)?.moved_m;
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
         let kinematics = world.kinematics(states, id);
-        kinematics.is_some_and(|kinematics| moves_apart(world, states, id, &kinematics, tolerance))
+        kinematics.is_some_and(|kinematics| rate_exceeds_drift(world, states, id, &kinematics, tolerance))
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
     done.jumped.dedup_by_key(|contact| contact.bodies());
-    let slowed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
-    done.farthest = done.farthest.or(slowed.fastest);
-    done.work_j = slowed.work_j;
+    let removed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
+    done.farthest = done.farthest.or(removed.fastest);
+    done.work_j = removed.work_j;
     Ok(done)
 }
 
-/// Whether a contact that is held approaches or parts faster than a step within `tolerance` drifts: its place has jumped.
-pub(crate) fn moves_apart(
+/// Whether a held contact approaches or separates faster than the drift of a step within `tolerance`: its point has
+/// jumped.
+pub(crate) fn rate_exceeds_drift(
     world: &World,
     states: &[BodyState],
     id: ContactId,
@@ -118,11 +123,11 @@ pub(crate) fn moves_apart(
     kinematics.separation_rate.abs() > limit
 }
 
-/// Moves bodies out of each other where the pairs of some contacts overlap, which are not put together.
+/// Removes the penetration of the pairs of some contacts, without projecting the contacts onto zero separation.
 ///
 /// # Errors
 /// When the state is not finite.
-pub(crate) fn part(
+pub(crate) fn remove_overlap(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
@@ -138,7 +143,7 @@ pub(crate) fn part(
     Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
 }
 
-/// Speeds of a contact's bodies and what gravity gives over their size, m/s.
+/// Sum of the speeds of a contact's bodies and of a fall over their size, m/s.
 fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
     let fall = (world.gravity().length() * world.pair_size(id.a, id.b)).sqrt();
     let speed = |body: usize| {
@@ -148,7 +153,7 @@ fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
     fall + speed(id.a) + speed(id.b)
 }
 
-/// Puts contacts onto zero separation.
+/// Projects contacts onto zero separation.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -176,37 +181,38 @@ pub(crate) fn project_positions(
         let is_in_place = |pivot: PivotKinematics| {
             pivot.gap.length() <= ROUNDING_FRACTION * world.rounding(states, pivot.body, pivot.body)
         };
-        // What was put together in part stays apart by what touch allows, whatever is repeated.
-        if done.is_soft || (at_rounding && world.pivots(states, bodies).all(is_in_place)) {
+        // After a partial projection separations within the touch distance remain, and repetition would not reduce
+        // them.
+        if done.is_partial || (at_rounding && world.pivots(states, bodies).all(is_in_place)) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
-            let apart = |(id, geometry): &&(ContactId, ContactGeometry)| {
+            let is_unconverged = |(id, geometry): &&(ContactId, ContactGeometry)| {
                 geometry.separation.abs()
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
             };
-            done.unconverged.extend(geometries.iter().filter(apart).map(|(id, _)| ConstraintId::Contact(*id)));
-            done.unconverged.extend(pivots_off(world, states, bodies));
+            done.unconverged.extend(geometries.iter().filter(is_unconverged).map(|(id, _)| ConstraintId::Contact(*id)));
+            done.unconverged.extend(unconverged_pivots(world, states, bodies));
             break;
         }
         if done.farthest.is_none() {
             let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), pivot.id()));
             done.farthest = farthest(geometries.iter().map(distance).chain(pivots));
         }
-        done.is_far |= geometries
+        done.exceeds_tolerance |= geometries
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
-        // One allowance for all steps: rows that depend on each other nearly may ask for as much again and again.
+        // One allowance for all Newton steps: nearly dependent rows could use the whole of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
         let displacement =
             largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
         let allowed = (allowance - displacement).max(0.0);
-        let (multipliers, is_soft) = cancel(world, &assembly, &separations, (allowed, NEGLIGIBLE_RELATIVE * size))?;
-        done.is_soft |= is_soft;
+        let (multipliers, is_partial) = cancel(world, &assembly, &separations, (allowed, NEGLIGIBLE_RELATIVE * size))?;
+        done.is_partial |= is_partial;
         for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
             let pose = &mut states[body].pose;
             pose.translation += linear;
@@ -221,17 +227,17 @@ pub(crate) fn project_positions(
     Ok(done)
 }
 
-/// The pivots that are farther from their places than rounding after the last Newton step.
-fn pivots_off<'a>(
+/// The pivots whose distance from their anchors exceeds rounding after the last Newton step.
+fn unconverged_pivots<'a>(
     world: &'a World,
     states: &'a [BodyState],
     bodies: &'a [usize],
 ) -> impl Iterator<Item = ConstraintId> + 'a {
-    let off = |pivot: &PivotKinematics| {
+    let is_unconverged = |pivot: &PivotKinematics| {
         let size = world.bodies[pivot.body].size;
         pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
     };
-    world.pivots(states, bodies).filter(off).map(|pivot| pivot.id())
+    world.pivots(states, bodies).filter(is_unconverged).map(|pivot| pivot.id())
 }
 
 /// The constraint of the largest of some distances or speeds.
@@ -239,10 +245,10 @@ fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<Cons
     distances.max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, constraint)| constraint)
 }
 
-/// What the removal of relative velocities has done.
+/// Result of the projection of velocities.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Slowed {
-    /// The constraint that was fastest; none when none moved.
+pub(crate) struct RemovedVelocities {
+    /// The constraint with the largest relative velocity; none when all were zero.
     pub(crate) fastest: Option<ConstraintId>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
@@ -251,9 +257,9 @@ pub(crate) struct Slowed {
 /// How relative velocities are removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Removal {
-    /// Whatever that takes: velocities that the motion has.
+    /// Completely: velocities of the actual motion, at the end of bounces.
     Complete,
-    /// In part where contacts depend on each other nearly: what rounding and the errors of a step leave.
+    /// Partially if contacts are nearly dependent: errors of rounding and of a step.
     OfDrift,
 }
 
@@ -267,11 +273,11 @@ pub(crate) fn project_velocities(
     bodies: &[usize],
     contacts: &[ContactId],
     removal: Removal,
-) -> Result<Slowed, ResponseError> {
+) -> Result<RemovedVelocities, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) && world.pivots(states, bodies).all(stands) {
-        return Ok(Slowed::default());
+        return Ok(RemovedVelocities::default());
     }
     let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
@@ -288,11 +294,11 @@ pub(crate) fn project_velocities(
     let work_j = world.prescribed_work(states, impulses);
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
-    Ok(Slowed { fastest: farthest(speeds.chain(pivots)), work_j })
+    Ok(RemovedVelocities { fastest: farthest(speeds.chain(pivots)), work_j })
 }
 
-/// Multipliers whose response cancels `values` on all rows; whether in part, because otherwise a point of a body would change by
-/// more than `allowed`, or by much for values up to `negligible` that stay.
+/// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body
+/// would change by more than `allowed`, or by much in relation to values below `negligible` without cancelling them.
 fn cancel(
     world: &World,
     assembly: &Assembly,
@@ -306,13 +312,13 @@ fn cancel(
     };
     let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
     let change = change_by(&multipliers)?;
-    let is_cheap = largest(values) > negligible || change <= CHEAP_AMPLIFICATION * largest(values);
-    let is_worth_it = || {
+    let is_moderate = largest(values) > negligible || change <= MODERATE_AMPLIFICATION * largest(values);
+    let is_effective = || {
         let left: Vec<f64> =
             delassus.times(&multipliers)?.iter().zip(values).map(|(given, value)| given + value).collect();
-        Ok::<_, ResponseError>(largest(&left) <= WORTH_PART * largest(values))
+        Ok::<_, ResponseError>(largest(&left) <= EFFECTIVE_REMAINDER * largest(values))
     };
-    if change <= allowed && (is_cheap || is_worth_it()?) {
+    if change <= allowed && (is_moderate || is_effective()?) {
         return Ok((multipliers, false));
     }
     let mut multipliers = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
@@ -325,9 +331,9 @@ fn cancel(
     Ok((multipliers, true))
 }
 
-/// What may change to cancel `values`: of the order of the largest, or negligible against `scale`.
+/// The allowed change to cancel `values`: of the order of the largest value, or negligible against `scale`.
 fn allowed_change(values: &[f64], scale: f64) -> f64 {
-    (SOFT_RELATIVE * scale).max(SOFT_AMPLIFICATION * largest(values))
+    (PARTIAL_RELATIVE * scale).max(PARTIAL_AMPLIFICATION * largest(values))
 }
 
 /// The largest magnitude of some values.

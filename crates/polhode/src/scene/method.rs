@@ -50,7 +50,7 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
-/// What happens where the events of an island crowd.
+/// What happens at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Crowding {
     /// It goes on by time steps at the level of velocities until they thin out.
@@ -91,7 +91,7 @@ pub struct Method {
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,
-    /// What happens where events crowd.
+    /// What happens at crowded events.
     pub crowding: Option<Crowding>,
     /// Error allowed in a stretch of crowded events for each longest step, relative to the size of each body.
     pub crowding_tolerance: Option<f64>,

@@ -1,4 +1,4 @@
-//! The contacts that may act within a step, with what is known of them where it begins.
+//! The contacts that may act within a step, with their kinematics at its start.
 
 use super::drift;
 use crate::collision::contact_set::ContactId;
@@ -8,25 +8,26 @@ use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-/// A contact counts as sustained, and its restitution as zero, when it approaches more slowly than gravity and fields make
-/// its bodies approach within this many steps: a bounce at that speed lasts less than two steps and cannot be seen. At least
-/// one, so that what has fallen for a step rests; more loses bounces that could be followed.
+/// A contact counts as sustained, and its restitution as zero, when it approaches more slowly than gravity and fields
+/// make its bodies approach within this many steps: a bounce at that speed lasts less than two steps and cannot be
+/// resolved. At least one step is needed, so that a body comes to rest after falling for one step. More steps would
+/// lose bounces that could be resolved.
 pub(super) const RESTING_STEPS: f64 = 2.0;
 
-/// Bodies that go less than this fraction of the smaller size in a step meet by the features that are nearest now: as far as
-/// touch.
+/// Bodies that travel less than this fraction of the smaller size in a step will touch at the features that are nearest
+/// now. It is the touch distance.
 const STANDING_RELATIVE: f64 = 1e-11;
 
-/// How much farther than its bodies can go by themselves contacts are looked for: impulses of others may double a speed.
+/// Safety factor on the distance within which contacts are detected: impulses of other contacts may double a speed.
 const REACH_FACTOR: f64 = 2.0;
 
-/// A step, and what may be lost in it.
+/// The length of a step, and the height of bounces that it need not resolve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Span {
     /// Its length, s.
     pub(super) h: f64,
-    /// Height of a bounce that may be lost even though the step could follow it, relative to the size of the smaller body;
-    /// infinite where the step alone decides.
+    /// Largest height of a bounce that need not be resolved, relative to the size of the smaller body; infinite where
+    /// only the step length decides.
     pub(super) unseen_bounce: f64,
 }
 
@@ -34,7 +35,7 @@ pub(super) struct Span {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearContact {
     pub(super) id: ContactId,
-    /// Where the step begins.
+    /// At the start of the step.
     pub(super) kinematics: ContactKinematics,
     /// `chi''` there without contact forces, m/s^2.
     pub(super) acceleration: f64,
@@ -43,19 +44,20 @@ pub(super) struct NearContact {
 }
 
 impl NearContact {
-    /// Whether the contact touches, or is so close that it cannot be told from one that does in a step of `h` (s).
+    /// Whether the contact touches, or is so close that a step of `h` (s) cannot distinguish it from a touching one.
     pub(super) fn touches(&self, h: f64, touch_distance: f64) -> bool {
         self.kinematics.geometry.separation <= touch_distance.max(self.resting_speed * h)
     }
 
-    /// The time to an impact within a step of `h` (s), s: when the contact closes before its end, faster than one that lasts.
+    /// The time to an impact within a step of `h` (s), s: if the contact closes before its end, faster than a sustained
+    /// contact.
     pub(super) fn impact_time(&self, h: f64) -> Option<f64> {
         let is_fast = self.kinematics.separation_rate < -self.resting_speed;
         self.closing_time().filter(|&time| is_fast && time < h)
     }
 
-    /// Whether the contact is struck where a step of `h` begins: it closes within `instant` (s), or it closes later in the
-    /// step and bounces. One that does not bounce would be stopped before it touches.
+    /// Whether the impact law acts on the contact at the start of a step of `h`: it closes within `instant` (s), or it
+    /// closes later in the step and has restitution. Without restitution it would be stopped before it touches.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
         let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
         self.impact_time(h).is_some_and(|time| time <= instant || bounces())
@@ -66,7 +68,7 @@ impl NearContact {
         let gap = self.kinematics.geometry.separation.max(0.0);
         let (u, a) = (self.kinematics.separation_rate, self.acceleration);
         let discriminant = u * u - 2.0 * a * gap;
-        // The smaller root without cancellation; one that is not a number is none.
+        // The smaller root without cancellation; NaN gives none.
         let root = (discriminant >= 0.0).then(|| -u + discriminant.sqrt())?;
         (root > 0.0).then(|| 2.0 * gap / root)
     }
@@ -111,9 +113,9 @@ impl<'a> FreeAccelerations<'a> {
     }
 }
 
-/// A contact at the present states as impulses see it: its rate is that of the velocities of the bodies at its point,
-/// `n.(v_A - v_B)`, from which the rate of the separation differs where a place is all but at the end of a rim or an edge. What
-/// impulses do to the energy is exact in that rate alone.
+/// A contact at the present states with the relative velocity of the bodies at its point, `n.(v_A - v_B)`, as its rate.
+/// The rate of the separation differs from it if the contact point is very close to the end of a rim or an edge. The
+/// change of energy by impulses is exact only in the relative velocity.
 pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
     world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
 }
@@ -138,9 +140,9 @@ pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f
     velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
 }
 
-/// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those by which the bodies
-/// would overlap at the end of their flight. While bodies are apart the features that will meet need not be nearest yet (the
-/// nearest places of two edges may lie beyond their ends).
+/// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those at which the
+/// bodies would penetrate at the end of their flight. While bodies are apart, the features that will meet need not be
+/// the nearest ones yet (the nearest points of two edges may lie beyond their ends).
 pub(super) fn near_contacts(
     world: &World,
     states: &mut [BodyState],
@@ -174,7 +176,7 @@ pub(super) fn near_contacts(
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for id in ahead {
         let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
-        // Features that overlap already are not those by which the bodies will meet.
+        // Features that already penetrate are not those at which the bodies will meet.
         if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
             near.push(near_contact(world, states, &free, id, kinematics, span));
         }
@@ -183,8 +185,8 @@ pub(super) fn near_contacts(
     near
 }
 
-/// Whether the features by which two bodies meet may change within a step of `h` (s): the contacts of two spheres do not, nor
-/// those with a half-space, whose vertices are all within reach, nor those of bodies that stand.
+/// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
+/// for a polyhedron and a half-space, whose vertices are all within reach, nor for bodies that hardly move.
 pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
     let Some((shape_a, shape_b)) = world.shapes(a, b) else { return false };
     let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
@@ -196,11 +198,11 @@ pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (
     if is_sphere(shape_a) && is_sphere(shape_b) {
         return false;
     }
-    let way = h * (point_speed(world, states, a) + point_speed(world, states, b));
-    way > STANDING_RELATIVE * world.pair_size(a, b)
+    let travel = h * (point_speed(world, states, a) + point_speed(world, states, b));
+    travel > STANDING_RELATIVE * world.pair_size(a, b)
 }
 
-/// As [`near_contacts`], those that are within reach now.
+/// As [`near_contacts`], only those within reach now.
 fn contacts_within_reach(
     world: &World,
     states: &[BodyState],
@@ -237,7 +239,7 @@ fn near_contact(
     let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
     let driven = world.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
     let pressing = pressing[0].max(pressing[1]) + driven;
-    // The speed of a fall from the height of a bounce that may be lost.
+    // The speed of a fall from the height of a bounce that need not be resolved.
     let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
     NearContact {
         id,

@@ -1,8 +1,8 @@
-//! The error of a time step, by halving it: for stretches of time in which events crowd.
+//! Error estimate of a time step by step halving, used in stretches of crowded events.
 //!
-//! A step of h is compared with two of h/2 from the same state. The largest displacement between the two, relative to the size
-//! of each body, estimates the error of the longer one; the two halves are kept. Between changes of contact it is
-//! of order h^3 and per second of order h^2; where a contact changes within the step it is of order h.
+//! A step of h is compared with two of h/2 from the same state. The largest displacement between the two, relative to
+//! the size of each body, estimates the error of the longer one; the result of the two halves is used. Between changes
+//! of contact it is of order h^3 and per second of order h^2; where a contact changes within the step it is of order h.
 
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
@@ -12,15 +12,15 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
 impl TimeStepper {
-    /// The same, which follows bounces higher than this fraction of a body's size: two steps that both lose a bounce would
-    /// agree on it.
+    /// The same stepper, which resolves bounces higher than this fraction of a body's size: if both step lengths lost a
+    /// bounce, the estimate would not show it.
     pub(crate) fn following_bounces(mut self, height_relative: f64) -> Self {
         self.unseen_bounce = height_relative;
         self
     }
 
-    /// Advances by one step of `h` (s) and by two halves, keeps the halves, and estimates the error of the whole: the largest
-    /// displacement between the two, relative to the size of the body.
+    /// Advances by one step of `h` (s) and by two halves, uses the result of the halves, and estimates the error of the
+    /// whole step: the largest displacement between the two, relative to the size of the body.
     ///
     /// # Errors
     /// As [`TimeStepper::advance`]; the states are unchanged then.

@@ -1,14 +1,15 @@
-//! Impacts within a step: what closes fast enough is struck where the step begins.
+//! Impacts within a step: the impact law acts at its start on contacts that close fast enough.
 //!
-//! A contact is struck when it approaches faster than a contact that lasts ([`super::contacts::RESTING_STEPS`]) and closes
-//! at once, or within the step if it has restitution. With it are struck all contacts that touch and are connected to
-//! it, as at an impact of the accurate tier; then, with the new velocities, whatever closes now, until nothing does.
-//! Bodies bounce before they meet, by at most the way of one step, and never overlap by an impact. Contacts without
-//! restitution that close later in the step are left to the sustained impulses, which close their gap exactly.
+//! The impact law acts on a contact that approaches faster than a sustained contact
+//! ([`super::contacts::RESTING_STEPS`]) and closes at once, or within the step if it has restitution. It includes all
+//! touching contacts connected to it, as at an impact of the accurate tier. This is repeated with the new velocities
+//! until no contact closes. Bodies bounce before they meet, by at most the travel of one step, so an impact never
+//! leaves a penetration. For contacts without restitution that close later in the step, the sustained impulses close
+//! the gap exactly.
 
 use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
-use super::step::{Part, TimeStepper};
+use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{strike, support};
@@ -17,15 +18,15 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings, ImpactStatus};
 
-/// Rounds of impacts in one step at the most: as many as bodies of a chain with gaps, or bounces to and fro between two
-/// others. What still closes afterwards is stopped without restitution.
+/// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
+/// others. Contacts that still close afterwards are stopped without restitution.
 const MOST_ROUNDS: usize = 128;
 
-/// Rounds of one impact law at the most, before it stops what approaches without restitution.
+/// Most rounds of one impact law, before it stops approaching contacts without restitution.
 const MOST_IMPULSES: usize = 20_000;
 
 impl TimeStepper {
-    /// Strikes what hits within a part of a step, and updates velocities and contacts.
+    /// Resolves the impacts within a substep, and updates velocities and contacts.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -35,10 +36,10 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         near: &mut [NearContact],
-        Part { t, h, instant }: Part,
+        Substep { t, h, instant }: Substep,
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
-        let mut together = vec![false; near.len()];
+        let mut is_member = vec![false; near.len()];
         for _ in 0..MOST_ROUNDS {
             let hits: Vec<bool> = near.iter().map(|contact| contact.is_struck(world, h, instant)).collect();
             if !hits.contains(&true) {
@@ -46,9 +47,9 @@ impl TimeStepper {
             }
             for (index, contact) in near.iter().enumerate() {
                 let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
-                together[index] |= hits[index] || contact.touches(h, touch_distance);
+                is_member[index] |= hits[index] || contact.touches(h, touch_distance);
             }
-            let members = near.iter().enumerate().filter(|(index, _)| together[*index]);
+            let members = near.iter().enumerate().filter(|(index, _)| is_member[*index]);
             let members = members.map(|(index, contact)| (index, contact.id.a, contact.id.b));
             for group in groups(world, members) {
                 if group.contacts.iter().any(|&index| hits[index])
@@ -63,7 +64,7 @@ impl TimeStepper {
         Ok(())
     }
 
-    /// Strikes one group; whether the law found an answer. Otherwise nothing has changed.
+    /// Applies the impact law to one group. Returns whether it found a solution; otherwise nothing has changed.
     fn strike_group(
         &mut self,
         world: &World,
@@ -95,7 +96,7 @@ impl TimeStepper {
     }
 }
 
-/// Books an impact and lists its impulses.
+/// Books an impact and records its impulses.
 fn note(
     world: &World,
     states: &[BodyState],

@@ -11,8 +11,8 @@ use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_spatial::Velocity;
 
-/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), and says what the fields gave, moments about the
-/// point of the books.
+/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), and returns the momentum and energy from the
+/// fields, moments about the point of the books.
 pub(super) fn kick(
     world: &World,
     states: &mut [BodyState],
@@ -65,7 +65,7 @@ fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
     }
 }
 
-/// Momentum and work that the wrenches of each account (torques about the centres of mass) gave over `h`.
+/// Momentum and work of the wrenches of each account (torques about the centres of mass) over `h`.
 fn received(
     world: &World,
     states: &[BodyState],

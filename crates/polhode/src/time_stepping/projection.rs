@@ -1,4 +1,4 @@
-//! What a step has left of overlap is moved out, and booked.
+//! Removal of the penetration that a step has left, with its entry in the books.
 
 use super::NO_WORK_J;
 use super::report::TimeStepReport;
@@ -9,7 +9,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
 impl TimeStepper {
-    /// Moves bodies out of each other where the contacts of `pairs` overlap.
+    /// Removes the penetration at the contacts of `pairs`.
     ///
     /// # Errors
     /// When a number is not finite.

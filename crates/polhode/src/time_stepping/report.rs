@@ -1,19 +1,19 @@
-//! What a time step did.
+//! Report of a time step.
 
 use crate::accounting::books::Books;
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;
 
-/// What kind of impulse a contact gave.
+/// Kind of a contact impulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ImpulseKind {
-    /// Of an impact: bodies approached faster than a contact that lasts.
+    /// Of an impact: bodies approached faster than in a sustained contact.
     Impact {
         /// Change of kinetic energy, J.
         energy_change_j: f64,
     },
-    /// Of the forces of a contact that lasts, over the whole step.
+    /// Of the forces of a sustained contact, over the whole step.
     Sustained,
 }
 
@@ -23,42 +23,42 @@ pub(crate) struct ContactImpulse {
     /// When, s.
     pub(crate) t: f64,
     pub(crate) id: ContactId,
-    /// Where, when the impulse acted; its separation among the rest.
+    /// Contact geometry when the impulse acted, including the separation.
     pub(crate) geometry: ContactGeometry,
     /// On A along the normal, N s.
     pub(crate) impulse: f64,
     pub(crate) kind: ImpulseKind,
 }
 
-/// What one or more steps of some bodies did.
+/// Report of one or more steps of some bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct TimeStepReport {
     /// All impulses that are not zero, in order of time.
     pub(crate) impulses: Vec<ContactImpulse>,
     /// Energy and momentum by account: to be entered in the books of the run ([`Books::enter`]).
     pub(crate) books: Books,
-    /// Pairs in contact at the end, ascending: they carry an impulse, or lie on each other at rest.
+    /// Pairs in contact at the end, ascending: those with an impulse, or at rest on each other.
     pub(crate) touching: Vec<(usize, usize)>,
-    /// Largest overlap before it was moved out, m.
+    /// Largest penetration before its removal, m.
     pub(crate) max_penetration_m: f64,
-    /// Largest overlap that was left, m.
+    /// Largest penetration after its removal, m.
     pub(crate) left_penetration_m: f64,
-    /// Largest displacement of a body by moving overlap out, m.
+    /// Largest displacement of a body by the removal of penetration, m.
     pub(crate) max_projection_m: f64,
     /// Largest residual of the problems solved (natural map, relative).
     pub(crate) residual: f64,
-    /// How often something was approximated: an answer of a fallback solver, a law that was given up.
+    /// Number of approximations: solutions of a fallback solver, impact laws that did not finish.
     pub(crate) fallbacks: u64,
-    /// Contacts that took part in the problems, the most of any step.
+    /// Number of contacts in the problems, the largest of any step.
     pub(crate) contacts: usize,
     /// Steps made.
     pub(crate) steps: u64,
-    /// Whether every body stands exactly where it stood, at zero velocity.
+    /// Whether every body is exactly at its initial pose, at zero velocity.
     pub(crate) at_rest: bool,
 }
 
 impl TimeStepReport {
-    /// Nothing done yet; moments about a point (m).
+    /// An empty report; moments about a point (m).
     pub(crate) fn new(about: DVec3) -> Self {
         Self {
             impulses: Vec::new(),
@@ -75,7 +75,7 @@ impl TimeStepReport {
         }
     }
 
-    /// Adds what a later step did.
+    /// Adds the report of a later step.
     pub(crate) fn append(&mut self, later: Self) {
         self.at_rest = later.at_rest && (self.steps == 0 || self.at_rest);
         self.impulses.extend(later.impulses);

@@ -17,15 +17,15 @@ use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
-/// Impacts closer to each other than this fraction of a step are of one instant: far below what their order of contacts
-/// could be told by, and above what the prediction of a time errs by (of order h^2).
+/// Impacts closer to each other than this fraction of a step belong to one instant. It is far too short for their order
+/// to matter, and above the error of predicted times (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
 
-/// Bodies whose speeds where a step begins and ends are below this fraction of what gravity and the impulses of the step give
-/// them one by one are at rest: some thousand roundings.
+/// Bodies are at rest if their speeds at the start and end of a step are below this fraction of the sum of velocity
+/// changes by gravity and by each impulse of the step: some thousand rounding units.
 const REST_RELATIVE: f64 = 1e-12;
 
-/// The contacts that carried an impulse in the last step of their pair: the first guess of the next problem.
+/// The contacts that carried an impulse in the last step of their pair: the warm start of the next problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Carried {
     by_pair: BTreeMap<(usize, usize), Vec<ContactFeature>>,
@@ -36,7 +36,7 @@ impl Carried {
         self.by_pair.get(&(id.a, id.b)).is_some_and(|features| features.binary_search(&id.feature).is_ok())
     }
 
-    /// Replaces what is known of `pairs`; `carrying` are sorted.
+    /// Replaces the entries of `pairs`; `carrying` are sorted.
     fn replace(&mut self, pairs: &[(usize, usize)], carrying: impl Iterator<Item = ContactId>) {
         for pair in pairs {
             self.by_pair.remove(pair);
@@ -47,24 +47,24 @@ impl Carried {
     }
 }
 
-/// A step, or a part of one that is split.
+/// A step, or a part of a step that is split.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
-    /// Where it begins, s.
+pub(super) struct Substep {
+    /// Its start, s.
     pub(super) t: f64,
     /// Its length, s.
     pub(super) h: f64,
-    /// How close impacts are that count as of one instant, s.
+    /// Impacts closer than this belong to one instant, s.
     pub(super) instant: f64,
 }
 
-/// Makes time steps; keeps its memory, and what carried last, from one to the next.
+/// Makes time steps. Keeps its buffers and the warm start from step to step.
 #[derive(Debug, Clone)]
 pub(crate) struct TimeStepper {
     pub(super) law: ImpactLaw,
-    /// The point that moments are booked about, m.
+    /// The reference point of moments in the books, m.
     pub(super) about: DVec3,
-    /// Impacts that [`TimeStepper::advance`] splits a step at, at the most.
+    /// Most impacts at which [`TimeStepper::advance`] splits a step.
     splits: u32,
     /// See [`Span`].
     pub(super) unseen_bounce: f64,
@@ -88,20 +88,22 @@ impl TimeStepper {
         self.carried.by_pair.iter().flat_map(of_pair)
     }
 
-    /// Goes on as if these contacts, which are in order, had carried an impulse in the last step of their pair.
+    /// Sets the warm start to these contacts, which are sorted, as if they had carried an impulse in the last step of
+    /// their pair.
     pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {
         self.carried.replace(&[], contacts.into_iter());
     }
 
-    /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch within it;
-    /// one of a pair may be immovable or kinematic, and no body beside these may be touched or coupled by a field. Kinematic
-    /// members of pairs are set to where their motions have them during and at the end of the step.
+    /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch
+    /// within it; one of a pair may be immovable or kinematic, and no body beside these may be touched or coupled by a
+    /// field. Kinematic members of pairs are set to their prescribed poses during and at the end of the step.
     ///
-    /// The step is split where contacts close fast enough to bounce, as far as the flight of the bodies tells and the number
-    /// of splits allows: impacts are then struck where and when they happen. Without splits it is one step.
+    /// The step is split where contacts close fast enough to bounce, at times predicted from the free flight of the
+    /// bodies, up to the number of splits: impacts are then resolved where and when they happen. Without splits it is
+    /// one step.
     ///
     /// # Errors
-    /// When a number is not finite; the states are those at the start of the part that failed.
+    /// When a number is not finite; the states are those at the start of the substep that failed.
     pub(crate) fn advance(
         &mut self,
         world: &World,
@@ -127,7 +129,7 @@ impl TimeStepper {
             );
             let first = if split < self.splits { first_impact(&near, instant, left) } else { None };
             let part = first.unwrap_or(left);
-            let interval = Part { t: t + done, h: part, instant };
+            let interval = Substep { t: t + done, h: part, instant };
             report.append(self.step_by(world, states, bodies, (near, pairs), interval)?);
             if first.is_none() {
                 break;
@@ -143,7 +145,7 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         contacts: (Vec<NearContact>, &[(usize, usize)]),
-        interval: Part,
+        interval: Substep,
     ) -> Result<TimeStepReport, ResponseError> {
         let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
         let made = self.make_step(world, states, bodies, contacts, interval);
@@ -161,9 +163,9 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
-        part: Part,
+        part: Substep,
     ) -> Result<TimeStepReport, ResponseError> {
-        let Part { t, h, .. } = part;
+        let Substep { t, h, .. } = part;
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
@@ -203,7 +205,7 @@ impl TimeStepper {
         Ok(report)
     }
 
-    /// Free flight of all bodies for `h`, and what gravity gives.
+    /// Free flight of all bodies for `h`. Returns the momentum from gravity.
     fn fly(&self, world: &World, states: &mut [BodyState], bodies: &[usize], h: f64) -> Received {
         let mut sum = MomentumSum::default();
         for &body in bodies {
@@ -217,7 +219,7 @@ impl TimeStepper {
     }
 }
 
-/// Bodies that neither moved where the step began nor move where it ends stand where they stood.
+/// Sets bodies that are at rest at the start and at the end of the step back to their initial poses.
 fn rest_exactly(
     world: &World,
     states: &mut [BodyState],
@@ -248,13 +250,13 @@ fn rest_exactly(
     }
 }
 
-/// How long from now the first impact is away that is not of this instant, s, within what is left of a step.
+/// Time to the first impact after this instant, s, within the rest of a step.
 fn first_impact(near: &[NearContact], instant: f64, left: f64) -> Option<f64> {
     let times = near.iter().filter_map(|contact| contact.impact_time(left));
     times.filter(|&time| time > instant).min_by(f64::total_cmp)
 }
 
-/// The impulse of a body's weight in a flight of `h` (s) from a state, its moment by the integral of the parabola.
+/// The impulse of a body's weight in a flight of `h` (s) from a state, its moment integrated over the parabola.
 pub(crate) fn given_by_gravity(world: &World, body: usize, start: &BodyState, h: f64, about: DVec3) -> Momentum {
     let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
     let linear = world.gravity() * (mass * h);

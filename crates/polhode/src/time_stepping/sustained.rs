@@ -1,24 +1,25 @@
-//! The impulses of contacts over a step: one complementarity problem at the level of velocities.
+//! The impulses of sustained contacts over a step: one complementarity problem at velocity level.
 //!
-//! In the middle of the step, where the bodies have flown for h/2, let `chi` be the separation of a contact, `u-` its rate
+//! In the middle of the step, after a free flight of h/2, let `chi` be the separation of a contact, `u-` its rate
 //! before and `u+` after the impulses, `a` the part of `chi''` that is not due to contacts. Flight for the other half
-//! gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not end overlapping:
+//! gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not penetrate at the end:
 //!
 //! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
 //!
-//! - the first term is the gap: the contact may approach as long as it does not end overlapping, and its gap closes exactly;
-//! - the second takes over where bodies that already touch approach: they end at rest relative to each other;
-//! - the third is the law of energy: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
+//! - the first term is the gap: the contact may approach as long as it does not penetrate at the end, and its gap
+//!   closes exactly;
+//! - the second applies to bodies that already touch and approach: they end at rest relative to each other;
+//! - the third ensures that no energy is gained: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
 //!
 //! For bodies that rest, all three agree: `u- = -g h/2` and `u+ = g h/2`, and they end exactly where they began. Since
 //! velocities that are reversed, `u+ = -u-`, satisfy all rows, the problem always has a solution.
 //!
-//! A kinematic body is one of infinite mass whose velocity and acceleration are given: they are in `u-`, `u+` and `a`. The law
-//! of energy is one of relative rates, and the work of the prescribed motion, `-p` times its part of the rate, is booked as
-//! work of the outside.
+//! A kinematic body is one of infinite mass whose velocity and acceleration are given: they are in `u-`, `u+` and `a`.
+//! The energy condition holds for relative rates. The work of the prescribed motion, `-p` times its part of the rate,
+//! is booked as external work.
 //!
-//! Rows: contacts that would end overlapping, and those that touch; contacts that the impulses make close are added until
-//! there are none.
+//! Rows of the problem: contacts that would penetrate at the end, and touching contacts. Contacts that close because of
+//! the impulses are added until there are none.
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
@@ -32,11 +33,11 @@ use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 use polhode_spatial::CompensatedSum;
 
-/// A row that ends approaching by less than this fraction of its own rates is left out: some dozen roundings.
+/// A row that approaches at the end by less than this fraction of its rates is left out: some dozen rounding units.
 const ROW_ROUNDING: f64 = 1e-14;
 
-/// The part of the rounding of two poses (eight units in the last place) that a separation may be wrong by: what projection
-/// leaves. In a short step it makes a velocity of its own.
+/// Error of a separation as a fraction of the rounding of two poses (eight units in the last place): the remainder of
+/// the projection. In a short step it corresponds to a considerable velocity.
 const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// A contact in the middle of the step.
@@ -48,12 +49,12 @@ struct Row {
     bound: f64,
     /// `h/2 a`, m/s.
     half_fall: f64,
-    /// What the rounding of the separation makes of r, m/s.
+    /// Error of r by the rounding of the separation, m/s.
     rounding: f64,
 }
 
 impl Row {
-    /// Whether the contact would overlap with this rate of separation after the impulses.
+    /// Whether the contact would penetrate with this rate of separation after the impulses.
     fn closes(&self, rate: f64) -> bool {
         rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
     }
@@ -68,8 +69,8 @@ impl Row {
 }
 
 impl TimeStepper {
-    /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, where the bodies have flown. Returns the
-    /// contacts (by index) that carry an impulse.
+    /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, after the first half of the free flight.
+    /// Returns the contacts (by index) that carry an impulse.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -139,7 +140,7 @@ impl TimeStepper {
         report.fallbacks += u64::from(!solved);
         let mut impulses = solution.forces.clone();
         if !solved {
-            // An answer that is not exact must not add energy: with p.u- + s p.G p/2 <= 0 the share s of it does not.
+            // An inexact solution must not add energy. Scaled by s with p.u- + s p.G p/2 <= 0 it does not.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
             let rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
             let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
@@ -175,7 +176,7 @@ fn rows(
         let id = near[contact].id;
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
         let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
-        // A gap that is a rounding is none.
+        // A gap within rounding counts as zero.
         let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
         let bound = gap_bound.max(kinematics.separation_rate);
         Row { contact, kinematics, bound, half_fall, rounding }
@@ -183,7 +184,7 @@ fn rows(
     Ok(here.into_iter().zip(accelerations).map(row).collect())
 }
 
-/// Books the impulses, lists them, and says which contacts carry.
+/// Books and records the impulses. Returns the contacts that carry one.
 fn note(
     world: &World,
     states: &[BodyState],
@@ -204,7 +205,7 @@ fn note(
             }
             let row = &rows[index];
             let contact = &near[row.contact];
-            // How fast it approached where the step began.
+            // Its speed of approach at the start of the step.
             let approach = -(row.kinematics.separation_rate - row.half_fall);
             let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
                 let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
@@ -228,8 +229,8 @@ struct SolvedGroup {
 }
 
 impl SolvedGroup {
-    /// Change of kinetic energy, J, `sum p.(u- + u+)/2` with the rates that the bodies now have: where impulses are large and
-    /// cancel, those are not to the last bit what the problem asked for.
+    /// Change of kinetic energy, J, `sum p.(u- + u+)/2` with the present rates of the bodies: where large impulses
+    /// cancel, these differ by rounding from the solution of the problem.
     fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
         let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
@@ -253,7 +254,7 @@ impl SolvedGroup {
         })
     }
 
-    /// Applies the impulses; whether they are an answer. Impulses that give energy are none, and are dropped.
+    /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
     fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
         let impulses = (self.impulses_of(rows, near), std::iter::empty());
         let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses);

@@ -1,11 +1,12 @@
-//! Held contacts are put exactly together where steps end and where contacts begin to hold.
+//! Projection of held contacts onto zero separation, at the ends of steps and where contacts begin to hold.
 //!
-//! What drift and touch leave of their separations is projected away (`crate::interaction::projection`). That moves bodies by
-//! the tolerance at the most, but it may push one into a neighbour that is not held to it. That overlap is not of the motion,
-//! and to remove it would push the next body. The poses then stay as they were, if all contacts still touch.
+//! The projection (`crate::interaction::projection`) removes the separations that drift and the touch distance leave.
+//! It moves bodies by the tolerance at most, but it may push one into a neighbour without a held contact. The motion
+//! did not cause that penetration, and removing it would push the next body. In that case the projection is undone,
+//! provided that all contacts still touch.
 //!
-//! Neighbours of other islands stand where they are at that time within their own steps. Fails where they move into a body
-//! after it was put together: that shows as an impact.
+//! Neighbours of other islands are evaluated at that time within their own steps. Limit: if a neighbour moves into a
+//! body after its projection, an impact is found.
 
 use super::engine::Engine;
 use crate::SimulationError;
@@ -20,17 +21,18 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;
 use std::collections::BTreeSet;
 
-/// A projection that moves bodies by less than this fraction of their size pushes nothing: a tenth of what a run is judged by.
+/// A projection that moves bodies by less than this fraction of their size is not checked for neighbours: a tenth of
+/// the promised limit of penetration.
 const PUSH_RELATIVE: f64 = 1e-13;
 
 impl Engine {
-    /// Puts contacts of some bodies (ascending) onto zero separation at `t` (s), those `touching` in position, those `held` in
-    /// velocity too, and books it; `before` is the balance of the bodies before. Where bodies would be pushed into neighbours,
-    /// their places stay.
+    /// Projects contacts of some bodies (ascending) onto zero separation at `t` (s): `touching` in position, `held`
+    /// also in velocity. Books the change; `before` is the balance of the bodies before. If bodies would be pushed into
+    /// neighbours, their poses are restored.
     ///
     /// # Errors
     /// When a state is not finite, or an integrator cannot evaluate a neighbour.
-    pub(super) fn put_together(
+    pub(super) fn project_held_contacts(
         &mut self,
         core: &mut Core,
         bodies: &[usize],
@@ -43,7 +45,7 @@ impl Engine {
         let mut done = projection::project(&core.world, &mut self.states, bodies, (touching, held), how)
             .map_err(|source| Core::response_error(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.world.bodies[*body].size;
-        if bodies.iter().any(pushes) && self.stay_apart(core, bodies, &start, touching, t)? {
+        if bodies.iter().any(pushes) && self.restore_poses_if_pushed(core, bodies, &start, touching, t)? {
             done.moved_m = 0.0;
             done.unconverged.retain(|constraint| constraint.contact().is_none());
         }
@@ -52,9 +54,9 @@ impl Engine {
         Ok(())
     }
 
-    /// Puts bodies back to the poses `start` if they now overlap neighbours more than there, and all contacts `touching` touch
-    /// there; whether it did.
-    fn stay_apart(
+    /// Restores the poses `start` if the bodies now overlap neighbours more than there and all contacts `touching`
+    /// touch there. Returns whether it did.
+    fn restore_poses_if_pushed(
         &mut self,
         core: &Core,
         bodies: &[usize],
@@ -84,21 +86,21 @@ impl Engine {
         for (&body, pose) in bodies.iter().zip(start) {
             states[body].pose = *pose;
         }
-        let stays = now.is_excess
+        let restores = now.is_excess
             && Overlaps::find(&core.world, &states, &pairs).deepest_m < now.deepest_m
             && all_touch(&core.world, &states, bodies, touching);
-        if stays {
+        if restores {
             for (&body, pose) in bodies.iter().zip(start) {
                 self.states[body].pose = *pose;
             }
         }
         others.extend(bodies);
         self.restore_scratch(core, states, &others);
-        Ok(stays)
+        Ok(restores)
     }
 }
 
-/// Whether some contacts touch, and the pivots of some bodies are within touch of their places.
+/// Whether all these contacts touch, and the pivots of these bodies are within the touch distance of their anchors.
 fn all_touch(world: &World, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
     let touches = |&id: &ContactId| {
         let kinematics = world.kinematics(states, id);
