@@ -554,7 +554,7 @@ fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
 /// of it, as the line or the cone's axis divides it. Closed forms of the distance, fine samples, random circles and cones of all
 /// proportions; for lines it is proved, for cones this is all that is known.
 #[test]
-fn a_circle_has_at_most_one_dip_on_either_half() {
+fn a_circle_has_at_most_one_local_minimum_on_either_half() {
     let mut random = Random(1999);
     let circle: Vec<(f64, f64)> = (0..480).map(|k| libm::sincos(TAU * f64::from(k) / 480.0)).collect();
     let mut twos = 0;

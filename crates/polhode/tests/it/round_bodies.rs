@@ -222,7 +222,7 @@ fn a_ring_on_a_cone_is_followed_where_its_two_places_merge() {
 /// An almost level ring touches a cone almost all around, and the place of its contact runs faster than time advances: what
 /// is found wrong with such an instant is tolerated for a moment (for a whole step the ring, in flight, penetrated by 0.35 mm).
 #[test]
-fn what_is_put_up_with_is_looked_at_again_soon() {
+fn a_tolerated_violation_is_checked_again_soon() {
     let report = ring_on_a_cone(DVec3::new(1e-5, 0.0, 0.55), DVec3::new(1e-3, 3e-4, 0.0), 0.2);
     assert!(report.certificate.max_penetration_m < 1e-11, "{:?}", report.certificate);
     assert!(report.ledger.numerical.value().abs() < 1e-9, "{:?}", report.ledger);

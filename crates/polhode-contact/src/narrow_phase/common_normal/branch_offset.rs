@@ -9,7 +9,7 @@
 //! | other locus | offset, m | at most one place each side |
 //! |---|---|---|
 //! | line along e | `e.(x - c)` | always: seen along the line, the halves of an ellipse on either side of its long axis |
-//! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (test `a_circle_has_at_most_one_dip_on_either_half`); not proved |
+//! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (test `a_circle_has_at_most_one_local_minimum_on_either_half`); not proved |
 //! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | where the circles cross |
 //! | of two rings, both and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | where the circles cross |
 //! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | where their planes do |
