@@ -42,17 +42,20 @@ const ROUNDING_FRACTION: f64 = 0.25;
 /// the projection is partial (regularised).
 const PARTIAL_AMPLIFICATION: f64 = 5.0;
 
-/// Separations below `NEGLIGIBLE_RELATIVE` of the pair's size are projected partially, too, beyond this many times the
-/// largest (dimensionless), unless the exact projection leaves at most `EFFECTIVE_REMAINDER` of them. Otherwise a
-/// buckled row of bodies between walls that is too long by a rounding error would straighten a little at every step
-/// without becoming shorter.
-const MODERATE_AMPLIFICATION: f64 = 1e3;
-const EFFECTIVE_REMAINDER: f64 = 0.1;
-const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
-
 /// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of the promised limit of
 /// displacement at the default tolerance.
 const PARTIAL_RELATIVE: f64 = 5e-11;
+
+/// Separations below this fraction of the pair's size are negligible: removing them is not worth a large displacement.
+const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
+
+/// A projection of negligible separations that moves bodies by more than this many times the largest of them (dimensionless)
+/// must be effective, or it is partial too: a buckled row of bodies between walls that is too long by a rounding error would
+/// straighten a little at every step without becoming shorter.
+const MODERATE_AMPLIFICATION: f64 = 1e3;
+
+/// An effective projection leaves at most this fraction of the largest separation (dimensionless).
+const EFFECTIVE_REMAINDER: f64 = 0.1;
 
 /// Result of a projection.
 #[derive(Debug, Clone, Default)]
