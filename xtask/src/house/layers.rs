@@ -2,7 +2,8 @@
 
 use super::violation::Violation;
 use crate::commands;
-use std::path::Path;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
 
 /// Crates of the core: no input, output, clock, thread or global.
 pub(super) const CORE: [&str; 6] =
@@ -49,6 +50,31 @@ const SINGLE_USER: [(&str, &str); 2] = [("parry3d", "polhode-contact"), ("clarab
 /// Libraries that a further crate may name for its benches and tests alone, to be held against.
 const DEVELOPMENT_USER: [(&str, &str); 1] = [("parry3d", "polhode-mesh")];
 
+/// What is read of the output of `cargo metadata` (The Cargo Book, cargo-metadata(1), format version 1). The crate
+/// `cargo_metadata` asks other features of serde than the program does: each library would be compiled twice.
+#[derive(Debug, Deserialize)]
+struct Metadata {
+    packages: Vec<Package>,
+}
+
+/// A crate of the workspace.
+#[derive(Debug, Deserialize)]
+struct Package {
+    name: String,
+    manifest_path: PathBuf,
+    dependencies: Vec<Dependency>,
+}
+
+/// A dependency as its manifest declares it.
+#[derive(Debug, Deserialize)]
+struct Dependency {
+    name: String,
+    /// The name under which the crate knows it, when it is another one.
+    rename: Option<String>,
+    /// `dev`, `build`, or nothing for a dependency of the crate itself.
+    kind: Option<String>,
+}
+
 /// Every dependency between crates of the workspace that is not an arrow of the layers.
 pub(super) fn check(root: &Path) -> Vec<Violation> {
     match metadata(root) {
@@ -57,10 +83,10 @@ pub(super) fn check(root: &Path) -> Vec<Violation> {
     }
 }
 
-fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
+fn check_metadata(metadata: &Metadata) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in &metadata.packages {
-        let name = package.name.to_string();
+        let name = package.name.as_str();
         let place = format!("crate {name}");
         let Some(layer) = LAYERS.iter().find(|layer| layer.name == name) else {
             violations.push(Violation::in_file(place, "has no place among the layers: add it to them"));
@@ -68,6 +94,7 @@ fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
         };
         let folder = package.manifest_path.parent().and_then(|folder| folder.file_name()).unwrap_or_default();
         if folder != name {
+            let folder = folder.display();
             violations
                 .push(Violation::in_file(&place, format!("lies in folder {folder}: folder and crate share a name")));
         }
@@ -78,8 +105,8 @@ fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
             }
             let known_as = dependency.rename.as_deref().unwrap_or(used);
             for (library, user) in SINGLE_USER.into_iter().filter(|_| name != "xtask") {
-                let for_development = dependency.kind == cargo_metadata::DependencyKind::Development
-                    && DEVELOPMENT_USER.contains(&(library, name.as_str()));
+                let for_development =
+                    dependency.kind.as_deref() == Some("dev") && DEVELOPMENT_USER.contains(&(library, name));
                 if known_as == library && name != user && !for_development {
                     violations
                         .push(Violation::in_file(&place, format!("must not depend on {library}: only {user} may")));
@@ -91,11 +118,12 @@ fn check_metadata(metadata: &cargo_metadata::Metadata) -> Vec<Violation> {
 }
 
 /// What `cargo metadata` says about the workspace.
-fn metadata(root: &Path) -> Result<cargo_metadata::Metadata, String> {
-    let mut command = cargo_metadata::MetadataCommand::new();
-    command.current_dir(root).no_deps();
-    if let Some(program) = commands::cargo(root).get_program().to_str() {
-        command.cargo_path(program);
+fn metadata(root: &Path) -> Result<Metadata, String> {
+    let mut command = commands::cargo(root);
+    command.args(["metadata", "--no-deps", "--format-version", "1"]);
+    let output = command.output().map_err(|error| format!("cargo metadata: {error}"))?;
+    if !output.status.success() {
+        return Err(format!("cargo metadata: {}", String::from_utf8_lossy(&output.stderr)));
     }
-    command.exec().map_err(|error| error.to_string())
+    serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))
 }

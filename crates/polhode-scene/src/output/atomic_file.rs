@@ -1,19 +1,23 @@
 //! A file that appears under its name when it is complete, and not before.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-
-/// Temporary names tried before giving up: names are taken by runs that were killed.
-const ATTEMPTS: u32 = 100;
+use tempfile::{Builder, TempPath};
 
 /// A file being written under a temporary name in the folder of its target. Dropped without
 /// [`commit`](AtomicFile::commit) it leaves nothing behind.
 #[derive(Debug)]
 pub struct AtomicFile {
     target: PathBuf,
-    temporary: PathBuf,
-    writer: Option<BufWriter<File>>,
+    open: Option<Open>,
+}
+
+/// The temporary file. Dropped, it removes the file.
+#[derive(Debug)]
+struct Open {
+    writer: BufWriter<File>,
+    path: TempPath,
 }
 
 impl AtomicFile {
@@ -28,18 +32,16 @@ impl AtomicFile {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
         }
         let name = target.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "it names no file"))?;
-        for attempt in 0..ATTEMPTS {
-            let mut hidden = std::ffi::OsString::from(".");
-            hidden.push(name);
-            hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
-            let temporary = target.with_file_name(hidden);
-            match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-                Ok(file) => return Ok(Self { target, temporary, writer: Some(BufWriter::new(file)) }),
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Err(io::Error::new(io::ErrorKind::AlreadyExists, "too many temporary files are in the way"))
+        let mut prefix = std::ffi::OsString::from(".");
+        prefix.push(name);
+        prefix.push(".");
+        let mut builder = Builder::new();
+        builder.prefix(&prefix).suffix(".tmp");
+        #[cfg(unix)]
+        builder.permissions(as_other_files());
+        let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let (file, path) = builder.tempfile_in(folder)?.into_parts();
+        Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path }) })
     }
 
     /// The name under which the file will appear.
@@ -69,20 +71,22 @@ impl AtomicFile {
     }
 
     fn move_to(&mut self, name: &Path) -> io::Result<()> {
-        let Some(mut writer) = self.writer.take() else { return Ok(()) };
-        let moved = writer
-            .flush()
-            // The data must be on the disk before the name is, or a crash could leave an empty file under it.
-            .and_then(|()| writer.get_ref().sync_all())
-            .and_then(|()| fs::rename(&self.temporary, name));
-        if moved.is_err() {
-            self.writer = Some(writer);
+        let Some(open) = &mut self.open else { return Ok(()) };
+        open.writer.flush()?;
+        // The data must be on the disk before the name is, or a crash could leave an empty file under it.
+        open.writer.get_ref().sync_all()?;
+        if let Some(Open { writer, path }) = self.open.take()
+            && let Err(refused) = path.persist(name)
+        {
+            self.open = Some(Open { writer, path: refused.path });
+            return Err(refused.error);
         }
-        moved
+        Ok(())
     }
 
     fn writer(&mut self) -> io::Result<&mut BufWriter<File>> {
-        self.writer.as_mut().ok_or_else(|| io::Error::other("the file is closed"))
+        let open = self.open.as_mut().ok_or_else(|| io::Error::other("the file is closed"))?;
+        Ok(&mut open.writer)
     }
 }
 
@@ -102,12 +106,9 @@ impl Seek for AtomicFile {
     }
 }
 
-impl Drop for AtomicFile {
-    fn drop(&mut self) {
-        if let Some(writer) = self.writer.take() {
-            // What is left in the buffer goes nowhere; a file that cannot be removed is only litter.
-            let _ = writer.into_parts();
-            let _ = fs::remove_file(&self.temporary);
-        }
-    }
+/// Readable and writable by all whom the process's mask lets: a temporary file is by default its owner's alone, and keeps
+/// that under its final name.
+#[cfg(unix)]
+fn as_other_files() -> fs::Permissions {
+    std::os::unix::fs::PermissionsExt::from_mode(0o666)
 }
