@@ -1,7 +1,7 @@
 //! Control of the length of steps by an error estimate: one controller for free motion and for motion with contacts.
 //!
-//! A step is attempted with the proposed length. It is accepted when the largest of its errors ([`LargestError`], each in
-//! units of what is allowed) is at most one; otherwise a shorter one is attempted from the same state. The system
+//! A step is attempted with the proposed length. It is accepted when the largest of its errors
+//! ([`crate::error_allowance`], each in units of what is allowed) is at most one; otherwise a shorter one is attempted from the same state. The system
 //! ([`Steps`]) makes the attempts and says what a quantity may err; the control says what the next length is:
 //!
 //! | attempt | proposed next, of the attempted length h |
@@ -21,26 +21,6 @@ pub const REFUSED_FACTOR: f64 = 0.9;
 /// The factor for repeating a step in which the forces could not be evaluated (dimensionless): nothing is known of its
 /// error.
 pub const FAILED_FACTOR: f64 = 0.25;
-
-/// The largest of the errors of a step in units of what is allowed for each: NaN as soon as one is.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct LargestError(f64);
-
-impl LargestError {
-    /// Takes in an error and what is allowed for it, both in the unit of their quantity.
-    pub fn include(&mut self, error: f64, allowed: f64) {
-        // No error is none also where nothing is allowed.
-        let ratio = if error == 0.0 { 0.0 } else { error / allowed };
-        if ratio > self.0 || ratio.is_nan() {
-            self.0 = ratio;
-        }
-    }
-
-    /// The largest so far, in units of what is allowed.
-    pub const fn get(self) -> f64 {
-        self.0
-    }
-}
 
 /// An attempted step.
 #[derive(Debug)]
@@ -165,7 +145,7 @@ impl StepControl {
 
 #[cfg(test)]
 mod tests {
-    use super::{Attempt, FAILED_FACTOR, LargestError, REFUSED_FACTOR, StepControl, Steps};
+    use super::{Attempt, FAILED_FACTOR, REFUSED_FACTOR, StepControl, Steps};
 
     /// A system whose steps err as `(length/longest)^8`, and fail above another length.
     struct Power {
@@ -232,16 +212,5 @@ mod tests {
         assert_eq!(StepControl::proposing(1.0).next_step(&mut system).err(), Some(Some(f64::INFINITY)));
         let mut failing = power(1.0, 1.0, 0.0);
         assert_eq!(StepControl::proposing(1.0).next_step(&mut failing).err(), Some(None));
-    }
-
-    #[test]
-    fn the_largest_error_is_nan_once_one_is() {
-        let mut largest = LargestError::default();
-        largest.include(0.0, 0.0);
-        largest.include(1.0, 4.0);
-        assert_eq!(largest.get(), 0.25);
-        largest.include(f64::NAN, 1.0);
-        largest.include(2.0, 1.0);
-        assert!(largest.get().is_nan());
     }
 }

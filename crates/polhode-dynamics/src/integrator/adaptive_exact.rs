@@ -11,15 +11,15 @@
 //! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`]: also when twice as many
 //! steps do not err less, where rounding decides. Order 4 makes a long way of strong forces: there DOP853 is cheaper.
 
-use super::dop853::{Tolerance, allowances};
+use super::dop853::{Tolerance, allowance};
 use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
 use super::saved::{NotItsVariables, Reader, write_count, write_flights, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator, blanes_moan};
+use crate::error_allowance::LargestError;
 use crate::field::Wrench;
 use crate::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
-use crate::step_control::LargestError;
 use crate::{BodyState, Flight, FreeMotion, RigidBody};
 
 /// Share of the tolerance that one step may use: steps of one length err alike, and hundreds of them add up.
@@ -166,7 +166,7 @@ fn include_body(
         coarse[attitude].iter_mut().for_each(|number| *number = -*number);
     }
     let rate: [f64; WIDTH] = std::array::from_fn(|k| (fine[k] - start[k]) / h);
-    for (range, allowed) in allowances(body, &start, &fine, &rate, tolerance) {
+    for (range, allowed) in allowance(body, &start, &fine, &rate, tolerance).by_quantity() {
         let squares = coarse[range.clone()].iter().zip(&fine[range]).map(|(a, b)| (a - b) * (a - b));
         largest.include(squares.sum::<f64>().sqrt() / RICHARDSON, allowed);
     }

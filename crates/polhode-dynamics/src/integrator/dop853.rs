@@ -20,12 +20,12 @@
 use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
+use crate::error_allowance::{ErrorAllowance, LargestError};
 use crate::free_motion::BufferedMotion;
-use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
-use crate::step_control::{Attempt, LargestError, StepControl, Steps};
+use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
+use crate::step_control::{Attempt, StepControl, Steps};
 use crate::{BodyState, DenseStep, Dop853, FreeMotion, RigidBody, System};
 use glam::DVec3;
-use std::ops::Range;
 use thiserror::Error;
 
 /// Share of the tolerance that one step may use (dimensionless): errors add over the steps, some fifty for ten seconds
@@ -207,10 +207,8 @@ impl SmoothSpan<'_, '_> {
         let rates = self.method.start_rates().as_chunks::<WIDTH>().0;
         let mut largest = LargestError::default();
         for (index, ((body, (start, end)), rate)) in self.motion.bodies().iter().zip(ends).zip(rates).enumerate() {
-            for (range, allowed) in allowances(body, start, end, rate, self.tolerance * STEP_SHARE) {
-                let offset = index * WIDTH;
-                largest.include(self.method.error_of(offset + range.start..offset + range.end), allowed);
-            }
+            let allowance = allowance(body, start, end, rate, self.tolerance * STEP_SHARE);
+            largest.include_body(self.method, index * WIDTH, allowance);
         }
         largest.get()
     }
@@ -264,15 +262,15 @@ impl Steps for SmoothSpan<'_, '_> {
     }
 }
 
-/// The error allowed in each quantity of one body, and where the quantity's numbers are in the body's state; `rate` is
-/// the change of the state per second over the step, or at its start.
-pub(super) fn allowances(
+/// The error allowed in each quantity of one body; `rate` is the change of the state per second over the step, or at its
+/// start.
+pub(super) fn allowance(
     body: &RigidBody,
     start: &[f64; WIDTH],
     end: &[f64; WIDTH],
     rate: &[f64; WIDTH],
     tolerance: f64,
-) -> [(Range<usize>, f64); 4] {
+) -> ErrorAllowance {
     let ends = [BodyState::from_array(start), BodyState::from_array(end)];
     let largest = |size: &dyn Fn(&BodyState) -> f64| size(&ends[0]).max(size(&ends[1]));
     let vector = |first: usize| DVec3::new(rate[first], rate[first + 1], rate[first + 2]).length();
@@ -285,14 +283,10 @@ pub(super) fn allowances(
     let turning = angular_speed.max((vector(ANGULAR_MOMENTUM) / moments.max_element()).sqrt());
     let position = (tolerance * radius).max(ROUNDING * largest(&|state| state.pose.translation.length()));
     // An error of the angular momentum about the axis of the smallest moment changes the angular velocity most.
-    let momentum =
+    let angular_momentum =
         (tolerance * moments.min_element() * turning).max(ROUNDING * largest(&|state| state.angular_momentum.length()));
-    [
-        (POSITION..QUATERNION, position),
-        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
-        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
-        (ANGULAR_MOMENTUM..WIDTH, momentum),
-    ]
+    let quaternion = ErrorAllowance::of_angle(tolerance);
+    ErrorAllowance { position, quaternion, velocity: tolerance * speed, angular_momentum }
 }
 
 impl Integrator for AdaptiveDop853 {

@@ -15,14 +15,14 @@ use crate::SimulationError;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::world::World;
+use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::dop853::STEP_SHARE;
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
-use polhode_dynamics::step_control::{Accepted, Attempt, LargestError, StepControl, Steps};
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
+use polhode_dynamics::step_control::{Accepted, Attempt, StepControl, Steps};
 use polhode_dynamics::{BodyState, DenseStep, Dop853, Flight, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
-use std::ops::Range;
 
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
@@ -207,14 +207,11 @@ impl Engine {
             let own = offset..offset + WIDTH;
             let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
             let (Some(rates), Some(end)) = (rates, end) else { continue };
-            let allowances = allowances(core, body, &self.states[body], rates, end, loads.of(body));
+            let allowance = allowance(core, body, &self.states[body], rates, end, loads.of(body));
             let cancelling = system.cancelling()[index];
             let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
-            let roundings = roundings(core, body, (cancelling, of_places(ends)), h);
-            for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
-                let allowed = allowed.max(rounding);
-                largest.include(integrator.error_of(offset + quantity.start..offset + quantity.end), allowed);
-            }
+            let rounding = rounding(core, body, (cancelling, of_places(ends)), h);
+            largest.include_body(integrator, offset, allowance.at_least(rounding));
         }
         largest.get()
     }
@@ -243,14 +240,7 @@ impl Engine {
 /// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
 /// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
 /// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
-fn allowances(
-    core: &Core,
-    body: usize,
-    state: &BodyState,
-    rates: &[f64],
-    end: &[f64],
-    load: Wrench,
-) -> [(Range<usize>, f64); 4] {
+fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[f64], load: Wrench) -> ErrorAllowance {
     let world: &World = &core.world;
     let tolerance = STEP_SHARE * core.settings.tolerance;
     let length = world.bodies[body].size;
@@ -275,23 +265,28 @@ fn allowances(
     ]
     .into_iter()
     .fold(0.0, f64::max);
-    [
-        (POSITION..QUATERNION, tolerance * length),
-        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
-        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
-        (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
-    ]
+    ErrorAllowance {
+        position: tolerance * length,
+        quaternion: ErrorAllowance::of_angle(tolerance),
+        velocity: tolerance * speed,
+        angular_momentum: tolerance * moment * speed / length,
+    }
 }
 
 /// What rounding leaves in a step of `h` (s), for each quantity of a body: of contact forces whose magnitudes add up to
 /// `cancelling` (N, N m), and of fields that the rounding of places changes by `fields` (N, N m). Shorter steps do not make
 /// it less.
-fn roundings(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> [f64; 4] {
-    let Some(rigid) = &core.world.bodies[body].rigid else { return [0.0; 4] };
+fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> ErrorAllowance {
+    let Some(rigid) = &core.world.bodies[body].rigid else { return ErrorAllowance::default() };
     let inverse_moment = 1.0 / rigid.moments().min_element();
     let speed = (DIRECTION_ROUNDING * force).max(fields[0]) * h;
     let spin = (DIRECTION_ROUNDING * moment).max(fields[1]) * h;
-    [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
+    ErrorAllowance {
+        position: speed * rigid.inverse_mass() * h,
+        quaternion: ErrorAllowance::of_angle(spin * inverse_moment * h),
+        velocity: speed * rigid.inverse_mass(),
+        angular_momentum: spin,
+    }
 }
 
 /// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and
