@@ -13,6 +13,11 @@ impl SplitMix64 {
         Self(seed)
     }
 
+    /// The seed of the numbers that are still to come.
+    pub const fn seed(self) -> u64 {
+        self.0
+    }
+
     /// The next number, uniform over all of 64 bits.
     pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
