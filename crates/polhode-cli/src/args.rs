@@ -74,20 +74,28 @@ pub(crate) enum EffectsArg {
 pub(crate) struct RunArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Writes the trajectory; the kind follows the ending: .csv, .npy or .json (may be given several times)
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Vec<PathBuf>,
-    /// Writes the events as CSV
-    #[arg(long, value_name = "FILE")]
-    pub(crate) events: Option<PathBuf>,
-    /// Prints the report as JSON
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) output: RunOutputArgs,
     /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) accuracy: Option<f64>,
     #[command(flatten)]
     pub(crate) checkpoints: CheckpointArgs,
+}
+
+/// What a run writes.
+#[derive(Debug, Args)]
+pub(crate) struct RunOutputArgs {
+    /// Writes the trajectory (`resume`: from the checkpoint on); the kind follows the ending: .csv, .npy or .json (may be
+    /// given several times)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Writes the events as CSV (`resume`: from the checkpoint on)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) events: Option<PathBuf>,
+    /// Prints the report of the whole run as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Where and when checkpoints are written.
@@ -107,15 +115,8 @@ pub(crate) struct CheckpointArgs {
 pub(crate) struct ResumeArgs {
     /// Checkpoint of a run; its scene file must stand where it stood
     pub(crate) from: PathBuf,
-    /// Writes the trajectory from here on; the kind follows the ending: .csv, .npy or .json (may be given several times)
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Vec<PathBuf>,
-    /// Writes the events from here on as CSV
-    #[arg(long, value_name = "FILE")]
-    pub(crate) events: Option<PathBuf>,
-    /// Prints the report of the whole run as JSON
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) output: RunOutputArgs,
     #[command(flatten)]
     pub(crate) checkpoints: CheckpointArgs,
 }

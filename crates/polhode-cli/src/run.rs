@@ -1,6 +1,6 @@
 //! `polhode run` and `polhode resume`: simulate a scene, from its start or from a checkpoint.
 
-use crate::args::{ResumeArgs, RunArgs};
+use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::watch::{Bar, Interrupt, Watch};
@@ -19,11 +19,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let file = &args.scene.scene;
     let loaded = load_with(file, &changes)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
-    let files = Files { output: &args.output, events: args.events.as_deref(), inputs: &[file] };
+    let files = Files { asked: &args.output, inputs: &[file] };
     let outputs = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
     let simulation = scene::prepare(&loaded, &args.scene)?;
-    Run { loaded, simulation, outputs, checkpoints, started, json: args.json }.finish()
+    Run { loaded, simulation, outputs, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
@@ -32,23 +32,23 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let inputs = [&args.from, &checkpoint.scene];
-    let files = Files { output: &args.output, events: args.events.as_deref(), inputs: &inputs };
+    let files = Files { asked: &args.output, inputs: &inputs };
     let outputs = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    Run { loaded, simulation, outputs, checkpoints, started, json: args.json }.finish()
+    Run { loaded, simulation, outputs, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// The files that a run writes, and those that it was made from.
 struct Files<'a> {
-    output: &'a [PathBuf],
-    events: Option<&'a Path>,
+    asked: &'a RunOutputArgs,
     inputs: &'a [&'a PathBuf],
 }
 
 impl Files<'_> {
     /// Opens the outputs.
     fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<Outputs, Failure> {
-        for path in self.output.iter().map(PathBuf::as_path).chain(self.events) {
+        let RunOutputArgs { output, events, .. } = self.asked;
+        for path in output.iter().chain(events).map(PathBuf::as_path) {
             if self.inputs.iter().any(|input| is_same(path, input)) {
                 let what =
                     format!("error: {} is what the run is made from: an output never replaces it", path.display());
@@ -59,7 +59,7 @@ impl Files<'_> {
                 return Err(Failure::Usage(what));
             }
         }
-        Ok(Outputs::create(&loaded.scene, self.output, self.events)?)
+        Ok(Outputs::create(&loaded.scene, output, events.as_deref())?)
     }
 }
 

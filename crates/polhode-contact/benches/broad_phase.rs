@@ -13,26 +13,16 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use parry3d::bounding_volume::Aabb as ParryAabb;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use polhode_contact::{Aabb, BroadPhaseMethod};
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, SplitMix64};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// Frames after which the motion begins again, backwards.
 const FRAMES: usize = 64;
 
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
-    }
+/// In the cube [-1, 1]^3.
+fn vector(random: &mut SplitMix64) -> DVec3 {
+    DVec3::new(random.uniform(), random.uniform(), random.uniform()) * 2.0 - 1.0
 }
 
 /// Largest motion along each axis from frame to frame, m.
@@ -40,10 +30,10 @@ const SPEED: f64 = 0.02;
 
 /// Boxes of about unit size in a cube with a box for every 2.5 cubic metres, each on its own way.
 fn frames(count: usize, speed: f64) -> Vec<Vec<Aabb>> {
-    let mut random = Random(5);
+    let mut random = SplitMix64::new(5);
     let half_width = 0.5 * libm::cbrt(2.5 * count as f64);
     let movers: Vec<_> = (0..count)
-        .map(|_| (random.vector() * half_width, random.vector() * speed, (random.vector() + 2.0) * 0.25))
+        .map(|_| (vector(&mut random) * half_width, vector(&mut random) * speed, (vector(&mut random) + 2.0) * 0.25))
         .collect();
     let frame = |k: usize| {
         let place = |&(center, velocity, half): &(DVec3, DVec3, DVec3)| {

@@ -19,6 +19,8 @@
 //! | [`integrator`] | [`integrator::Integrator`]: the methods of free motion behind one trait |
 //! | [`rk4`] | the classical Runge-Kutta method of order 4, as the thesis uses it |
 //! | [`dop853`] | [`Dop853`]: the Runge-Kutta method of order 8 by Dormand and Prince, with its error estimate |
+//! | [`error_allowance`] | what a step may err in each quantity of a body, and its largest error in units of that |
+//! | [`step_control`] | the control of the length of steps by an error estimate, over any system |
 //! | [`dense_step`] | [`DenseStep`]: the state at any time within a step, to order 7 |
 //! | [`integrated_motion`] | [`IntegratedMotion`]: one body's motion over a step, with rigorous bounds |
 //! | [`carlson`] | Carlson's symmetric elliptic integrals RF, RJ |
@@ -47,6 +49,7 @@ pub mod dense_step;
 pub mod dop853;
 mod dop853_coefficients;
 pub mod energy;
+pub mod error_allowance;
 pub mod exact_rotation;
 pub mod field;
 pub mod flight;
@@ -59,6 +62,7 @@ pub mod momentum;
 pub mod rigid_body;
 pub mod rk4;
 pub mod state;
+pub mod step_control;
 pub mod system;
 
 pub use dense_step::DenseStep;

@@ -77,7 +77,6 @@ mod moment_sums;
 mod nesting;
 mod polygon;
 mod predicates;
-mod random;
 mod topology;
 mod triangle_tree;
 mod words;

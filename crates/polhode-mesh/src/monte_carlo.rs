@@ -9,9 +9,9 @@
 //!
 //! The error falls with `N^(-1/2)`: each further digit costs a hundred times as many points (case MP-10).
 
-use crate::random::SplitMix64;
 use crate::{Amount, Bounds, PointLocator, SolidMesh};
 use glam::DVec3;
+use polhode_spatial::SplitMix64;
 use thiserror::Error;
 
 /// A number of points and the seed that determines them.

@@ -4,6 +4,7 @@
 //! and no direction; they are left out, and so must not be needed to close the surface.
 
 use crate::TriangleMesh;
+use polhode_spatial::DisjointSets;
 
 /// One triangle's use of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -106,20 +107,20 @@ fn edges(uses: &[EdgeUse]) -> impl Iterator<Item = &[EdgeUse]> {
 
 /// Connected components by union of the triangles at each edge.
 fn components(mesh: &TriangleMesh, uses: &[EdgeUse]) -> Vec<Component> {
-    let mut forest = Forest((0..mesh.triangles().len() as u32).collect());
+    let mut sets = DisjointSets::new(mesh.triangles().len());
     for edge in edges(uses) {
         for pair in edge.windows(2) {
-            forest.join(pair[0].triangle, pair[1].triangle);
+            sets.join(pair[0].triangle as usize, pair[1].triangle as usize);
         }
     }
-    // The root of a tree is its smallest triangle, so components come ordered by their first triangle.
-    let mut component_of_root = vec![None; mesh.triangles().len()];
+    // Sets are known by their smallest triangle, so components come ordered by their first triangle.
+    let mut component_of_first = vec![None; mesh.triangles().len()];
     let mut components: Vec<Component> = Vec::new();
     for (triangle, &corners) in (0u32..).zip(mesh.triangles()) {
         if names_vertex_twice(corners) {
             continue;
         }
-        let slot = &mut component_of_root[forest.root(triangle) as usize];
+        let slot = &mut component_of_first[sets.smallest(triangle as usize)];
         let index = *slot.get_or_insert_with(|| {
             components.push(Component { triangles: Vec::new(), is_closed: true });
             components.len() - 1
@@ -127,29 +128,9 @@ fn components(mesh: &TriangleMesh, uses: &[EdgeUse]) -> Vec<Component> {
         components[index].triangles.push(triangle);
     }
     for edge in edges(uses).filter(|edge| EdgeKind::of(edge) != EdgeKind::Sound) {
-        if let Some(index) = component_of_root[forest.root(edge[0].triangle) as usize] {
+        if let Some(index) = component_of_first[sets.smallest(edge[0].triangle as usize)] {
             components[index].is_closed = false;
         }
     }
     components
-}
-
-/// Union-find over triangles; every root is the smallest member of its tree.
-struct Forest(Vec<u32>);
-
-impl Forest {
-    fn root(&mut self, mut node: u32) -> u32 {
-        while self.0[node as usize] != node {
-            // Path halving keeps the trees shallow.
-            let grandparent = self.0[self.0[node as usize] as usize];
-            self.0[node as usize] = grandparent;
-            node = grandparent;
-        }
-        node
-    }
-
-    fn join(&mut self, first: u32, second: u32) {
-        let (first, second) = (self.root(first), self.root(second));
-        self.0[first.max(second) as usize] = first.min(second);
-    }
 }

@@ -18,7 +18,7 @@ use scenes::{Noise, Scene, diamond_in_space, pile, tower};
 use std::hint::black_box;
 
 fn scenes_to_solve() -> Vec<(String, Scene)> {
-    let mut noise = Noise(42);
+    let mut noise = Noise::new(42);
     let mut list = Vec::new();
     for boxes in [1, 3, 13] {
         let scene = tower(&vec![1.0; boxes], 0.1, &mut noise);

@@ -1,6 +1,6 @@
 //! Newton's cradle: five balls in a row that touch, of which the first is moving. Each impact law has its own answer.
 
-use polhode_response::{ComplementaritySolver, ContactProblem, ImpactLaw, ImpactSettings};
+use polhode_response::{ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -11,8 +11,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let (before, settings) = ([1.0, 0.0, 0.0, 0.0, 0.0], ImpactSettings::default());
     let (approach, mut solver) = (cradle.row_velocities(&before)?, ComplementaritySolver::new(settings.solver));
+    let (delassus, restitution) = (cradle.delassus(), [1.0; 4]);
+    let problem = ImpactProblem {
+        contacts: &cradle,
+        delassus: &delassus,
+        u_before: &approach,
+        restitution: &restitution,
+        settings: &settings,
+    };
     for law in [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection] {
-        let impact = law.resolve(&cradle, &cradle.delassus(), &approach, &[1.0; 4], &settings, &mut solver)?;
+        let impact = law.resolve(&problem, &mut solver)?;
         let change = cradle.response(&impact.impulses)?;
         let after: Vec<f64> = before.iter().zip(change).map(|(before, change)| before + change).collect();
         println!("{law:?}: {after:.3?} m/s, energy changed by {:.0e} J", impact.energy_change);

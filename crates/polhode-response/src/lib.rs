@@ -60,7 +60,9 @@ pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, sol
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
-pub use impact::{Application, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus, single_contact_impulse};
+pub use impact::{
+    Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
+};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
 pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};

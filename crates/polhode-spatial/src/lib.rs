@@ -17,6 +17,8 @@
 //! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
 //! | [`compensated_sum`] | [`CompensatedSum`] after Neumaier |
 //! | [`double_double`] | [`DoubleDouble`]: twice the working precision |
+//! | [`disjoint_sets`] | [`DisjointSets`]: which members are connected |
+//! | [`split_mix`] | [`SplitMix64`]: pseudo-random numbers, the same everywhere |
 //!
 //! This crate is all that a program needs to name: the vectors, matrices and quaternions of glam that its signatures
 //! speak of are here too, and the crates above it pass all of it on as their module `spatial`, with the names that their
@@ -32,6 +34,7 @@
 //! ```
 
 pub mod compensated_sum;
+pub mod disjoint_sets;
 pub mod double_double;
 pub mod inertia;
 pub mod mass_properties;
@@ -39,10 +42,12 @@ pub mod motion;
 pub mod pose;
 pub mod principal_axes;
 pub mod rotation;
+pub mod split_mix;
 pub mod unit_vector;
 pub mod velocity;
 
 pub use compensated_sum::CompensatedSum;
+pub use disjoint_sets::DisjointSets;
 pub use double_double::DoubleDouble;
 pub use glam::{DMat3, DQuat, DVec3};
 pub use inertia::{Inertia, InertiaError};
@@ -51,5 +56,6 @@ pub use motion::{ConstantScrew, ConstantVelocity, Motion, MotionBounds, MotionEr
 pub use pose::Pose;
 pub use principal_axes::PrincipalAxes;
 pub use rotation::{Rotation, RotationError};
+pub use split_mix::SplitMix64;
 pub use unit_vector::{UnitVector, UnitVectorError};
 pub use velocity::Velocity;

@@ -89,7 +89,7 @@ fn every_method_finds_the_same_pairs() {
             let count = [0, 1, 2, 3, 40, 200, 330, 33, 120, 32, 500, 64][(round * 7 + kind) as usize % 12];
             let boxes: Vec<_> = (0..count)
                 .map(|k| {
-                    let mixed = if k % 50 == 7 { 8 } else { random.0 as u32 % 9 };
+                    let mixed = if k % 50 == 7 { 8 } else { (9.0 * random.unit()) as u32 };
                     any_box(&mut random, if kind == 9 { mixed } else { kind })
                 })
                 .collect();

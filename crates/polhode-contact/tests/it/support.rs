@@ -1,18 +1,18 @@
 //! Random numbers, bodies and motions for the tests.
 
 use polhode_contact::{ConvexPolyhedron, Shape};
-use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
+use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, SplitMix64, Velocity};
 
-/// A small generator with a fixed seed, so that a failing case can be found again.
+/// Random numbers from a fixed seed, so that a failing case can be found again; the seed of those still to be drawn.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// Uniform in [0, 1).
     pub(crate) fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        let mut numbers = SplitMix64::new(self.0);
+        let unit = numbers.uniform();
+        self.0 = numbers.seed();
+        unit
     }
 
     /// Uniform between two numbers.

@@ -11,12 +11,13 @@
 //! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`]: also when twice as many
 //! steps do not err less, where rounding decides. Order 4 makes a long way of strong forces: there DOP853 is cheaper.
 
-use super::dop853::{Tolerance, allowances};
+use super::dop853::{Tolerance, allowance};
 use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
 use super::saved::{NotItsVariables, Reader, write_count, write_flights, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator, blanes_moan};
+use crate::error_allowance::LargestError;
 use crate::field::Wrench;
 use crate::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
 use crate::{BodyState, Flight, FreeMotion, RigidBody};
@@ -144,18 +145,20 @@ fn divided(motion: &FreeMotion<'_>, t: f64, h: f64, count: u32, states: &mut [Bo
 /// `states` are those at the start, and the coarse and the fine ones at the end.
 fn error(motion: &FreeMotion<'_>, states: [&[BodyState]; 3], h: f64, tolerance: f64) -> f64 {
     let [starts, coarse, fine] = states;
-    let mut worst = 0.0f64;
+    let mut largest = LargestError::default();
     for (((body, start), coarse), fine) in motion.bodies().iter().zip(starts).zip(coarse).zip(fine) {
-        let ratio = body_error(body, [start, coarse, fine].map(BodyState::to_array), h, tolerance);
-        worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
-        if worst.is_nan() {
-            return worst;
-        }
+        include_body(&mut largest, body, [start, coarse, fine].map(BodyState::to_array), h, tolerance);
     }
-    worst
+    largest.get()
 }
 
-fn body_error(body: &RigidBody, [start, mut coarse, fine]: [[f64; WIDTH]; 3], h: f64, tolerance: f64) -> f64 {
+fn include_body(
+    largest: &mut LargestError,
+    body: &RigidBody,
+    [start, mut coarse, fine]: [[f64; WIDTH]; 3],
+    h: f64,
+    tolerance: f64,
+) {
     let attitude = QUATERNION..LINEAR_VELOCITY;
     let same_side: f64 = coarse[attitude.clone()].iter().zip(&fine[attitude.clone()]).map(|(a, b)| a * b).sum();
     if same_side < 0.0 {
@@ -163,18 +166,10 @@ fn body_error(body: &RigidBody, [start, mut coarse, fine]: [[f64; WIDTH]; 3], h:
         coarse[attitude].iter_mut().for_each(|number| *number = -*number);
     }
     let rate: [f64; WIDTH] = std::array::from_fn(|k| (fine[k] - start[k]) / h);
-    let mut worst = 0.0f64;
-    for (range, allowed) in allowances(body, &start, &fine, &rate, tolerance) {
+    for (range, allowed) in allowance(body, &start, &fine, &rate, tolerance).by_quantity() {
         let squares = coarse[range.clone()].iter().zip(&fine[range]).map(|(a, b)| (a - b) * (a - b));
-        let error = squares.sum::<f64>().sqrt() / RICHARDSON;
-        // No error is none also where nothing is allowed; NaN must reach the end.
-        let ratio = if error == 0.0 { 0.0 } else { error / allowed };
-        worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
-        if worst.is_nan() {
-            return worst;
-        }
+        largest.include(squares.sum::<f64>().sqrt() / RICHARDSON, allowed);
     }
-    worst
 }
 
 impl Integrator for AdaptiveExact {

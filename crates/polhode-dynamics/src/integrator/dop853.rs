@@ -20,11 +20,12 @@
 use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
+use crate::error_allowance::{ErrorAllowance, LargestError};
 use crate::free_motion::BufferedMotion;
-use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
+use crate::step_control::{Attempt, StepControl, Steps};
 use crate::{BodyState, DenseStep, Dop853, FreeMotion, RigidBody, System};
 use glam::DVec3;
-use std::ops::Range;
 use thiserror::Error;
 
 /// Share of the tolerance that one step may use (dimensionless): errors add over the steps, some fifty for ten seconds
@@ -43,9 +44,6 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Attempts in one step of the caller; some seconds of work. Guards against waiting for ever near a singularity.
 const MAX_ATTEMPTS: u32 = 1_000_000;
-
-/// The largest factor for repeating a refused step.
-const REFUSED_FACTOR: f64 = 0.9;
 
 /// A tolerance out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -125,26 +123,6 @@ impl AdaptiveDop853 {
         self.inner.len()
     }
 
-    /// Largest error of the last attempt over all bodies and quantities, in units of what is allowed.
-    fn error(&self, motion: &FreeMotion<'_>) -> f64 {
-        let ends = self.flat.as_chunks::<WIDTH>().0.iter().zip(self.method.end_state().as_chunks::<WIDTH>().0);
-        let rates = self.method.start_rates().as_chunks::<WIDTH>().0;
-        let mut worst = 0.0f64;
-        for (index, ((body, (start, end)), rate)) in motion.bodies().iter().zip(ends).zip(rates).enumerate() {
-            for (range, allowed) in allowances(body, start, end, rate, self.tolerance * STEP_SHARE) {
-                let offset = index * WIDTH;
-                let error = self.method.error_of(offset + range.start..offset + range.end);
-                // No error is none also where nothing is allowed; NaN must reach the end.
-                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
-                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
-                if worst.is_nan() {
-                    return worst;
-                }
-            }
-        }
-        worst
-    }
-
     /// Writes the flat state at `t` in the inner step of this index, whose polynomials are made when they are first asked
     /// for: most steps are never looked into.
     fn interpolate(&mut self, motion: &FreeMotion<'_>, index: usize, t: f64) {
@@ -174,57 +152,125 @@ impl AdaptiveDop853 {
 
     /// Covers the time from `start` to `end`, between which all fields are smooth.
     fn advance_smoothly(&mut self, motion: &FreeMotion<'_>, start: f64, end: f64) -> Result<(), IntegrationError> {
-        let mut system = BufferedMotion::new(*motion);
-        let direction = (end - start).signum();
-        let smallest_s = ROUNDING * start.abs().max(end.abs());
-        let mut t = start;
-        let mut h = self.proposed.unwrap_or(f64::INFINITY);
-        for _ in 0..MAX_ATTEMPTS {
-            let rest = (end - t).abs();
-            // The last two steps are of one length: none is left over that is a fraction of what is allowed.
-            let length = if h >= rest {
-                rest
-            } else if 2.0 * h > rest {
-                0.5 * rest
-            } else {
-                h
-            };
-            let Ok(()) = self.method.attempt_unscaled(&mut system, t, &self.flat, direction * length);
-            let error = self.error(motion);
-            let factor = Dop853::next_step_factor(error);
-            if error <= 1.0 {
-                self.error = self.error.max(error);
-                self.inner.push((t, direction * length, self.flat.clone()));
-                self.flat.copy_from_slice(self.method.end_state());
-                system.normalize(&mut self.flat);
-                // A step that was cut short says nothing against a longer one, unless it was all but too long itself.
-                h = if factor >= 1.0 { h.max(length * factor) } else { length * factor };
-                if length >= rest {
-                    self.proposed = Some(h);
-                    return Ok(());
-                }
-                t += direction * length;
-            } else {
-                h = length * factor.min(REFUSED_FACTOR);
+        let mut control = StepControl::proposing(self.proposed.unwrap_or(f64::INFINITY));
+        let mut span = SmoothSpan {
+            tolerance: self.tolerance,
+            method: &mut self.method,
+            motion,
+            system: BufferedMotion::new(*motion),
+            t: start,
+            flat: &mut self.flat,
+            start,
+            end,
+            attempts: 0,
+        };
+        loop {
+            let rest = span.limit_s();
+            let accepted = control.next_step(&mut span)?;
+            self.error = self.error.max(accepted.error);
+            self.inner.push((span.t, span.signed(accepted.length_s), span.flat.clone()));
+            span.flat.copy_from_slice(span.method.end_state());
+            span.system.normalize(span.flat);
+            if accepted.length_s >= rest {
+                self.proposed = Some(control.proposed_s());
+                return Ok(());
             }
-            if h <= smallest_s {
-                let singular = IntegrationError::StepTooSmall { t, smallest_s };
-                return Err(if error.is_nan() { IntegrationError::NotFinite { t } } else { singular });
-            }
+            span.t += span.signed(accepted.length_s);
         }
-        Err(IntegrationError::StepTooSmall { t, smallest_s: (end - start).abs() / f64::from(MAX_ATTEMPTS) })
     }
 }
 
-/// The error allowed in each quantity of one body, and where the quantity's numbers are in the body's state; `rate` is
-/// the change of the state per second over the step, or at its start.
-pub(super) fn allowances(
+/// A time between whose ends all fields are smooth, covered up to `t` (s), and the state there.
+struct SmoothSpan<'a, 'm> {
+    tolerance: f64,
+    method: &'a mut Dop853,
+    motion: &'a FreeMotion<'m>,
+    system: BufferedMotion<'m>,
+    t: f64,
+    flat: &'a mut Vec<f64>,
+    /// Its ends, s; an end before the start goes back.
+    start: f64,
+    end: f64,
+    /// Attempts so far.
+    attempts: u32,
+}
+
+impl SmoothSpan<'_, '_> {
+    /// A length with the sign of the span's direction, s.
+    fn signed(&self, length_s: f64) -> f64 {
+        (self.end - self.start).signum() * length_s
+    }
+
+    /// Largest error of the last attempt over all bodies and quantities, in units of what is allowed.
+    fn error(&self) -> f64 {
+        let ends = self.flat.as_chunks::<WIDTH>().0.iter().zip(self.method.end_state().as_chunks::<WIDTH>().0);
+        let rates = self.method.start_rates().as_chunks::<WIDTH>().0;
+        let mut largest = LargestError::default();
+        for (index, ((body, (start, end)), rate)) in self.motion.bodies().iter().zip(ends).zip(rates).enumerate() {
+            let allowance = allowance(body, start, end, rate, self.tolerance * STEP_SHARE);
+            largest.include_body(self.method, index * WIDTH, allowance);
+        }
+        largest.get()
+    }
+}
+
+impl Steps for SmoothSpan<'_, '_> {
+    type Step = ();
+    type Error = IntegrationError;
+
+    fn limit_s(&self) -> f64 {
+        (self.end - self.t).abs()
+    }
+
+    fn smallest_s(&self) -> f64 {
+        ROUNDING * self.start.abs().max(self.end.abs())
+    }
+
+    /// The last two steps are of one length: none is left over that is a fraction of what is allowed.
+    fn first_length(&self, proposed_s: f64) -> f64 {
+        let rest = self.limit_s();
+        if proposed_s >= rest {
+            rest
+        } else if 2.0 * proposed_s > rest {
+            0.5 * rest
+        } else {
+            proposed_s
+        }
+    }
+
+    fn repeated_length(&self, proposed_s: f64) -> f64 {
+        self.first_length(proposed_s)
+    }
+
+    fn attempt(&mut self, length_s: f64) -> Result<Attempt<()>, IntegrationError> {
+        if self.attempts == MAX_ATTEMPTS {
+            let smallest_s = (self.end - self.start).abs() / f64::from(MAX_ATTEMPTS);
+            return Err(IntegrationError::StepTooSmall { t: self.t, smallest_s });
+        }
+        self.attempts += 1;
+        let h = self.signed(length_s);
+        let Ok(()) = self.method.attempt_unscaled(&mut self.system, self.t, self.flat, h);
+        Ok(Attempt::Made { step: (), error: Some(self.error()) })
+    }
+
+    fn too_small(&self, last: Option<f64>) -> IntegrationError {
+        if last.is_some_and(f64::is_nan) {
+            IntegrationError::NotFinite { t: self.t }
+        } else {
+            IntegrationError::StepTooSmall { t: self.t, smallest_s: self.smallest_s() }
+        }
+    }
+}
+
+/// The error allowed in each quantity of one body; `rate` is the change of the state per second over the step, or at its
+/// start.
+pub(super) fn allowance(
     body: &RigidBody,
     start: &[f64; WIDTH],
     end: &[f64; WIDTH],
     rate: &[f64; WIDTH],
     tolerance: f64,
-) -> [(Range<usize>, f64); 4] {
+) -> ErrorAllowance {
     let ends = [BodyState::from_array(start), BodyState::from_array(end)];
     let largest = |size: &dyn Fn(&BodyState) -> f64| size(&ends[0]).max(size(&ends[1]));
     let vector = |first: usize| DVec3::new(rate[first], rate[first + 1], rate[first + 2]).length();
@@ -237,14 +283,10 @@ pub(super) fn allowances(
     let turning = angular_speed.max((vector(ANGULAR_MOMENTUM) / moments.max_element()).sqrt());
     let position = (tolerance * radius).max(ROUNDING * largest(&|state| state.pose.translation.length()));
     // An error of the angular momentum about the axis of the smallest moment changes the angular velocity most.
-    let momentum =
+    let angular_momentum =
         (tolerance * moments.min_element() * turning).max(ROUNDING * largest(&|state| state.angular_momentum.length()));
-    [
-        (POSITION..QUATERNION, position),
-        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
-        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
-        (ANGULAR_MOMENTUM..WIDTH, momentum),
-    ]
+    let quaternion = ErrorAllowance::of_angle(tolerance);
+    ErrorAllowance { position, quaternion, velocity: tolerance * speed, angular_momentum }
 }
 
 impl Integrator for AdaptiveDop853 {

@@ -7,7 +7,7 @@ use crate::exact_flow::{Outcome, condition, flow, separatrix_distance};
 use glam::DVec3;
 use polhode_dynamics::FreeRotation;
 use polhode_dynamics::exact_rotation::drift;
-use polhode_spatial::Rotation;
+use polhode_spatial::{Rotation, SplitMix64};
 
 /// What makes a rotation hard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,17 +65,13 @@ pub(crate) struct Case {
     pub(crate) h: f64,
 }
 
-/// A source of numbers: SplitMix64.
-struct Numbers(u64);
+/// A source of numbers.
+struct Numbers(SplitMix64);
 
 impl Numbers {
     /// In [0, 1).
     fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+        self.0.uniform()
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -107,7 +103,7 @@ impl Numbers {
 
 /// The case of `kind` and `index`, with a time up to `reach/|w|`.
 pub(crate) fn case(kind: Kind, index: u64, reach: (f64, f64)) -> Case {
-    let mut n = Numbers((kind as u64) << 40 | index << 4);
+    let mut n = Numbers(SplitMix64::new((kind as u64) << 40 | index << 4));
     let (moments, momentum) = body(kind, &mut n);
     // Any order of axes, and a power of ten that the numbers do not suspect.
     let turn = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]][(6.0 * n.unit()) as usize];

@@ -2,6 +2,7 @@
 
 use crate::predicates::side_of_plane;
 use glam::DVec3;
+use polhode_spatial::DisjointSets;
 use std::collections::BTreeMap;
 
 /// The faces of a hull as polygons over the points that are corners.
@@ -61,7 +62,7 @@ fn facets_of_triangles(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
         }
     }
     uses.sort_unstable();
-    let mut facet: Vec<u32> = (0..triangles.len() as u32).collect();
+    let mut facets = DisjointSets::new(triangles.len());
     for pair in uses.chunk_by(|p, q| (p.low, p.high) == (q.low, q.high)) {
         let [first, second] = pair else { continue };
         let plane = triangles[first.triangle as usize].map(|corner| points[corner as usize]);
@@ -71,20 +72,10 @@ fn facets_of_triangles(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
             .filter(|&&corner| corner != first.low && corner != first.high)
             .all(|&corner| side_of_plane(plane, points[corner as usize]) == 0.0);
         if is_coplanar {
-            let (one, other) = (root(&mut facet, first.triangle), root(&mut facet, second.triangle));
-            facet[one.max(other) as usize] = one.min(other);
+            facets.join(first.triangle as usize, second.triangle as usize);
         }
     }
-    (0..triangles.len() as u32).map(|triangle| root(&mut facet, triangle)).collect()
-}
-
-fn root(parents: &mut [u32], mut node: u32) -> u32 {
-    while parents[node as usize] != node {
-        let grandparent = parents[parents[node as usize] as usize];
-        parents[node as usize] = grandparent;
-        node = grandparent;
-    }
-    node
+    (0..triangles.len()).map(|triangle| facets.smallest(triangle) as u32).collect()
 }
 
 /// The corners along a border from the smallest on, as indices into `sources`; none when it is not one loop.

@@ -5,7 +5,7 @@ use super::chain::{Edge, Face, loops, twice_area};
 use super::cut::Space;
 use crate::triangle_mesh::Bounds;
 use glam::DVec3;
-use polhode_spatial::CompensatedSum;
+use polhode_spatial::{CompensatedSum, DisjointSets};
 use std::collections::BTreeMap;
 
 /// A piece that does not fall apart, or not for certain.
@@ -26,18 +26,18 @@ struct Sheet {
 /// body whose bounding box holds it.
 pub(super) fn groups(space: &Space, faces: &[Face], adjacency: &Adjacency) -> Vec<Group> {
     let sheets = sheets(space, faces);
-    let mut forest: Vec<usize> = (0..sheets.len()).collect();
+    let mut sets = DisjointSets::new(sheets.len());
     for &Joint { edge, faces: [first, second] } in &adjacency.joints {
         let (from, to) = edge;
         if let (Some(p), Some(q)) = (sheet_of(&sheets, first, edge), sheet_of(&sheets, second, (to, from))) {
-            join(&mut forest, p, q);
+            sets.join(p, q);
         }
     }
     if !adjacency.reflex.is_empty() {
-        join_holes(space, faces, &sheets, &mut forest);
-        join_voids(space, faces, &sheets, &mut forest);
+        join_holes(space, faces, &sheets, &mut sets);
+        join_voids(space, faces, &sheets, &mut sets);
     }
-    split(faces, &sheets, &mut forest, &adjacency.reflex)
+    split(faces, &sheets, &mut sets, &adjacency.reflex)
 }
 
 /// The sheet of a face that holds an edge. Nearly all faces have one sheet.
@@ -60,7 +60,7 @@ fn sheets(space: &Space, faces: &[Face]) -> Vec<Sheet> {
 }
 
 /// A hole belongs to one of the loops of its face; which one does not matter as long as they stay together.
-fn join_holes(space: &Space, faces: &[Face], sheets: &[Sheet], forest: &mut [usize]) {
+fn join_holes(space: &Space, faces: &[Face], sheets: &[Sheet], sets: &mut DisjointSets) {
     let indices: Vec<usize> = (0..sheets.len()).collect();
     for face in indices.chunk_by(|&p, &q| sheets[p].face == sheets[q].face) {
         let normal = space.normal(&faces[sheets[face[0]].face as usize]);
@@ -69,19 +69,19 @@ fn join_holes(space: &Space, faces: &[Face], sheets: &[Sheet], forest: &mut [usi
             area < -space.tolerance * length
         };
         if face.len() > 1 && face.iter().any(is_hole) {
-            face.windows(2).for_each(|pair| join(forest, pair[0], pair[1]));
+            face.windows(2).for_each(|pair| sets.join(pair[0], pair[1]));
         }
     }
 }
 
 /// A body of negative volume is a void and belongs to a body around it.
-fn join_voids(space: &Space, faces: &[Face], sheets: &[Sheet], forest: &mut [usize]) {
+fn join_voids(space: &Space, faces: &[Face], sheets: &[Sheet], sets: &mut DisjointSets) {
     let mut bodies: BTreeMap<usize, (f64, Bounds)> = BTreeMap::new();
     let apex = apex(space, faces);
     for (index, sheet) in sheets.iter().enumerate() {
         let around = Bounds::of(sheet.edges.iter().map(|&(v, _)| space.positions[v as usize]));
         let normal = space.normal(&faces[sheet.face as usize]);
-        let body = bodies.entry(root(forest, index)).or_insert((0.0, around));
+        let body = bodies.entry(sets.smallest(index)).or_insert((0.0, around));
         body.0 += cone(space, &sheet.edges, normal, apex);
         body.1 = Bounds::of([body.1.min, body.1.max, around.min, around.max]);
     }
@@ -90,7 +90,7 @@ fn join_voids(space: &Space, faces: &[Face], sheets: &[Sheet], forest: &mut [usi
     for (void, bounds) in voids {
         for (&other, (_, around)) in &bodies {
             if around.contains(bounds.min) && around.contains(bounds.max) {
-                join(forest, void, other);
+                sets.join(void, other);
             }
         }
     }
@@ -117,12 +117,12 @@ fn cone(space: &Space, edges: &[Edge], normal: DVec3, apex: DVec3) -> f64 {
 }
 
 /// The groups with their faces, in the order of their first sheets.
-fn split(faces: &[Face], sheets: &[Sheet], forest: &mut [usize], reflex: &[Joint]) -> Vec<Group> {
+fn split(faces: &[Face], sheets: &[Sheet], sets: &mut DisjointSets, reflex: &[Joint]) -> Vec<Group> {
     let mut number: BTreeMap<usize, usize> = BTreeMap::new();
     // For each group its faces, and which faces of the piece they were, ascending because sheets are.
     let mut groups: Vec<(Group, Vec<u32>)> = Vec::new();
     for (index, sheet) in sheets.iter().enumerate() {
-        let group = *number.entry(root(forest, index)).or_insert_with(|| {
+        let group = *number.entry(sets.smallest(index)).or_insert_with(|| {
             groups.push((Group { faces: Vec::new(), reflex: Vec::new() }, Vec::new()));
             groups.len() - 1
         });
@@ -137,25 +137,11 @@ fn split(faces: &[Face], sheets: &[Sheet], forest: &mut [usize], reflex: &[Joint
     }
     for &joint in reflex {
         let Some(sheet) = sheet_of(sheets, joint.faces[0], joint.edge) else { continue };
-        let Some(&group) = number.get(&root(forest, sheet)) else { continue };
+        let Some(&group) = number.get(&sets.smallest(sheet)) else { continue };
         let (Group { reflex: own, .. }, origins) = &mut groups[group];
         if let [Ok(first), Ok(second)] = joint.faces.map(|face| origins.binary_search(&face)) {
             own.push(Joint { faces: [first as u32, second as u32], ..joint });
         }
     }
     groups.into_iter().map(|(group, _)| group).collect()
-}
-
-fn join(forest: &mut [usize], p: usize, q: usize) {
-    let (p, q) = (root(forest, p), root(forest, q));
-    forest[p.max(q)] = p.min(q);
-}
-
-fn root(forest: &mut [usize], mut node: usize) -> usize {
-    while forest[node] != node {
-        let grandparent = forest[forest[node]];
-        forest[node] = grandparent;
-        node = grandparent;
-    }
-    node
 }

@@ -1,14 +1,11 @@
-//! What all impact laws share: the check of their arguments, inelastic solves, the end of an impact, its energy.
+//! What all impact laws share: inelastic solves, the end of an impact, its energy.
 
+use super::impact_problem::ImpactProblem;
 use super::outcome::{Application, ImpactOutcome, ImpactStatus};
-use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
-use crate::delassus::Delassus;
 use crate::dense::kernels::{axpy, compensated_dot, largest};
-use crate::error::{ResponseError, check_finite, check_length};
 use crate::minimum_norm::least_norm;
 use crate::precise;
-use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
 use crate::settings::SolverSettings;
 
@@ -23,10 +20,7 @@ const ENERGY_ROUNDING: f64 = 1e-10;
 /// The problem of one impact and what is needed to solve it.
 #[derive(Debug)]
 pub(super) struct Impact<'a> {
-    pub(super) problem: &'a ContactProblem,
-    pub(super) delassus: &'a Delassus,
-    pub(super) u_before: &'a [f64],
-    pub(super) settings: &'a ImpactSettings,
+    pub(super) problem: &'a ImpactProblem<'a>,
     pub(super) solver: &'a mut ComplementaritySolver,
     /// Velocities above `-tolerance` do not approach, m/s.
     pub(super) tolerance: f64,
@@ -42,47 +36,25 @@ pub(super) struct Impulses {
     pub(super) held: Vec<bool>,
 }
 
-/// Checks the arguments of an impact law and returns the largest speed of approach (at bilateral rows, of either sign),
-/// m/s.
-pub(super) fn check(
-    problem: &ContactProblem,
-    delassus: &Delassus,
-    u_before: &[f64],
-    restitution: &[f64],
-    settings: &ImpactSettings,
-) -> Result<f64, ResponseError> {
-    let rows = problem.len();
-    check_length("Delassus matrix", rows, delassus.len())?;
-    check_length("row velocities", rows, u_before.len())?;
-    check_length("restitution", rows, restitution.len())?;
-    check_finite("row velocities", u_before)?;
-    delassus.check_finite()?;
-    settings.solver.check()?;
-    if !(0.0..1.0).contains(&settings.threshold) {
-        let (field, accepted) = ("threshold", "at least 0 and below 1");
-        return Err(ResponseError::Setting { field, accepted, value: settings.threshold });
+impl<'a> Impact<'a> {
+    /// Of a problem whose largest speed of approach is `approach` (m/s).
+    pub(super) fn new(problem: &'a ImpactProblem<'a>, approach: f64, solver: &'a mut ComplementaritySolver) -> Self {
+        Self { problem, solver, tolerance: problem.settings.threshold * approach }
     }
-    if let Some((row, &value)) = restitution.iter().enumerate().find(|(_, e)| !(0.0..=1.0).contains(*e)) {
-        return Err(ResponseError::Restitution { row, value });
-    }
-    let speed = |(row, u): (usize, &f64)| if problem.is_bilateral(row) { u.abs() } else { -u };
-    Ok(u_before.iter().enumerate().map(speed).fold(0.0, f64::max))
-}
 
-impl Impact<'_> {
     /// Solves for the impulses of `rows` with constant terms `b` that carry a rounding of `noise` (m/s), and books the
     /// solve in `outcome`.
     pub(super) fn solve(&mut self, rows: &[usize], b: &[f64], noise: f64, outcome: &mut ImpactOutcome) -> Impulses {
-        let noise_floor = self.settings.solver.noise_floor.max(noise);
-        self.solver.set_settings(SolverSettings { noise_floor, ..self.settings.solver });
-        let solution = self.solver.solve_rows(self.problem, self.delassus, rows, b);
+        let noise_floor = self.problem.settings.solver.noise_floor.max(noise);
+        self.solver.set_settings(SolverSettings { noise_floor, ..self.problem.settings.solver });
+        let solution = self.solver.solve_rows(self.problem.contacts, self.problem.delassus, rows, b);
         outcome.solves += 1;
         outcome.residual = outcome.residual.max(solution.report.residual);
         let solved = solution.report.status == SolverStatus::Solved;
         if !solved {
             outcome.status = ImpactStatus::NotSolved;
         }
-        let least = least_norm(self.problem, rows, solution, &self.settings.solver);
+        let least = least_norm(self.problem.contacts, rows, solution, &self.problem.settings.solver);
         let (mut w, held) = (solution.residual_accelerations.clone(), solution.held.clone());
         if solved {
             // What rows of a solved problem still approach by is rounding.
@@ -95,7 +67,7 @@ impl Impact<'_> {
 
     /// The bilateral rows, which take part in every solve.
     pub(super) fn joints(&self) -> Vec<usize> {
-        (0..self.u_before.len()).filter(|&row| self.problem.is_bilateral(row)).collect()
+        (0..self.problem.u_before.len()).filter(|&row| self.problem.is_bilateral(row)).collect()
     }
 
     /// Takes the motion of joints out of the velocities, before any contact is struck: joints that move and contacts
@@ -132,18 +104,18 @@ impl Impact<'_> {
     /// Rounding that impulses leave in the velocities, m/s. Where impulses have taken most of a velocity away it is all
     /// that tells two opposite rows apart, and must not pass for bodies that are squeezed.
     pub(super) fn noise(&self, impulses: &[f64]) -> f64 {
-        let terms = (0..impulses.len()).map(|row| compensated_terms(self.delassus.row(row), impulses));
+        let terms = (0..impulses.len()).map(|row| compensated_terms(self.problem.delassus.row(row), impulses));
         VELOCITY_ROUNDING * terms.fold(0.0, f64::max)
     }
 
     /// Whether there is a velocity at which all rows separate: by the least one with `u >= 1` on all rows.
     pub(super) fn can_separate(&mut self, outcome: &mut ImpactOutcome) -> bool {
-        let rows: Vec<usize> = (0..self.u_before.len()).collect();
+        let rows: Vec<usize> = (0..self.problem.u_before.len()).collect();
         outcome.solves += 1;
-        self.solver.set_settings(self.settings.solver);
+        self.solver.set_settings(self.problem.settings.solver);
         let constants: Vec<f64> =
             rows.iter().map(|&row| if self.problem.is_bilateral(row) { 0.0 } else { -1.0 }).collect();
-        let solution = self.solver.solve_rows(self.problem, self.delassus, &rows, &constants);
+        let solution = self.solver.solve_rows(self.problem.contacts, self.problem.delassus, &rows, &constants);
         solution.report.status != SolverStatus::Infeasible
     }
 
@@ -151,7 +123,7 @@ impl Impact<'_> {
     pub(super) fn advance(&self, velocities: &mut [f64], rows: &[usize], impulses: &[f64]) {
         for (&row, &impulse) in rows.iter().zip(impulses) {
             if impulse != 0.0 {
-                axpy(impulse, self.delassus.row(row), velocities);
+                axpy(impulse, self.problem.delassus.row(row), velocities);
             }
         }
     }
@@ -159,8 +131,8 @@ impl Impact<'_> {
     /// The outcome when nothing approaches.
     pub(super) fn nothing(&self) -> ImpactOutcome {
         ImpactOutcome {
-            impulses: vec![0.0; self.u_before.len()],
-            velocities_after: self.u_before.to_vec(),
+            impulses: vec![0.0; self.problem.u_before.len()],
+            velocities_after: self.problem.u_before.to_vec(),
             ..ImpactOutcome::default()
         }
     }
@@ -171,7 +143,8 @@ impl Impact<'_> {
         let count = velocities.len();
         let mut remains = false;
         for row in 0..count {
-            let terms = compensated_terms(self.delassus.row(row), &outcome.impulses) + self.u_before[row].abs();
+            let terms =
+                compensated_terms(self.problem.delassus.row(row), &outcome.impulses) + self.problem.u_before[row].abs();
             if velocities[row].abs() <= VELOCITY_ROUNDING * terms {
                 velocities[row] = 0.0;
             }
@@ -181,8 +154,8 @@ impl Impact<'_> {
             let rows: Vec<usize> = (0..count).collect();
             // Row by row velocities have drifted apart over many impulses; those of the total belong together, to the
             // rounding of the velocities before.
-            velocities = precise::accelerations(self.problem, &rows, self.u_before, &outcome.impulses);
-            let noise = VELOCITY_ROUNDING * largest(self.u_before);
+            velocities = precise::accelerations(self.problem.contacts, &rows, self.problem.u_before, &outcome.impulses);
+            let noise = VELOCITY_ROUNDING * largest(self.problem.u_before);
             let last = self.solve(&rows, &velocities, noise, outcome);
             for (total, impulse) in outcome.impulses.iter_mut().zip(&last.amounts) {
                 *total += impulse;
@@ -195,7 +168,7 @@ impl Impact<'_> {
         }
         outcome.velocities_after = velocities;
         outcome.energy_change = self.energy_change(&outcome.impulses);
-        if outcome.energy_change > 0.0 && !gains_energy(self.u_before, outcome) {
+        if outcome.energy_change > 0.0 && !gains_energy(self.problem.u_before, outcome) {
             // Rounding must not be in favour of energy: shorten the impulses by as much.
             let gain = compensated_dot(&outcome.impulses, &outcome.velocities_after);
             let shorter = 1.0 - outcome.energy_change / gain;
@@ -210,8 +183,9 @@ impl Impact<'_> {
     /// pass for energy.
     fn energy_change(&self, impulses: &[f64]) -> f64 {
         let rows: Vec<usize> = (0..impulses.len()).collect();
-        let after = precise::accelerations(self.problem, &rows, self.u_before, impulses);
-        let mean: Vec<f64> = self.u_before.iter().zip(&after).map(|(before, after)| 0.5 * (before + after)).collect();
+        let after = precise::accelerations(self.problem.contacts, &rows, self.problem.u_before, impulses);
+        let mean: Vec<f64> =
+            self.problem.u_before.iter().zip(&after).map(|(before, after)| 0.5 * (before + after)).collect();
         compensated_dot(impulses, &mean)
     }
 
@@ -225,13 +199,13 @@ impl Impact<'_> {
                 impulses.push(impulse);
             }
         }
-        let mut change = vec![0.0; self.u_before.len()];
+        let mut change = vec![0.0; self.problem.u_before.len()];
         self.advance(&mut change, &rows, &impulses);
         outcome.applications = rows
             .iter()
             .zip(&impulses)
             .map(|(&row, &impulse)| {
-                let energy_change = impulse * (self.u_before[row] + 0.5 * change[row]);
+                let energy_change = impulse * (self.problem.u_before[row] + 0.5 * change[row]);
                 Application { row, impulse, energy_change }
             })
             .collect();

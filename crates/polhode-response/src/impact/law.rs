@@ -1,12 +1,10 @@
 //! The choice of an impact law.
 
+use super::impact_problem::ImpactProblem;
 use super::outcome::ImpactOutcome;
-use super::settings::ImpactSettings;
 use super::{propagation, reflection, simultaneous};
 use crate::complementarity::ComplementaritySolver;
-use crate::delassus::Delassus;
 use crate::error::ResponseError;
-use crate::problem::ContactProblem;
 
 /// Which impact law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -27,17 +25,13 @@ impl ImpactLaw {
     /// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
     pub fn resolve(
         self,
-        problem: &ContactProblem,
-        delassus: &Delassus,
-        u_before: &[f64],
-        restitution: &[f64],
-        settings: &ImpactSettings,
+        problem: &ImpactProblem<'_>,
         solver: &mut ComplementaritySolver,
     ) -> Result<ImpactOutcome, ResponseError> {
         match self {
-            Self::Propagation => propagation(problem, delassus, u_before, restitution, settings, solver),
-            Self::Simultaneous => simultaneous(problem, delassus, u_before, restitution, settings, solver),
-            Self::Reflection => reflection(problem, delassus, u_before, restitution, settings, solver),
+            Self::Propagation => propagation(problem, solver),
+            Self::Simultaneous => simultaneous(problem, solver),
+            Self::Reflection => reflection(problem, solver),
         }
     }
 }

@@ -22,11 +22,13 @@
 //! | `law` | the choice of a law: [`ImpactLaw`] |
 //! | `propagation`, `simultaneous`, `reflection` | the laws, one file each |
 //! | `single_contact` | equation (14): one row struck alone |
-//! | `finish` | what all laws share: the check of arguments, inelastic solves, the end of an impact, its energy |
+//! | `impact_problem` | what a law resolves, and its check: [`ImpactProblem`] |
+//! | `finish` | what all laws share: inelastic solves, the end of an impact, its energy |
 //! | `settings` | tolerances and limits: [`ImpactSettings`] |
 //! | `outcome` | what a law did: [`ImpactOutcome`] |
 
 mod finish;
+mod impact_problem;
 mod law;
 mod outcome;
 mod propagation;
@@ -35,6 +37,7 @@ mod settings;
 mod simultaneous;
 mod single_contact;
 
+pub use impact_problem::ImpactProblem;
 pub use law::ImpactLaw;
 pub use outcome::{Application, ImpactOutcome, ImpactStatus};
 pub use propagation::propagation;

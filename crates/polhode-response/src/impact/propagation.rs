@@ -7,30 +7,25 @@
 //! may be infinite (thesis, Appendix C; errata E20 to E22: a stick with `e <= tan^2(pi/4 - theta/2)` never leaves), so
 //! it is cut off below a threshold relative to the first approach, and what is left is removed by one inelastic solve.
 
-use super::finish::{Impact, check};
+use super::finish::Impact;
+use super::impact_problem::ImpactProblem;
 use super::outcome::{Application, ImpactOutcome, ImpactStatus};
-use super::settings::ImpactSettings;
 use super::single_contact_impulse;
 use crate::complementarity::ComplementaritySolver;
-use crate::delassus::Delassus;
 use crate::error::ResponseError;
-use crate::problem::ContactProblem;
 
 /// Resolves an impact one contact at a time, in the order of the rows.
 ///
 /// # Errors
 /// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
 pub fn propagation(
-    problem: &ContactProblem,
-    delassus: &Delassus,
-    u_before: &[f64],
-    restitution: &[f64],
-    settings: &ImpactSettings,
+    problem: &ImpactProblem<'_>,
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
-    let approach = check(problem, delassus, u_before, restitution, settings)?;
-    let tolerance = settings.threshold * approach;
-    let mut impact = Impact { problem, delassus, u_before, settings, solver, tolerance };
+    let approach = problem.approach()?;
+    let ImpactProblem { delassus, u_before, restitution, settings, .. } = *problem;
+    let mut impact = Impact::new(problem, approach, solver);
+    let tolerance = impact.tolerance;
     let mut outcome = impact.nothing();
     if approach == 0.0 {
         return Ok(outcome);
@@ -81,7 +76,7 @@ fn strike_with_joints(
     }
     outcome.impulses = impulses;
     while let Some(row) = (0..velocities.len()).find(|&row| impact.is_violated(row, velocities[row])) {
-        if outcome.applications.len() >= impact.settings.limit {
+        if outcome.applications.len() >= impact.problem.settings.limit {
             outcome.status = ImpactStatus::LimitReached;
             return;
         }

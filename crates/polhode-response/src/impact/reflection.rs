@@ -14,13 +14,11 @@
 //!
 //! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
 
-use super::finish::{Impact, check, gains_energy};
+use super::finish::{Impact, gains_energy};
+use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
-use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
-use crate::delassus::Delassus;
 use crate::error::ResponseError;
-use crate::problem::ContactProblem;
 
 /// Rounds after which it is worth one more solve to know whether they end.
 const ROUNDS_BEFORE_DOUBT: usize = 64;
@@ -37,23 +35,19 @@ struct Part {
 /// # Errors
 /// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
 pub fn reflection(
-    problem: &ContactProblem,
-    delassus: &Delassus,
-    u_before: &[f64],
-    restitution: &[f64],
-    settings: &ImpactSettings,
+    problem: &ImpactProblem<'_>,
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
-    let approach = check(problem, delassus, u_before, restitution, settings)?;
-    let tolerance = settings.threshold * approach;
-    let mut impact = Impact { problem, delassus, u_before, settings, solver, tolerance };
+    let approach = problem.approach()?;
+    let ImpactProblem { u_before, restitution, .. } = *problem;
+    let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     // Joints have none, and leave with the mean of the two parts whatever the contacts have.
-    let contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
-    let extremes = contacts.fold((1.0, 0.0), |(least, most): (f64, f64), e| (least.min(e), most.max(e)));
+    let extremes =
+        problem.contact_restitutions().fold((1.0, 0.0), |(least, most): (f64, f64), e| (least.min(e), most.max(e)));
     let extremes = if extremes.0 > extremes.1 { (0.0, 0.0) } else { extremes };
     let inelastic = if extremes.0 < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
     let elastic = if extremes.1 > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
@@ -77,15 +71,16 @@ pub fn reflection(
 
 /// The inelastic impact at all touching rows: no row approaches afterwards.
 fn inelastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
-    let rows: Vec<usize> = (0..impact.u_before.len()).collect();
-    let solved = impact.solve(&rows, impact.u_before, 0.0, outcome);
+    let rows: Vec<usize> = (0..impact.problem.u_before.len()).collect();
+    let solved = impact.solve(&rows, impact.problem.u_before, 0.0, outcome);
     Part { impulses: solved.amounts, velocities: solved.w }
 }
 
 /// The rounds of reflections.
 fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
     let joints = impact.joints();
-    let mut part = Part { impulses: vec![0.0; impact.u_before.len()], velocities: impact.u_before.to_vec() };
+    let mut part =
+        Part { impulses: vec![0.0; impact.problem.u_before.len()], velocities: impact.problem.u_before.to_vec() };
     impact.stop_joints(&joints, &mut part.velocities, &mut part.impulses, outcome);
     for round in 0.. {
         let velocities = &mut part.velocities;
@@ -95,7 +90,7 @@ fn elastic(impact: &mut Impact<'_>, outcome: &mut ImpactOutcome) -> Part {
         if approaching.is_empty() || outcome.status == ImpactStatus::NotSolved {
             break;
         }
-        if round >= impact.settings.limit || (round == ROUNDS_BEFORE_DOUBT && !impact.can_separate(outcome)) {
+        if round >= impact.problem.settings.limit || (round == ROUNDS_BEFORE_DOUBT && !impact.can_separate(outcome)) {
             outcome.status = ImpactStatus::LimitReached;
             break;
         }
@@ -122,7 +117,7 @@ fn blend_evenly(
     restitution: f64,
     outcome: &mut ImpactOutcome,
 ) {
-    let mut velocities = vec![0.0; impact.u_before.len()];
+    let mut velocities = vec![0.0; impact.problem.u_before.len()];
     outcome.impulses.fill(0.0);
     for (part, weight) in [(inelastic, 1.0 - restitution), (elastic, restitution)] {
         if let (Some(part), true) = (part, weight > 0.0) {
@@ -146,7 +141,7 @@ fn blend_by_row(
     for (row, &e) in restitution.iter().enumerate() {
         outcome.impulses[row] = (1.0 - e) * impulse(inelastic, row) + e * impulse(elastic, row);
     }
-    let mut velocities = impact.u_before.to_vec();
+    let mut velocities = impact.problem.u_before.to_vec();
     let rows: Vec<usize> = (0..velocities.len()).collect();
     impact.advance(&mut velocities, &rows, &outcome.impulses);
     impact.conclude(velocities, outcome);

@@ -9,39 +9,32 @@
 //!
 //! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
 
-use super::finish::{Impact, check, gains_energy};
+use super::finish::{Impact, gains_energy};
+use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
-use super::settings::ImpactSettings;
 use crate::complementarity::ComplementaritySolver;
-use crate::delassus::Delassus;
 use crate::error::ResponseError;
-use crate::problem::ContactProblem;
 
 /// Resolves an impact at all touching contacts at once.
 ///
 /// # Errors
 /// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
 pub fn simultaneous(
-    problem: &ContactProblem,
-    delassus: &Delassus,
-    u_before: &[f64],
-    restitution: &[f64],
-    settings: &ImpactSettings,
+    problem: &ImpactProblem<'_>,
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
-    let approach = check(problem, delassus, u_before, restitution, settings)?;
-    let tolerance = settings.threshold * approach;
-    let mut impact = Impact { problem, delassus, u_before, settings, solver, tolerance };
+    let approach = problem.approach()?;
+    let ImpactProblem { u_before, restitution, .. } = *problem;
+    let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
     let mut outcome = rounds(&mut impact, restitution);
-    let mut contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
+    let mut contacts = problem.contact_restitutions();
     let first = contacts.next();
     let differ = contacts.any(|e| Some(e) != first);
     if differ && (outcome.status == ImpactStatus::NotSolved || gains_energy(u_before, &outcome)) {
-        let contacts = (0..restitution.len()).filter(|&row| !problem.is_bilateral(row)).map(|row| restitution[row]);
-        let smallest = contacts.fold(1.0, f64::min);
+        let smallest = problem.contact_restitutions().fold(1.0, f64::min);
         outcome = rounds(&mut impact, &vec![smallest; restitution.len()]);
         if outcome.status == ImpactStatus::Separated {
             outcome.status = ImpactStatus::RestitutionLowered;
@@ -54,14 +47,14 @@ pub fn simultaneous(
 /// Repeats the solve until no row approaches.
 fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
-    let mut velocities = impact.u_before.to_vec();
+    let mut velocities = impact.problem.u_before.to_vec();
     let joints = impact.joints();
     let mut impulses = vec![0.0; velocities.len()];
     impact.stop_joints(&joints, &mut velocities, &mut impulses, &mut outcome);
     outcome.impulses = impulses;
     let rows: Vec<usize> = (0..velocities.len()).collect();
     while velocities.iter().enumerate().any(|(row, &u)| impact.is_violated(row, u)) {
-        if outcome.solves >= impact.settings.limit {
+        if outcome.solves >= impact.problem.settings.limit {
             outcome.status = ImpactStatus::LimitReached;
             break;
         }

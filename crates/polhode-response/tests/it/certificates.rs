@@ -46,7 +46,7 @@ fn the_bound_of_a_standing_diamond_is_of_the_order_of_its_rounding() {
 /// that the light box bears, and not as its root (0.25 at a ratio of 1e6).
 #[test]
 fn the_bound_grows_with_the_mass_ratio_as_rounding_does() {
-    let mut noise = Noise(5);
+    let mut noise = Noise::new(5);
     for exponent in 0..10 {
         let ratio = 10.0_f64.powi(exponent);
         for masses in [vec![1.0, ratio], vec![1.0, 3.0, ratio], vec![ratio, 1.0], vec![ratio, 1.0, ratio]] {
@@ -63,7 +63,7 @@ fn the_bound_grows_with_the_mass_ratio_as_rounding_does() {
 /// equations of the active set in twice the precision, checked to be complementary.
 #[test]
 fn the_bound_is_never_below_the_error_on_random_piles() {
-    let mut noise = Noise(101);
+    let mut noise = Noise::new(101);
     let (mut compared, mut sharpest, mut widest) = (0, 0.0_f64, 0.0_f64);
     for round in 0..300 {
         let ratio = 10.0_f64.powi(round % 7);
@@ -91,7 +91,7 @@ fn the_bound_is_never_below_the_error_on_random_piles() {
 /// One row, and none: the bound covers the rounding of the quotient and of the matrix.
 #[test]
 fn one_row_has_a_bound_too() {
-    let mut noise = Noise(8);
+    let mut noise = Noise::new(8);
     for _ in 0..200 {
         let row: Row = vec![(0, vec![noise.signed(), 0.1 + noise.unit(), noise.signed()])];
         let mass = 10.0_f64.powf(6.0 * noise.signed());

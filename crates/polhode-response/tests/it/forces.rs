@@ -73,7 +73,7 @@ fn heavy_cube_on_light_ones() {
     for ratio in [1.0, 1e3, 1e6] {
         let mut masses = vec![1.0; 10];
         masses[9] = ratio;
-        let scene = tower(&masses, 0.0, &mut Noise(1));
+        let scene = tower(&masses, 0.0, &mut Noise::new(1));
         let b: Vec<f64> = scene.b.iter().map(|b| b * 10.0 / GRAVITY).collect();
         let settings = SolverSettings::default();
         let delassus = scene.problem.delassus();
@@ -108,7 +108,7 @@ fn one_contact_is_closed_form() {
 /// duplicated rows, for the forces found and for the least forces; every problem is solved without fallback.
 #[test]
 fn law_of_contact_holds_to_rounding() {
-    let mut noise = Noise(2024);
+    let mut noise = Noise::new(2024);
     for round in 0..400 {
         let boxes = 1 + noise.below(9);
         let masses = |noise: &mut Noise, ratio: f64| (0..boxes).map(|_| ratio.powf(noise.unit())).collect::<Vec<_>>();
@@ -168,7 +168,7 @@ fn repeated(boxes: usize, spread: f64, noise: &mut Noise) -> Scene {
 /// objective, hence about 1e-6 in accelerations that the objective barely sees).
 #[test]
 fn interior_point_finds_the_same_motion() {
-    let mut noise = Noise(77);
+    let mut noise = Noise::new(77);
     let mut compared = 0;
     for _ in 0..100 {
         let boxes = 1 + noise.below(5);
@@ -187,11 +187,10 @@ fn interior_point_finds_the_same_motion() {
 /// The motion and the least forces do not depend on the order of the rows.
 #[test]
 fn motion_does_not_depend_on_the_order_of_rows() {
-    let mut noise = Noise(5);
+    let mut noise = Noise::new(5);
     for round in 0..100 {
         let (boxes, shift) = (2 + noise.below(5), if round % 2 == 0 { 0.0 } else { 0.6 });
-        let seed = noise.0;
-        let scene = tower(&vec![1.0; boxes], shift, &mut Noise(seed));
+        let scene = tower(&vec![1.0; boxes], shift, &mut noise.clone());
         let order = noise.permutation(scene.problem.len());
         let shuffled = reordered(&scene, &order);
         let (one, two) = (solve(&scene), solve(&shuffled));
@@ -234,7 +233,7 @@ fn reordered(scene: &Scene, order: &[usize]) -> Scene {
 /// Any warm start, right, wrong or nonsense, leads to the same motion.
 #[test]
 fn warm_start_never_changes_the_motion() {
-    let mut noise = Noise(99);
+    let mut noise = Noise::new(99);
     let settings = SolverSettings::default();
     let mut solver = ComplementaritySolver::new(settings);
     for _ in 0..200 {
@@ -254,11 +253,11 @@ fn warm_start_never_changes_the_motion() {
 /// Masses times 1e-9 or 1e9 and accelerations times 1e-6 or 1e6 scale the forces and change nothing else.
 #[test]
 fn forces_scale_with_mass_and_acceleration() {
-    let scene = tower(&[1.0, 3.0, 2.0], 0.3, &mut Noise(8));
+    let scene = tower(&[1.0, 3.0, 2.0], 0.3, &mut Noise::new(8));
     let reference = least(&scene, &solve(&scene));
     for (mass, acceleration) in [(1e-9, 1e6), (1e9, 1e-6), (1e9, 1e6), (1e-9, 1e-6)] {
         let masses: Vec<f64> = [1.0, 3.0, 2.0].iter().map(|value| value * mass).collect();
-        let mut scaled = tower(&masses, 0.3, &mut Noise(8));
+        let mut scaled = tower(&masses, 0.3, &mut Noise::new(8));
         scaled.b.iter_mut().for_each(|b| *b *= acceleration);
         let forces: Vec<f64> = least(&scaled, &solve(&scaled)).iter().map(|f| f / mass / acceleration).collect();
         assert_close(&forces, &reference, 1e-12 * GRAVITY);
@@ -317,7 +316,8 @@ fn roundings_of_other_rows_squeeze_no_body() {
 /// it the status says that there is no accurate answer.
 #[test]
 fn interior_point_is_a_fallback_with_a_polish() {
-    let scene = tower(&[1.0; 60], 0.2, &mut Noise(3));
+    // Few such towers need more pivots than are allowed; this one does.
+    let scene = tower(&[1.0; 60], 0.2, &mut Noise::new(4));
     let delassus = scene.problem.delassus();
     let solve = |fallback| {
         // What is left are the 100 pivots that are always allowed; 240 rows of rank 180 need more.

@@ -8,7 +8,7 @@ use polhode_response::{ComplementaritySolver, HeldRows, HoldCheck, ResponseError
 /// held to rounding, also the dropped ones.
 #[test]
 fn towers_are_held_by_their_independent_rows() {
-    let mut noise = Noise(17);
+    let mut noise = Noise::new(17);
     for boxes in 1..12 {
         for shift in [0.0, 0.2] {
             let scene = tower(&vec![1.0; boxes], shift, &mut noise);

@@ -4,8 +4,8 @@ use crate::cases::few;
 use crate::degenerate::{Small, small};
 use crate::scenes::{Noise, Row, Scene, pile, tower};
 use polhode_response::{
-    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactOutcome, ImpactSettings, ImpactStatus, SolverSettings,
-    SolverStatus, single_contact_impulse, solve_complementarity,
+    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus,
+    SolverSettings, SolverStatus, single_contact_impulse, solve_complementarity,
 };
 use proptest::prelude::*;
 
@@ -17,7 +17,9 @@ fn strike(scene: &Scene, law: ImpactLaw, v: &[f64], restitution: &[f64]) -> (Imp
     let mut solver = ComplementaritySolver::default();
     let delassus = scene.problem.delassus();
     let settings = ImpactSettings { limit: 20_000, ..ImpactSettings::default() };
-    let outcome = law.resolve(&scene.problem, &delassus, &u, restitution, &settings, &mut solver).unwrap();
+    let (contacts, delassus, settings) = (&scene.problem, &delassus, &settings);
+    let problem = ImpactProblem { contacts, delassus, u_before: &u, restitution, settings };
+    let outcome = law.resolve(&problem, &mut solver).unwrap();
     let after = scene.problem.response(&outcome.impulses).unwrap();
     (outcome, v.iter().zip(after).map(|(before, change)| before + change).collect())
 }
@@ -52,7 +54,7 @@ fn cradle(masses: &[f64]) -> Scene {
 
 /// The contact of case IM-01: two bodies with tilted inertia.
 fn tilted_pair() -> ContactProblem {
-    use glam::{DMat3, DVec3};
+    use polhode_spatial::{DMat3, DVec3};
     let inertia_a = DMat3::from_cols_array_2d(&[[2.0, 0.25, 0.0], [0.25, 3.0, 0.5], [0.0, 0.5, 4.0]]);
     let inertia_b = DMat3::from_cols_array_2d(&[[5.0, 0.0, 1.0], [0.0, 4.0, 0.0], [1.0, 0.0, 6.0]]);
     let mut inverse = Vec::new();
@@ -129,7 +131,9 @@ fn two_bodies_by_equation_14() {
         assert!((closed - impulse).abs() <= 1e-14 * impulse, "{closed} {impulse}");
         for law in LAWS {
             let mut solver = ComplementaritySolver::default();
-            let outcome = law.resolve(&problem, &delassus, &u, &[e], &settings, &mut solver).unwrap();
+            let (contacts, delassus, settings) = (&problem, &delassus, &settings);
+            let impact = ImpactProblem { contacts, delassus, u_before: &u, restitution: &[e], settings };
+            let outcome = law.resolve(&impact, &mut solver).unwrap();
             assert!((outcome.impulses[0] - impulse).abs() <= 1e-14 * impulse);
             assert!((outcome.energy_change + lost).abs() <= 1e-13, "{}", outcome.energy_change);
             let change = problem.response(&outcome.impulses).unwrap();
@@ -309,7 +313,7 @@ fn energy(scene: &Scene, v: &[f64]) -> f64 {
 /// laws that promise it, and the booked change is the change.
 #[test]
 fn no_law_raises_the_energy() {
-    let mut noise = Noise(31);
+    let mut noise = Noise::new(31);
     for round in 0..1000 {
         let scene = if round % 3 == 0 {
             tower(&vec![1.0; 1 + noise.below(4)], if round % 2 == 0 { 0.0 } else { 0.3 }, &mut noise)
@@ -357,7 +361,7 @@ fn no_law_raises_the_energy() {
 /// as -e times its approach.
 #[test]
 fn simultaneous_law_is_newtons_law_with_inequality() {
-    let mut noise = Noise(61);
+    let mut noise = Noise::new(61);
     for _ in 0..100 {
         let scene = cradle(&[1.0 + noise.unit(), 1.0 + noise.unit(), 1.0 + noise.unit(), 1.0 + noise.unit()]);
         let v: Vec<f64> = (0..4).map(|_| noise.signed()).collect();
@@ -381,7 +385,10 @@ fn edge_cases_of_impacts() {
         let scene = cradle(&[1.0; 3]);
         let (delassus, settings) = (scene.problem.delassus(), ImpactSettings::default());
         let mut solver = ComplementaritySolver::default();
-        let mut resolve = |u: &[f64], e: &[f64]| law.resolve(&scene.problem, &delassus, u, e, &settings, &mut solver);
+        let (contacts, delassus, settings) = (&scene.problem, &delassus, &settings);
+        let mut resolve = |u_before: &[f64], restitution: &[f64]| {
+            law.resolve(&ImpactProblem { contacts, delassus, u_before, restitution, settings }, &mut solver)
+        };
         assert!(resolve(&[-1.0, f64::NAN], &[1.0; 2]).is_err());
         assert!(resolve(&[-1.0, 0.0], &[1.0, 1.5]).is_err());
         assert!(resolve(&[-1.0, 0.0], &[1.0, f64::NAN]).is_err());

@@ -3,8 +3,8 @@
 use crate::exact::{Long, dense_jacobian, inverse_masses, row_accelerations};
 use crate::scenes::{GRAVITY, Noise, Row, Scene, pile};
 use polhode_response::{
-    ComplementaritySolver, ContactProblem, ContactSolution, ImpactLaw, ImpactSettings, RowKind, SolverSettings,
-    SolverStatus, WarmStart, minimum_norm, solve_complementarity,
+    ComplementaritySolver, ContactProblem, ContactSolution, ImpactLaw, ImpactProblem, ImpactSettings, RowKind,
+    SolverSettings, SolverStatus, WarmStart, minimum_norm, solve_complementarity,
 };
 
 /// The problem of a scene whose rows have these kinds, each taken `times` (-1 for a bilateral row taken backwards).
@@ -73,7 +73,7 @@ fn pendulum_has_the_force_of_its_closed_form() {
 /// that hold and open; and neither its sign nor the order of the rows changes the motion.
 #[test]
 fn a_bilateral_row_is_a_pair_of_opposite_contacts() {
-    let mut noise = Noise(404);
+    let mut noise = Noise::new(404);
     let (mut pulled, mut opened, mut certified) = (0, 0, 0);
     for round in 0..400 {
         let scene = pile(2 + noise.below(3), 2 + noise.below(4), 10.0_f64.powi(round % 4), &mut noise);
@@ -166,7 +166,7 @@ fn joints_that_are_given_twice_share_their_load() {
 /// elastic impact against joints that were at rest it is kept.
 #[test]
 fn joints_hold_through_impacts() {
-    let mut noise = Noise(77);
+    let mut noise = Noise::new(77);
     let mut struck = 0;
     for round in 0..200 {
         let scene = pile(2 + noise.below(3), 2 + noise.below(2), 10.0, &mut noise);
@@ -197,7 +197,9 @@ fn joints_hold_through_impacts() {
             for law in [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection] {
                 let e = if elastic { 1.0 } else { 0.6 };
                 let restitution = vec![e; u.len()];
-                let outcome = law.resolve(&problem, &delassus, u, &restitution, &settings, &mut solver).unwrap();
+                let (contacts, delassus, restitution, settings) = (&problem, &delassus, &restitution[..], &settings);
+                let impact = ImpactProblem { contacts, delassus, u_before: u, restitution, settings };
+                let outcome = law.resolve(&impact, &mut solver).unwrap();
                 let after = delassus.times(&outcome.impulses).unwrap();
                 let size = u.iter().fold(1.0, |most: f64, u| most.max(u.abs()));
                 for row in 0..u.len() {
@@ -230,8 +232,9 @@ fn a_pendulum_that_meets_a_wall_leaves_along_its_circle() {
     let u = problem.row_velocities(&[3.0, 0.0]).unwrap();
     let mut solver = ComplementaritySolver::default();
     for law in [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection] {
-        let settings = ImpactSettings::default();
-        let outcome = law.resolve(&problem, &problem.delassus(), &u, &[e, 0.0], &settings, &mut solver).unwrap();
+        let (contacts, delassus, settings) = (&problem, &problem.delassus(), &ImpactSettings::default());
+        let impact = ImpactProblem { contacts, delassus, u_before: &u, restitution: &[e, 0.0], settings };
+        let outcome = law.resolve(&impact, &mut solver).unwrap();
         // m v (1 + e) along x, of which the wall gives p / sqrt 2 and the rod nothing; along z they cancel.
         let wall = mass * 3.0 * (1.0 + e) / half;
         for (impulse, expected) in outcome.impulses.iter().zip([wall, -wall * half]) {

@@ -68,7 +68,7 @@ fn first_guess_answers_at_rest() {
 /// bodies; and each of the stages occurs.
 #[test]
 fn bound_is_never_violated() {
-    let mut noise = Noise(13);
+    let mut noise = Noise::new(13);
     let mut stages = [0; 4];
     let mut sharpest: f64 = 0.0;
     for _ in 0..600 {

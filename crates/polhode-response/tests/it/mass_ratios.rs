@@ -6,7 +6,7 @@ use polhode_response::{LeastNormHold, ResponseError, least_norm_forces};
 
 /// A tower of boxes of these masses, shifted against each other.
 fn shifted(masses: &[f64]) -> Scene {
-    tower(masses, 0.15, &mut Noise(29))
+    tower(masses, 0.15, &mut Noise::new(29))
 }
 
 /// Accelerations of all bodies under the forces that hold all rows.
@@ -73,7 +73,7 @@ fn contacts_that_all_but_coincide_share_their_load_at_every_mass_ratio() {
 /// Where masses differ by some hundreds, both precisions give the same motion, to the rounding of the coarser one.
 #[test]
 fn the_change_of_precision_does_not_change_the_motion() {
-    let mut noise = Noise(71);
+    let mut noise = Noise::new(71);
     for _ in 0..40 {
         let scene = pile(4, 4, 2000.0, &mut noise);
         let delassus = scene.problem.delassus();

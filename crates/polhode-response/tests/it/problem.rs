@@ -7,7 +7,7 @@ use polhode_response::{ContactProblem, ResponseError};
 /// is exactly symmetric.
 #[test]
 fn delassus_is_the_response_to_unit_forces() {
-    let mut noise = Noise(11);
+    let mut noise = Noise::new(11);
     for _ in 0..20 {
         let scene = pile(1 + noise.below(5), 1 + noise.below(4), 100.0, &mut noise);
         let (problem, delassus) = (&scene.problem, scene.problem.delassus());
@@ -27,7 +27,7 @@ fn delassus_is_the_response_to_unit_forces() {
 /// Mirror image and order of the rows do not change a bit of the matrix.
 #[test]
 fn delassus_is_neutral_to_mirror_and_order() {
-    let (mut noise, width) = (Noise(4), 3);
+    let (mut noise, width) = (Noise::new(4), 3);
     let inverse = [0.3, 0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.7];
     let rows: Vec<[Vec<f64>; 2]> =
         (0..6).map(|_| [0, 1].map(|_| (0..width).map(|_| noise.signed()).collect())).collect();

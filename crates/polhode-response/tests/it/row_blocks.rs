@@ -1,8 +1,8 @@
 //! Row blocks: what a constraint hands over together.
 
 use polhode_response::{
-    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactSettings, ResponseError, RowBlock, RowKind, SolverSettings,
-    solve_complementarity,
+    ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings, ResponseError, RowBlock, RowKind,
+    SolverSettings, solve_complementarity,
 };
 
 /// A unit mass in space, without rotation.
@@ -72,9 +72,9 @@ fn the_restitution_of_joints_is_not_asked_for() {
     assert_eq!(u, [-1.0, -2.0, 0.0, 0.0]);
     let mut solver = ComplementaritySolver::default();
     for (law, e) in [ImpactLaw::Simultaneous, ImpactLaw::Reflection].into_iter().flat_map(|l| [(l, 1.0), (l, 0.4)]) {
-        let settings = ImpactSettings::default();
-        let outcome =
-            law.resolve(&problem, &problem.delassus(), &u, &[e, e, 0.0, 0.0], &settings, &mut solver).unwrap();
+        let (contacts, delassus, settings) = (&problem, &problem.delassus(), &ImpactSettings::default());
+        let impact = ImpactProblem { contacts, delassus, u_before: &u, restitution: &[e, e, 0.0, 0.0], settings };
+        let outcome = law.resolve(&impact, &mut solver).unwrap();
         for (after, before) in outcome.velocities_after.iter().zip(&u) {
             assert!((after + e * before).abs() < 1e-14, "{law:?} {outcome:?}");
         }

@@ -1,6 +1,7 @@
 //! Contact problems that the tests and the benches share, built without any geometry code.
 
 use polhode_response::ContactProblem;
+use polhode_spatial::SplitMix64;
 
 /// m/s^2.
 pub(crate) const GRAVITY: f64 = 9.81;
@@ -64,15 +65,17 @@ impl Scene {
 
 /// A generator of numbers that are the same on every machine.
 #[derive(Debug, Clone)]
-pub(crate) struct Noise(pub(crate) u64);
+pub(crate) struct Noise(SplitMix64);
 
 impl Noise {
+    /// Of a seed, so that a failing case can be found again.
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(SplitMix64::new(seed))
+    }
+
     /// Uniform in `[0, 1)`.
     pub(crate) fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.uniform()
     }
 
     /// Uniform in `[-1, 1)`.

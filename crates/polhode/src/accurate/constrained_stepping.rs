@@ -15,13 +15,14 @@ use crate::SimulationError;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::world::World;
+use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::dop853::STEP_SHARE;
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
-use polhode_dynamics::{BodyState, Dop853, Flight, RigidBody};
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
+use polhode_dynamics::step_control::{Accepted, Attempt, StepControl, Steps};
+use polhode_dynamics::{BodyState, DenseStep, Dop853, Flight, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
-use std::ops::Range;
 
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
@@ -34,23 +35,40 @@ const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// steps grow until their own error, which takes energy, is as large as it.
 const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// What a stage that could not be evaluated shortens the step to.
-const FAILED_STAGE_FACTOR: f64 = 0.25;
-
-/// A refused step is repeated with one that is shorter by this factor at least.
-const REFUSED_STEP_FACTOR: f64 = 0.9;
-
-/// One attempt at a step.
-struct Attempt {
-    step: MethodStep,
-    /// In units of what is allowed; none of a method that estimates none.
-    error: Option<f64>,
+/// The steps of bodies with their held contacts from `t` (s).
+struct IslandSteps<'a> {
+    engine: &'a mut Engine,
+    core: &'a mut Core,
+    bodies: &'a [usize],
+    held: &'a [ContactId],
+    t: f64,
+    limit_s: f64,
 }
 
-/// An accepted step, with the length that its error proposes for the next one.
-struct Accepted {
-    step: ConstrainedStep,
-    factor: f64,
+impl Steps for IslandSteps<'_> {
+    type Step = (MethodStep, DenseStep);
+    type Error = SimulationError;
+
+    fn limit_s(&self) -> f64 {
+        self.limit_s
+    }
+
+    fn smallest_s(&self) -> f64 {
+        SMALLEST_STEP_RELATIVE * self.core.settings.step_s
+    }
+
+    /// What would be left over of the limit for another step is added to this one.
+    fn first_length(&self, proposed_s: f64) -> f64 {
+        if is_instant(self.limit_s - proposed_s, self.core.settings.step_s) { self.limit_s } else { proposed_s }
+    }
+
+    fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
+        Ok(self.engine.attempt_step(self.core, self.bodies, self.held, (self.t, length_s)))
+    }
+
+    fn too_small(&self, _last: Option<f64>) -> SimulationError {
+        SimulationError::StepTooSmall { t: self.t, smallest_s: self.smallest_s() }
+    }
 }
 
 impl Engine {
@@ -66,27 +84,16 @@ impl Engine {
         t: f64,
     ) -> Result<ConstrainedStep, SimulationError> {
         let longest = core.settings.step_s;
-        let limit = step_limit(core, held, t);
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
-        let mut h = if is_instant(limit - proposed, longest) { limit } else { proposed };
-        loop {
-            // A step that ends where a force is not smooth may be arbitrarily short.
-            if h < limit {
-                check_step(h, longest, t)?;
-            }
-            match self.attempt_step(core, bodies, held, (t, h)) {
-                Ok(accepted) => {
-                    // A shortened step does not reduce the proposed length.
-                    let kept = if accepted.factor >= 1.0 && h == limit { proposed } else { 0.0 };
-                    let next = (h * accepted.factor).max(kept).min(longest);
-                    for &body in bodies {
-                        self.tracks[body].proposed_step_s = next;
-                    }
-                    return Ok(accepted.step);
-                }
-                Err(factor) => h *= factor,
-            }
+        let mut control = StepControl::proposing(proposed);
+        let limit_s = step_limit(core, held, t);
+        let mut steps = IslandSteps { engine: self, core, bodies, held, t, limit_s };
+        let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
+        let next = control.proposed_s().min(longest);
+        for &body in bodies {
+            self.tracks[body].proposed_step_s = next;
         }
+        Ok(self.accepted_step(core, bodies, held, (t, length_s), (step, error)))
     }
 
     /// A step from `t` over `h` (s) that has been accepted before: the same bits from the same start.
@@ -97,53 +104,61 @@ impl Engine {
         held: &[ContactId],
         (t, h): (f64, f64),
     ) -> Option<ConstrainedStep> {
-        self.attempt_step(core, bodies, held, (t, h)).ok().map(|accepted| accepted.step)
+        let accepted = self.attempt_step(core, bodies, held, (t, h)).accepted()?;
+        Some(self.accepted_step(core, bodies, held, (t, h), accepted))
     }
 
-    /// Attempts a step; the factor for this one again on failure.
+    /// Attempts a step.
     fn attempt_step(
+        &mut self,
+        core: &Core,
+        bodies: &[usize],
+        held: &[ContactId],
+        (t, h): (f64, f64),
+    ) -> Attempt<(MethodStep, DenseStep)> {
+        let about = core.accounts.books.ledger.momentum.about;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
+        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|(mut step, error)| {
+            let dense = step.dense(&mut system)?;
+            Ok(((step, dense), error))
+        });
+        self.restore_scratch(core, scratch, bodies);
+        let Ok((step, error)) = attempted else { return Attempt::Failed };
+        // Numbers whose error is not estimated may be infinite although all estimated errors are allowed.
+        let is_refused = error.is_some_and(|error| error > 1.0 || error.is_nan());
+        if !is_refused && step.0.end_state().iter().any(|number| !number.is_finite()) {
+            return Attempt::Failed;
+        }
+        Attempt::Made { step, error }
+    }
+
+    /// The step of an accepted attempt, with its error in units of what is allowed.
+    fn accepted_step(
         &mut self,
         core: &mut Core,
         bodies: &[usize],
         held: &[ContactId],
         (t, h): (f64, f64),
-    ) -> Result<Accepted, f64> {
-        let about = core.accounts.books.ledger.momentum.about;
-        let mut scratch = std::mem::take(&mut self.scratch);
-        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
-        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|mut attempt| {
-            let dense = attempt.step.dense(&mut system)?;
-            Ok((attempt, dense))
-        });
-        self.restore_scratch(core, scratch, bodies);
-        let (attempt, dense) = attempted.map_err(|_| FAILED_STAGE_FACTOR)?;
-        // Without an estimate the next step is as long as it may be.
-        let factor = attempt.error.map_or(f64::INFINITY, Dop853::next_step_factor);
-        let error = attempt.error.unwrap_or(0.0);
-        if error > 1.0 || error.is_nan() {
-            return Err(factor.min(REFUSED_STEP_FACTOR));
-        }
-        if attempt.step.end_state().iter().any(|number| !number.is_finite()) {
-            return Err(FAILED_STAGE_FACTOR);
-        }
+        ((step, dense), error): ((MethodStep, DenseStep), f64),
+    ) -> ConstrainedStep {
         let worst = &mut core.accounts.certificate.max_step_error;
         *worst = worst.max(error);
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
         let spins = bodies.iter().map(|&body| self.free_spin(core, body, held, t)).collect();
-        let step = ConstrainedStep {
+        ConstrainedStep {
             bodies: bodies.to_vec(),
             held: held.to_vec(),
             t,
             end: end_of(core, held, t, h),
             h,
-            end_state: attempt.step.end_state().to_vec(),
+            end_state: step.end_state().to_vec(),
             dense,
             motions,
             spins,
-        };
-        Ok(Accepted { step, factor })
+        }
     }
 
     /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it: the record of the step
@@ -167,20 +182,21 @@ impl Engine {
         Some(spin)
     }
 
+    /// A step of the scene's method, and its error if the method estimates one.
     fn attempt(
         &self,
         core: &Core,
         system: &mut ContactSystem<'_>,
         (t, h): (f64, f64),
-    ) -> Result<Attempt, ResponseError> {
+    ) -> Result<(MethodStep, Option<f64>), ResponseError> {
         let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
         let error = step.embedded().map(|method| self.error_of(core, method, system, (t, h)));
-        Ok(Attempt { step, error })
+        Ok((step, error))
     }
 
     /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
     fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
-        let mut worst = 0.0f64;
+        let mut largest = LargestError::default();
         let bodies = system.bodies();
         let first = bodies.iter().map(|&body| self.states[body]);
         let before = system.loads_at(t, first);
@@ -191,19 +207,13 @@ impl Engine {
             let own = offset..offset + WIDTH;
             let (rates, end) = (integrator.start_rates().get(own.clone()), integrator.end_state().get(own));
             let (Some(rates), Some(end)) = (rates, end) else { continue };
-            let allowances = allowances(core, body, &self.states[body], rates, end, loads.of(body));
+            let allowance = allowance(core, body, &self.states[body], rates, end, loads.of(body));
             let cancelling = system.cancelling()[index];
             let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
-            let roundings = roundings(core, body, (cancelling, of_places(ends)), h);
-            for ((quantity, allowed), rounding) in allowances.into_iter().zip(roundings) {
-                let allowed = allowed.max(rounding);
-                let error = integrator.error_of(offset + quantity.start..offset + quantity.end);
-                // A zero error is accepted, also where the limit is zero because nothing moves.
-                let ratio = if error == 0.0 { 0.0 } else { error / allowed };
-                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
-            }
+            let rounding = rounding(core, body, (cancelling, of_places(ends)), h);
+            largest.include_body(integrator, offset, allowance.at_least(rounding));
         }
-        worst
+        largest.get()
     }
 
     /// States of an island's bodies at `t_next`: the end of its step, or of a shorter one from the same start.
@@ -221,8 +231,8 @@ impl Engine {
         let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.held, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
         self.restore_scratch(core, scratch, &step.bodies);
-        let attempt = attempt.map_err(|source| Core::response_error(step.t, source))?;
-        Ok(step.at_end(attempt.step.end_state(), t_next))
+        let (made, _) = attempt.map_err(|source| Core::response_error(step.t, source))?;
+        Ok(step.at_end(made.end_state(), t_next))
     }
 }
 
@@ -230,14 +240,7 @@ impl Engine {
 /// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
 /// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
 /// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
-fn allowances(
-    core: &Core,
-    body: usize,
-    state: &BodyState,
-    rates: &[f64],
-    end: &[f64],
-    load: Wrench,
-) -> [(Range<usize>, f64); 4] {
+fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[f64], load: Wrench) -> ErrorAllowance {
     let world: &World = &core.world;
     let tolerance = STEP_SHARE * core.settings.tolerance;
     let length = world.bodies[body].size;
@@ -262,23 +265,28 @@ fn allowances(
     ]
     .into_iter()
     .fold(0.0, f64::max);
-    [
-        (POSITION..QUATERNION, tolerance * length),
-        (QUATERNION..LINEAR_VELOCITY, 0.5 * tolerance),
-        (LINEAR_VELOCITY..ANGULAR_MOMENTUM, tolerance * speed),
-        (ANGULAR_MOMENTUM..WIDTH, tolerance * moment * speed / length),
-    ]
+    ErrorAllowance {
+        position: tolerance * length,
+        quaternion: ErrorAllowance::of_angle(tolerance),
+        velocity: tolerance * speed,
+        angular_momentum: tolerance * moment * speed / length,
+    }
 }
 
 /// What rounding leaves in a step of `h` (s), for each quantity of a body: of contact forces whose magnitudes add up to
 /// `cancelling` (N, N m), and of fields that the rounding of places changes by `fields` (N, N m). Shorter steps do not make
 /// it less.
-fn roundings(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> [f64; 4] {
-    let Some(rigid) = &core.world.bodies[body].rigid else { return [0.0; 4] };
+fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> ErrorAllowance {
+    let Some(rigid) = &core.world.bodies[body].rigid else { return ErrorAllowance::default() };
     let inverse_moment = 1.0 / rigid.moments().min_element();
     let speed = (DIRECTION_ROUNDING * force).max(fields[0]) * h;
     let spin = (DIRECTION_ROUNDING * moment).max(fields[1]) * h;
-    [speed * rigid.inverse_mass() * h, 0.5 * spin * inverse_moment * h, speed * rigid.inverse_mass(), spin]
+    ErrorAllowance {
+        position: speed * rigid.inverse_mass() * h,
+        quaternion: ErrorAllowance::of_angle(spin * inverse_moment * h),
+        velocity: speed * rigid.inverse_mass(),
+        angular_momentum: spin,
+    }
 }
 
 /// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and
@@ -298,9 +306,4 @@ fn of_places([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64
     } else {
         [0.0; 2]
     }
-}
-
-fn check_step(h: f64, longest: f64, t: f64) -> Result<(), SimulationError> {
-    let smallest_s = SMALLEST_STEP_RELATIVE * longest;
-    if h > smallest_s { Ok(()) } else { Err(SimulationError::StepTooSmall { t, smallest_s }) }
 }

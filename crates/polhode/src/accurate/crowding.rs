@@ -22,6 +22,7 @@ use crate::SimulationError;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::with_turning_alone;
+use crate::states_of::{set_states, states_of};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
 use polhode_contact::aabb_of;
@@ -133,13 +134,11 @@ impl Engine {
         let mut end;
         let pairs = self.gather(core, &mut instant, h)?;
         let before = stepper(core);
-        let start: Vec<BodyState> = instant.bodies.iter().map(|&body| self.states[body]).collect();
+        let start = states_of(&self.states, &instant.bodies);
         let shortest = SHORTEST_STEP * longest;
         let mut scratch = std::mem::take(&mut self.scratch);
         let made = loop {
-            for (&body, state) in instant.bodies.iter().zip(&start) {
-                scratch[body] = *state;
-            }
+            set_states(&mut scratch, &instant.bodies, &start);
             let mut stepper = before.clone();
             // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
             end = if h >= limit - t { limit } else { t + h };
@@ -156,7 +155,7 @@ impl Engine {
             }
             h = (h * ratio.clamp(STEP_CHANGE.0, SAFETY)).max(shortest);
         };
-        let states: Vec<BodyState> = instant.bodies.iter().map(|&body| scratch[body]).collect();
+        let states = states_of(&scratch, &instant.bodies);
         let stuck = made.as_ref().ok().and_then(|(report, ..)| no_way_out(core, report, &scratch, &pairs, t + h));
         self.restore_scratch(core, scratch, &instant.bodies);
         if let Some(stuck) = stuck {
@@ -193,10 +192,10 @@ impl Engine {
     ) -> Result<CrowdStep, SimulationError> {
         let before = stepper(core);
         let mut scratch = std::mem::take(&mut self.scratch);
-        let start: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
+        let start = states_of(&scratch, bodies);
         let of = (bodies, pairs.as_slice());
         let made = time_step(&core.world, &mut before.clone(), &mut scratch, of, (t, end - t));
-        let states: Vec<BodyState> = bodies.iter().map(|&body| scratch[body]).collect();
+        let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
         let motions = motions((t, &start), (end, &states));
@@ -267,9 +266,7 @@ impl Engine {
             return Ok((step.states.clone(), step.report.clone()));
         }
         let mut scratch = std::mem::take(&mut self.scratch);
-        for (&body, state) in bodies.iter().zip(&step.start) {
-            scratch[body] = *state;
-        }
+        set_states(&mut scratch, bodies, &step.start);
         let mut stepper = step.stepper.clone();
         let h = t - step.t;
         let made = with_turning_alone(
@@ -280,7 +277,7 @@ impl Engine {
             |world, states| stepper.advance(world, states, bodies, &step.pairs, (step.t, h)),
             |report| &mut report.books,
         );
-        let states = bodies.iter().map(|&body| scratch[body]).collect();
+        let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
     }

@@ -17,6 +17,7 @@ use crate::accounting::books::Balance;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::interaction::groups::coupled_groups;
+use crate::states_of::set_states;
 use polhode_contact::aabb_of;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -212,9 +213,7 @@ impl Engine {
             }
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
-                for (&body, state) in island.bodies.iter().zip(states) {
-                    self.states[body] = state;
-                }
+                set_states(&mut self.states, &island.bodies, &states);
                 core.accounts.note_time_step(&core.world, &self.states, &report);
                 return Ok(None);
             }

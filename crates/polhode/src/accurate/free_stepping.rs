@@ -17,6 +17,7 @@ use crate::free_stage::{self, Ends};
 use crate::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
+use crate::states_of::states_of;
 use crate::world::World;
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
@@ -81,7 +82,7 @@ impl FreeStep {
         t: f64,
     ) -> Result<Self, SimulationError> {
         let mut step = Self::unstarted(core, bodies, t);
-        step.start = bodies.iter().map(|&body| states[body]).collect();
+        step.start = states_of(states, bodies);
         step.present = step.start.clone();
         let motion = Self::motion(&step.rigid, &step.fields, &core.world);
         step.integrator.start(&motion, t, &step.start);

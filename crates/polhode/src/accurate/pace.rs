@@ -11,7 +11,7 @@
 //! Crowded events are not located one by one (`crowding.rs`). The counts belong to the bodies, so that islands do not
 //! influence each other.
 
-use crate::snapshot::content;
+pub(super) use crate::snapshot::content::Pace;
 
 /// An event after less than this fraction of the longest step belongs to the same instant.
 const INSTANT_RELATIVE: f64 = 1e-9;
@@ -56,31 +56,6 @@ const MOST_EVENTS: u64 = 256;
 /// The same of bodies that have been through a stretch of crowded events.
 const MOST_EVENTS_AGAIN: u64 = 32;
 
-/// The pace of one body, or of an island: that of its slowest body.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Pace {
-    /// When the present step began: at an event or at the end of a step, s.
-    pub(super) since: f64,
-    /// Number of events in a row without an advance of time.
-    stalls: u32,
-    /// Events since a whole step was made.
-    events: u64,
-    /// When time last advanced, s.
-    advanced_at: f64,
-    /// Steps since then.
-    steps: u64,
-    /// Number of backoffs since then.
-    backoffs: u32,
-    /// Events within the present window of one longest step, and its start, s.
-    window_events: u64,
-    window_start: f64,
-    /// Steps counted for the mean step length, and the start of the first, s.
-    mean_steps: u64,
-    mean_start: f64,
-    /// Whether the body has passed a stretch of crowded events.
-    has_crowded: bool,
-}
-
 /// Time no longer advances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct NoAdvance {
@@ -99,66 +74,6 @@ impl Pace {
     /// After a time step of a stretch of crowded events that ends at `t` (s).
     pub(super) fn after_stretch(t: f64) -> Self {
         Self { has_crowded: true, ..Self::starting_at(t) }
-    }
-
-    /// The pace as plain data.
-    pub(super) fn save(&self) -> content::Pace {
-        let Self {
-            since,
-            stalls,
-            events,
-            advanced_at,
-            steps,
-            backoffs,
-            window_events,
-            window_start,
-            mean_steps,
-            mean_start,
-            has_crowded,
-        } = *self;
-        content::Pace {
-            since,
-            stalls,
-            events,
-            advanced_at,
-            steps,
-            backoffs,
-            window_events,
-            window_start,
-            mean_steps,
-            mean_start,
-            has_crowded,
-        }
-    }
-
-    /// The pace of such data.
-    pub(super) fn restored(saved: &content::Pace) -> Self {
-        let content::Pace {
-            since,
-            stalls,
-            events,
-            advanced_at,
-            steps,
-            backoffs,
-            window_events,
-            window_start,
-            mean_steps,
-            mean_start,
-            has_crowded,
-        } = *saved;
-        Self {
-            since,
-            stalls,
-            events,
-            advanced_at,
-            steps,
-            backoffs,
-            window_events,
-            window_start,
-            mean_steps,
-            mean_start,
-            has_crowded,
-        }
     }
 
     /// Whether the present instant has been resolved so often that remaining violations are tolerated until

@@ -11,7 +11,6 @@ use super::engine::{Engine, Mode, Track};
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};
 use super::near_pairs::NearPairs;
-use super::pace::Pace;
 use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
@@ -198,7 +197,7 @@ fn save_track(track: &Track) -> content::Track {
             }
             Mode::Rest => content::Mode::Rest,
         },
-        pace: pace.save(),
+        pace: *pace,
         proposed_step_s: *proposed_step_s,
         speed_scale: *speed_scale,
         rest_booked_s: *rest_booked_s,
@@ -227,7 +226,7 @@ fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>
         Ok(Track {
             mode,
             island: None,
-            pace: Pace::restored(&track.pace),
+            pace: track.pace,
             proposed_step_s: track.proposed_step_s,
             speed_scale: track.speed_scale,
             rest_booked_s: track.rest_booked_s,

@@ -3,8 +3,8 @@
 //! Immovable bodies transmit no motion between contacts, so they do not connect bodies. Groups and their members are
 //! ordered by body number, so that results do not depend on the order of detection.
 
-use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
+use polhode_spatial::DisjointSets;
 
 /// Bodies connected by contacts, and those contacts.
 #[derive(Debug, Clone, Default)]

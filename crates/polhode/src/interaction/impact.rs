@@ -7,11 +7,12 @@ use crate::interaction::constraint::ConstraintId;
 use crate::interaction::groups::Group;
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
+use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::impact::{self, Application, ImpactOutcome, ImpactSettings, ImpactStatus};
+use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
 use polhode_spatial::DVec3;
 
@@ -83,7 +84,7 @@ pub(crate) fn apply_without_gain<'a>(
         impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
     ),
 ) -> bool {
-    let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    let start = states_of(states, bodies);
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
     let work = world.prescribed_work(states, impulses.clone());
@@ -92,9 +93,7 @@ pub(crate) fn apply_without_gain<'a>(
     let gain = kinetic(states) - before - work;
     let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
     if !is_sound {
-        for (&body, start) in bodies.iter().zip(start) {
-            states[body] = start;
-        }
+        set_states(states, bodies, &start);
     }
     is_sound
 }
@@ -135,7 +134,14 @@ pub(crate) fn strike(
     let contacts: Vec<_> = members.iter().map(|touch| (touch.id, touch.kinematics.geometry)).collect();
     let mut outcome = ImpactOutcome::default();
     for settings in [settings, &with_noise] {
-        outcome = law.resolve(&assembly.problem, &delassus, &before, &restitution, settings, solver)?;
+        let problem = ImpactProblem {
+            contacts: &assembly.problem,
+            delassus: &delassus,
+            u_before: &before,
+            restitution: &restitution,
+            settings,
+        };
+        outcome = law.resolve(&problem, solver)?;
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let pivots = assembly.pivot_forces(&outcome.impulses);

@@ -11,6 +11,7 @@
 use super::assembly::{Assembly, largest_change};
 use super::groups::groups;
 use crate::collision::contact_set::ContactId;
+use crate::states_of::states_of;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
@@ -123,7 +124,7 @@ impl Overlaps {
         (bodies, pairs): (&[usize], &[(usize, usize)]),
         (solver, delassus): (&mut ComplementaritySolver, &mut Delassus),
     ) -> Result<Removed, ResponseError> {
-        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let start = states_of(states, bodies);
         let mut earlier: Vec<Earlier> = Vec::new();
         let mut fallbacks = 0;
         for _ in 0..MOST_ROUNDS {

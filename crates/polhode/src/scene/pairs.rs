@@ -116,17 +116,14 @@ mod tests {
     use crate::{Body, Scene};
     use polhode_contact::Shape;
     use polhode_mesh::primitives::solid_box;
-    use polhode_spatial::{DVec3, Mass};
+    use polhode_spatial::{DVec3, Mass, SplitMix64};
 
     /// Scenes of all kinds of bodies, materials, rules and groups: the count and the restitution are those of a walk over
     /// all pairs.
     #[test]
     fn counts_are_those_of_a_walk_over_all_pairs() {
-        let mut state = 7_u32;
-        let mut random = |below: usize| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as usize % below
-        };
+        let mut numbers = SplitMix64::new(7);
+        let mut random = |below: usize| numbers.bits() as usize % below;
         for _ in 0..200 {
             let count = 1 + random(12);
             let mut builder = Scene::builder("pairs");

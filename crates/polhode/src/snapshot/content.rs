@@ -249,19 +249,28 @@ pub(crate) enum Rotation {
     Steady,
 }
 
-/// How fast time advances for a body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// The pace of one body, or of an island: that of its slowest body (`accurate/pace.rs`).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Pace {
+    /// When the present step began: at an event or at the end of a step, s.
     pub(crate) since: f64,
+    /// Number of events in a row without an advance of time.
     pub(crate) stalls: u32,
+    /// Events since a whole step was made.
     pub(crate) events: u64,
+    /// When time last advanced, s.
     pub(crate) advanced_at: f64,
+    /// Steps since then.
     pub(crate) steps: u64,
+    /// Number of backoffs since then.
     pub(crate) backoffs: u32,
+    /// Events within the present window of one longest step, and its start, s.
     pub(crate) window_events: u64,
     pub(crate) window_start: f64,
+    /// Steps counted for the mean step length, and the start of the first, s.
     pub(crate) mean_steps: u64,
     pub(crate) mean_start: f64,
+    /// Whether the body has passed a stretch of crowded events.
     pub(crate) has_crowded: bool,
 }
 

@@ -1,10 +1,9 @@
 //! Islands: bodies that may touch within a step, or that forces couple.
 
-use crate::disjoint_sets::DisjointSets;
 use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
-use polhode_spatial::Still;
+use polhode_spatial::{DisjointSets, Still};
 
 /// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
 const SWEEP_FACTOR: f64 = 2.0;

@@ -3,6 +3,7 @@
 use super::drift;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::free_acceleration;
+use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
@@ -158,7 +159,7 @@ pub(super) fn near_contacts(
     if pairs.is_empty() {
         return near;
     }
-    let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    let start = states_of(states, bodies);
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = drift(world, body, state, h);
     }
@@ -168,9 +169,7 @@ pub(super) fn near_contacts(
         let reach = world.touch_distance(states, a, b);
         ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
     }
-    for (&body, state) in bodies.iter().zip(&start) {
-        states[body] = *state;
-    }
+    set_states(states, bodies, &start);
     world.prescribe_members(&pairs, t, states);
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(world, t, states, bodies);

@@ -7,6 +7,7 @@
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
 use crate::interaction::overlap::displacement;
+use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -32,19 +33,19 @@ impl TimeStepper {
         pairs: &[(usize, usize)],
         (t, h): (f64, f64),
     ) -> Result<(TimeStepReport, f64), ResponseError> {
-        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let start = states_of(states, bodies);
         let carried = self.carried.clone();
-        self.advance(world, states, bodies, pairs, (t, h)).inspect_err(|_| restore(states, bodies, &start))?;
-        let whole: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
-        restore(states, bodies, &start);
+        self.advance(world, states, bodies, pairs, (t, h)).inspect_err(|_| set_states(states, bodies, &start))?;
+        let whole = states_of(states, bodies);
+        set_states(states, bodies, &start);
         self.carried = carried;
         let mut report = self.advance(world, states, bodies, pairs, (t, 0.5 * h));
         if let Ok(first) = &mut report {
             let second = self.advance(world, states, bodies, pairs, (t + 0.5 * h, 0.5 * h));
-            let second = second.inspect_err(|_| restore(states, bodies, &start))?;
+            let second = second.inspect_err(|_| set_states(states, bodies, &start))?;
             first.append(second);
         }
-        let report = report.inspect_err(|_| restore(states, bodies, &start))?;
+        let report = report.inspect_err(|_| set_states(states, bodies, &start))?;
         let error = |(&body, whole): (&usize, &BodyState)| {
             let apart = displacement(world, body, whole, &states[body]);
             let size = world.bodies[body].size;
@@ -52,11 +53,5 @@ impl TimeStepper {
         };
         let estimate = bodies.iter().zip(&whole).map(error).fold(0.0, f64::max);
         Ok((report, estimate))
-    }
-}
-
-fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
-    for (&body, state) in bodies.iter().zip(saved) {
-        states[body] = *state;
     }
 }

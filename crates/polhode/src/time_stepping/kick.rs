@@ -5,6 +5,7 @@
 //! that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and after.
 
 use crate::accounting::books::{Books, Received};
+use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
@@ -24,13 +25,13 @@ pub(super) fn kick(
     if !bodies.iter().any(|&body| world.is_loaded(body)) {
         return Received::default();
     }
-    let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+    let before = states_of(states, bodies);
     let mut accounts = None;
     if world.free_motion().dependence() == Dependence::Velocities {
         push(world, states, bodies, t, 0.5 * h);
         let loads = world.loads_on(t, states, bodies);
         accounts = Some(wrenches(world, t, states, bodies));
-        restore(states, bodies, &before);
+        set_states(states, bodies, &before);
         apply(world, states, bodies, &loads, h);
     } else {
         push(world, states, bodies, t, h);
@@ -56,12 +57,6 @@ fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &Load
             state.linear_velocity += load.force * (h * rigid.inverse_mass());
             state.angular_momentum += load.torque * h;
         }
-    }
-}
-
-fn restore(states: &mut [BodyState], bodies: &[usize], saved: &[BodyState]) {
-    for (&body, state) in bodies.iter().zip(saved) {
-        states[body] = *state;
     }
 }
 

@@ -10,6 +10,7 @@ use crate::MomentumSum;
 use crate::accounting::books::Received;
 use crate::collision::contact_set::ContactId;
 use crate::scene::ImpactLaw;
+use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
@@ -147,12 +148,10 @@ impl TimeStepper {
         contacts: (Vec<NearContact>, &[(usize, usize)]),
         interval: Substep,
     ) -> Result<TimeStepReport, ResponseError> {
-        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let start = states_of(states, bodies);
         let made = self.make_step(world, states, bodies, contacts, interval);
         if made.is_err() {
-            for (&body, state) in bodies.iter().zip(start) {
-                states[body] = state;
-            }
+            set_states(states, bodies, &start);
         }
         made
     }
@@ -169,7 +168,7 @@ impl TimeStepper {
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
-        let start: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let start = states_of(states, bodies);
         let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
 
         let before = report.books.balance(world, states, bodies);

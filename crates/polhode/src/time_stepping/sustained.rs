@@ -27,6 +27,7 @@ use super::step::TimeStepper;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{apply_without_gain, support};
+use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -86,7 +87,7 @@ impl TimeStepper {
         let rows = rows(world, states, bodies, near, (t, h))?;
         let mut taken: Vec<bool> =
             rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
-        let before: Vec<BodyState> = bodies.iter().map(|&body| states[body]).collect();
+        let before = states_of(states, bodies);
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
             let id = |row: &Row| near[row.contact].id;
@@ -111,9 +112,7 @@ impl TimeStepper {
                 report.contacts = report.contacts.max(members.len());
                 return Ok(note(world, states, near, &rows, &solved, (t, h), report));
             }
-            for (&body, state) in bodies.iter().zip(&before) {
-                states[body] = *state;
-            }
+            set_states(states, bodies, &before);
         }
     }
 

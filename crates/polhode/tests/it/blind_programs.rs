@@ -5,7 +5,7 @@ use crate::pivot_rows::seesaw;
 use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, Force, Method, MotionTable, PrescribedMotion, Tier};
-use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
 use polhode::{
     Body, BodyId, Effects, Geometry, MotionKind, Recorder, RunReport, Scene, SceneBuilder, Simulation, Snapshot,
     Unobserved,
@@ -105,12 +105,6 @@ fn seen(simulation: &Simulation) -> String {
     format!("{views:?} {:?} {:?} {:?}", simulation.energy(), simulation.momentum(), simulation.plan())
 }
 
-/// A number between zero and one.
-fn random(seed: &mut u64) -> f64 {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*seed >> 11) as f64 / (1u64 << 53) as f64
-}
-
 /// Steps in a loop are a run, in each tier; in the tier `accurate` so are presents at irregular times, asked for twice.
 #[test]
 fn loops_and_cuts_change_no_bit() {
@@ -126,8 +120,8 @@ fn loops_and_cuts_change_no_bit() {
         if scene.method().tier != Some(Tier::Accurate) {
             continue;
         }
-        let mut seed = 5;
-        let mut times: Vec<f64> = (0..30).map(|_| scene.duration_s() * random(&mut seed)).collect();
+        let mut random = SplitMix64::new(5);
+        let mut times: Vec<f64> = (0..30).map(|_| scene.duration_s() * random.uniform()).collect();
         times.sort_by(f64::total_cmp);
         let mut simulation = start(&scene);
         for t in times {
@@ -166,7 +160,7 @@ fn add(simulation: &mut Simulation) -> BodyId {
 #[test]
 fn kept_simulations_go_on_with_the_same_bits() {
     for (number, scene) in TIERS.into_iter().flat_map(scenes).enumerate() {
-        let mut seed = number as u64;
+        let mut random = SplitMix64::new(number as u64);
         for acts in [false, true, false, true] {
             let (mut one, mut other) = (start(&scene), start(&scene));
             if acts {
@@ -175,7 +169,7 @@ fn kept_simulations_go_on_with_the_same_bits() {
                 other.remove_body(added).unwrap();
             }
             let from = one.time();
-            let t = from + (scene.duration_s() - from) * random(&mut seed);
+            let t = from + (scene.duration_s() - from) * random.uniform();
             one.advance_to(t, &mut Unobserved).unwrap();
             let kept = Snapshot::from_bytes(&one.snapshot().to_bytes()).unwrap();
             other.restore(&kept).unwrap();

@@ -6,21 +6,11 @@ use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::mesh::solid_box;
 use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal, Tier};
-use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, Velocity};
 use polhode::{
     Body, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot, SnapshotError,
     Unobserved,
 };
-
-/// Numbers between zero and one, the same at every run of the tests.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 /// Everything that a run has told from some sample and event on, and its report, with all digits.
 fn told(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut Simulation) -> String {
@@ -77,9 +67,9 @@ fn check(scene: &Scene, effects: Effects) {
         finish(&mut other, &mut recorder, duration);
         assert!(told(&recorder, (0, 0), &mut other) == expected, "{name} from the step that ended at {t} s");
     }
-    let mut random = Random(name.len() as u64);
+    let mut random = SplitMix64::new(name.len() as u64);
     for _ in 0..3 {
-        let t = duration * random.next();
+        let t = duration * random.uniform();
         let mut simulation = Simulation::new(scene, effects).unwrap();
         simulation.advance_to(t, &mut Unobserved).unwrap();
         let bytes = simulation.snapshot().to_bytes();
@@ -342,12 +332,12 @@ fn forged_content_does_not_panic() {
         simulation.advance_to(0.45, &mut Unobserved).unwrap();
         let bytes = simulation.snapshot().to_bytes();
         let before = simulation.snapshot();
-        let mut random = Random(7);
+        let mut random = SplitMix64::new(7);
         let mut refused = 0;
         for _ in 0..2000 {
             let mut altered = bytes.clone();
-            let place = 28 + (random.next() * (bytes.len() - 28) as f64) as usize;
-            altered[place] = (256.0 * random.next()) as u8;
+            let place = 28 + (random.uniform() * (bytes.len() - 28) as f64) as usize;
+            altered[place] = (256.0 * random.uniform()) as u8;
             let Ok(snapshot) = Snapshot::from_bytes(&signed(altered)) else {
                 refused += 1;
                 continue;

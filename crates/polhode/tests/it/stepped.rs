@@ -4,7 +4,7 @@ use crate::checks::{assert_closes, heavy_brick, particle, worst_place};
 use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, DragLaw, Force, Method, Tier};
-use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Recorder, RunReport, Scene, SceneBuilder, Simulation};
 
 const G: f64 = 9.81;
@@ -240,11 +240,8 @@ fn bin(restitution: f64, place: impl Fn(usize) -> (DVec3, DVec3), count: usize, 
 /// Places and turns of bodies above each other that any seed gives.
 fn scattered(seed: u64) -> impl Fn(usize) -> (DVec3, DVec3) {
     move |i| {
-        let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(i as u64 + 1);
-        let mut next = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut random = SplitMix64::new(seed << 32 | i as u64);
+        let mut next = || random.uniform() - 0.5;
         let aside = DVec3::new(next(), next(), 0.0) * 0.5;
         (aside + DVec3::Z * (0.4 + 0.6 * i as f64), DVec3::new(next(), next(), next()) * 3.0)
     }

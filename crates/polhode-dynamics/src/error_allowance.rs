@@ -1,0 +1,101 @@
+//! What a step may err in each quantity of a body, and the largest error in units of that.
+//!
+//! | quantity | error | unit |
+//! |---|---|---|
+//! | position | length of the vector | m |
+//! | attitude | length of the quaternion's error: half an angle | 1 |
+//! | velocity | length of the vector | m/s |
+//! | angular momentum | length of the vector | kg m^2/s |
+//!
+//! The largest ratio of an error to its allowance decides about a step ([`crate::step_control`]), not the mean over all
+//! numbers: a mean grows more lenient with every body, and with every number that happens to have no error.
+
+use crate::Dop853;
+use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
+use std::ops::Range;
+
+/// The error of the quaternion that an error of the attitude of 1 rad is: its angle is twice the quaternion's.
+const QUATERNION_PER_ANGLE: f64 = 0.5;
+
+/// The error allowed in each quantity of one body over one step; none by default.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ErrorAllowance {
+    /// m.
+    pub position: f64,
+    /// Of the quaternion (no unit).
+    pub quaternion: f64,
+    /// m/s.
+    pub velocity: f64,
+    /// kg m^2/s.
+    pub angular_momentum: f64,
+}
+
+impl ErrorAllowance {
+    /// What an attitude may err in its quaternion, where it may err by an angle (rad).
+    pub const fn of_angle(angle: f64) -> f64 {
+        QUATERNION_PER_ANGLE * angle
+    }
+
+    /// At least what `other` allows of each.
+    pub fn at_least(self, other: Self) -> Self {
+        Self {
+            position: self.position.max(other.position),
+            quaternion: self.quaternion.max(other.quaternion),
+            velocity: self.velocity.max(other.velocity),
+            angular_momentum: self.angular_momentum.max(other.angular_momentum),
+        }
+    }
+
+    /// Where the numbers of each quantity are in the body's state, and the error allowed in them.
+    pub const fn by_quantity(self) -> [(Range<usize>, f64); 4] {
+        [
+            (POSITION..QUATERNION, self.position),
+            (QUATERNION..LINEAR_VELOCITY, self.quaternion),
+            (LINEAR_VELOCITY..ANGULAR_MOMENTUM, self.velocity),
+            (ANGULAR_MOMENTUM..WIDTH, self.angular_momentum),
+        ]
+    }
+}
+
+/// The largest of the errors of a step in units of what is allowed for each: NaN as soon as one is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LargestError(f64);
+
+impl LargestError {
+    /// Takes in an error and what is allowed for it, both in the unit of their quantity.
+    pub fn include(&mut self, error: f64, allowed: f64) {
+        // No error is none also where nothing is allowed.
+        let ratio = if error == 0.0 { 0.0 } else { error / allowed };
+        if ratio > self.0 || ratio.is_nan() {
+            self.0 = ratio;
+        }
+    }
+
+    /// Takes in the errors that a method estimates for the body whose state begins at `offset`.
+    pub fn include_body(&mut self, method: &Dop853, offset: usize, allowance: ErrorAllowance) {
+        for (quantity, allowed) in allowance.by_quantity() {
+            self.include(method.error_of(offset + quantity.start..offset + quantity.end), allowed);
+        }
+    }
+
+    /// The largest so far, in units of what is allowed.
+    pub const fn get(self) -> f64 {
+        self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LargestError;
+
+    #[test]
+    fn the_largest_error_is_nan_once_one_is() {
+        let mut largest = LargestError::default();
+        largest.include(0.0, 0.0);
+        largest.include(1.0, 4.0);
+        assert_eq!(largest.get(), 0.25);
+        largest.include(f64::NAN, 1.0);
+        largest.include(2.0, 1.0);
+        assert!(largest.get().is_nan());
+    }
+}
