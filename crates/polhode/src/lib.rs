@@ -19,7 +19,6 @@ mod effects;
 mod energy;
 pub mod error;
 pub mod event;
-mod field_index;
 pub mod frame;
 mod free_method;
 mod free_stage;

@@ -108,7 +108,7 @@ impl World {
             own.shape = own.shape.as_ref().map(|shape| shape.translated(-held.arm)).transpose().map_err(refused)?;
         }
         reduced.pivot_rows = PivotRows::None;
-        reduced.frames_have_changed()?;
+        reduced.recompute_from_frames()?;
         Ok(reduced)
     }
 

@@ -107,7 +107,7 @@ impl Simulation {
             Effects::Planned => planar::find(&world, &states, &settings),
             Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
         };
-        world.enter_plane(planar.plane, &mut states);
+        world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
         let tier: Box<dyn Tier> = match settings.tier {
