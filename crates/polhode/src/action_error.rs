@@ -8,8 +8,8 @@ use thiserror::Error;
 pub enum ActionError {
     /// The handle belongs to no body of this simulation.
     #[error(
-        "body number {index} (counted from 0) does not exist: the simulation has {bodies} bodies; use a handle that this \
-         simulation gave"
+        "body number {index} (counted from 0) does not exist: the simulation has {bodies} bodies; use a handle that \
+         this simulation gave"
     )]
     UnknownBody {
         /// Index of the handle.
@@ -22,7 +22,8 @@ pub enum ActionError {
     RemovedBody(String),
     /// The body is fixed or kinematic, and no action moves it.
     #[error(
-        "body {0} is fixed or has a prescribed motion: a program cannot give it a force, an impulse, a velocity or a pose"
+        "body {0} is fixed or has a prescribed motion: a program cannot give it a force, an impulse, a velocity or a \
+         pose"
     )]
     FixedBody(String),
     /// A number is not finite.
@@ -35,8 +36,8 @@ pub enum ActionError {
     },
     /// The body would overlap another one.
     #[error(
-        "body {body_a} would overlap body {body_b} by {depth_m:e} m, and at most {allowed_m:e} m counts as touch: choose \
-         another pose"
+        "body {body_a} would overlap body {body_b} by {depth_m:e} m, and at most {allowed_m:e} m counts as touch: \
+         choose another pose"
     )]
     Overlap {
         /// The body.

@@ -1,9 +1,10 @@
 //! What a program does to the bodies of a simulation.
 //!
-//! Every action is checked before anything changes, so that one that is refused leaves the simulation as it was. An action
-//! ends the present steps of the bodies it concerns, wakes them from rest, and lets them go on; other bodies are left
-//! alone. The ledgers book it as work from outside and as impulse given by the program. Where an action ends a reduction
-//! of the plan (planar motion, flight in closed form, no contact), the plan is derived again, and the report says when.
+//! Every action is checked before anything changes, so that one that is refused leaves the simulation as it was. An
+//! action ends the present steps of the bodies it concerns, wakes them from rest, and lets them go on; other bodies are
+//! left alone. The ledgers book it as work from outside and as impulse given by the program. Where an action ends a
+//! reduction of the plan (planar motion, flight in closed form, no contact), the plan is derived again, and the report
+//! says when.
 
 use crate::action_error::ActionError;
 use crate::plan::Findings;
@@ -150,8 +151,8 @@ impl Simulation {
         })
     }
 
-    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on; the poses of
-    /// `moved` are new.
+    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on; the
+    /// poses of `moved` are new.
     fn act(
         &mut self,
         bodies: &[usize],

@@ -1,7 +1,7 @@
 //! Questions about the bodies of a simulation where they stand: nearest, overlapping, hit by a ray, distance of two.
 //!
-//! The answers name bodies by their index in the scene. Bodies without a shape, and meshes that collide with nothing, have
-//! no place in them.
+//! The answers name bodies by their index in the scene. Bodies without a shape, and meshes that collide with nothing,
+//! have no place in them.
 
 use crate::world::World;
 use polhode_contact::{Aabb, ClosestPoints, QueryError, QueryScene, Ray, RayHit, Shape, SurfacePoint, distance};

@@ -35,8 +35,8 @@ pub enum SimulationError {
     },
     /// The total energy exceeds the largest number.
     #[error(
-        "the total energy is not a finite number at t = {t} s: masses, speeds, forces or coordinates of the scene are too \
-         large; check their units"
+        "the total energy is not a finite number at t = {t} s: masses, speeds, forces or coordinates of the scene are \
+         too large; check their units"
     )]
     EnergyOverflow {
         /// When, s.
@@ -44,8 +44,8 @@ pub enum SimulationError {
     },
     /// One step holds more events than `method.max_events_per_step` allows.
     #[error(
-        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, shorten method.step, or \
-         give the materials a restitution below 1"
+        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, shorten method.step, \
+         or give the materials a restitution below 1"
     )]
     TooManyEvents {
         /// The limit.
@@ -55,8 +55,8 @@ pub enum SimulationError {
     },
     /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
     #[error(
-        "the solver found no contact forces or impulses at t = {t} s: the relative residual stays at {residual:e}; mass \
-         ratios or lengths of the scene may differ too much"
+        "the solver found no contact forces or impulses at t = {t} s: the relative residual stays at {residual:e}; \
+         mass ratios or lengths of the scene may differ too much"
     )]
     ContactSolve {
         /// When, s.
@@ -85,8 +85,8 @@ pub enum SimulationError {
     },
     /// Error control asks for a step that is too short to advance time.
     #[error(
-        "error control asks for a step shorter than {smallest_s:e} s at t = {t} s, which no longer advances time: raise \
-         method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)"
+        "error control asks for a step shorter than {smallest_s:e} s at t = {t} s, which no longer advances time: \
+         raise method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)"
     )]
     StepTooSmall {
         /// When, s.
@@ -108,12 +108,12 @@ pub enum SimulationError {
         /// The force: its index in the scene, counted from 0, and its kind.
         force: String,
     },
-    /// A body has come so near to a singularity of a force that no step is short enough. The equations of motion determine
-    /// no motion through such a point.
+    /// A body has come so near to a singularity of a force that no step is short enough. The equations of motion
+    /// determine no motion through such a point.
     #[error(
-        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body approaches \
-         a point at which the formula of the force is singular; end the run before, or start the body so that it \
-         misses that point"
+        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body \
+         approaches a point at which the formula of the force is singular; end the run before, or start the body so \
+         that it misses that point"
     )]
     SingularForce {
         /// When, s.

@@ -24,8 +24,8 @@ pub enum MotionKind {
 
 /// A contact that touches.
 ///
-/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor) the
-/// least ones are given, and another method may give others for the same motion.
+/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor)
+/// the least ones are given, and another method may give others for the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactView {
     /// Body A.
@@ -40,8 +40,8 @@ pub struct ContactView {
     pub normal: DVec3,
     /// Signed distance along the normal, m; negative when the bodies overlap.
     pub separation_m: f64,
-    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found. In the tiers of fixed
-    /// steps it is that of the last step; in `thesis` zero before the first one.
+    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found. In the tiers of
+    /// fixed steps it is that of the last step; in `thesis` zero before the first one.
     pub normal_force_n: f64,
 }
 
@@ -56,8 +56,9 @@ pub struct PivotView {
     pub force_n: DVec3,
 }
 
-/// Bodies that move together or rest together: connected by contacts that hold, or by forces that couple them; in the tier
-/// `stepped` by what they may meet within a step, in `thesis` all. Bodies in free flight and immovable ones are in none.
+/// Bodies that move together or rest together: connected by contacts that hold, or by forces that couple them; in the
+/// tier `stepped` by what they may meet within a step, in `thesis` all. Bodies in free flight and immovable ones are in
+/// none.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IslandView {
     /// The bodies, ascending.
@@ -82,8 +83,8 @@ pub struct Frame {
 }
 
 impl World {
-    /// Adds what is seen of a contact that bears this force (N); one that stands for its mirror image in a planar motion too
-    /// is two.
+    /// Adds what is seen of a contact that bears this force (N); one that stands for its mirror image in a planar
+    /// motion too is two.
     pub(crate) fn view_contact(&self, states: &[BodyState], touch: &Touch, force_n: f64, views: &mut Vec<ContactView>) {
         let (id, geometry) = (touch.id, touch.kinematics.geometry);
         let view = ContactView {

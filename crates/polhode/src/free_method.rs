@@ -62,7 +62,8 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         None => match splittings(world, states, settings) {
             Some(count) => {
                 let reason = format!(
-                    "conservative forces: exact drift with kicks under error control, {count} splittings a step at the start"
+                    "conservative forces: exact flight with kicks under error control, {count} splittings a step at \
+                     the start"
                 );
                 choice(Integrator::ExactAdaptive, &reason)
             }

@@ -12,7 +12,8 @@ use polhode_spatial::CompensatedSum;
 /// Energy booked by source, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ledger {
-    /// Lost in impacts, from impulses: `-p.(u- + u+)/2` with the relative velocities u, also where a kinematic body strikes.
+    /// Lost in impacts, from impulses: `-p.(u- + u+)/2` with the relative velocities u, also where a kinematic body
+    /// strikes.
     pub impact: CompensatedSum,
     /// Lost to friction.
     pub friction: CompensatedSum,

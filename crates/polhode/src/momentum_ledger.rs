@@ -4,10 +4,9 @@
 //!
 //! and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world, the
 //! centre of mass of the movable bodies at the start. J is what the outside gave: gravity, force fields, and the fixed
-//! bodies through impacts and resting contacts; forces between bodies that move cancel. What a pivot
-//! gives is a support too; a body of which turning about its pivot alone is left passes its momentum on to the world and counts
-//! as fixed. As in the ledger of energy every term has its
-//! own source and none is the remainder. P in N s, L in N m s.
+//! bodies through impacts and resting contacts; forces between bodies that move cancel. What a pivot gives is a support
+//! too; a body of which turning about its pivot alone is left passes its momentum on to the world and counts as fixed.
+//! As in the ledger of energy every term has its own source and none is the remainder. P in N s, L in N m s.
 
 use polhode_spatial::{CompensatedSum, DVec3};
 
@@ -75,7 +74,8 @@ pub struct MomentumLedger {
     pub about: DVec3,
     /// Given by gravity.
     pub gravity: MomentumSum,
-    /// Given by fixed and kinematic bodies, through impacts and the forces of resting contacts, and by pivots that rows hold.
+    /// Given by fixed and kinematic bodies, through impacts and the forces of resting contacts, and by pivots that rows
+    /// hold.
     pub support: MomentumSum,
     /// Given by force fields.
     pub fields: MomentumSum,

@@ -23,9 +23,9 @@ pub trait Observer {
         let _ = event;
     }
 
-    /// Whether [`Observer::sample`] is called. Where nobody wants samples, bodies that fly in closed form are not evaluated
-    /// between events: their motion is the same to the last bit, but the scales of the ledgers (the largest energy and
-    /// momentum seen so far) then come from fewer times.
+    /// Whether [`Observer::sample`] is called. Where nobody wants samples, bodies that fly in closed form are not
+    /// evaluated between events: their motion is the same to the last bit, but the scales of the ledgers (the largest
+    /// energy and momentum seen so far) then come from fewer times.
     fn wants_samples(&self) -> bool {
         true
     }

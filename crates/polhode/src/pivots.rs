@@ -1,25 +1,27 @@
 //! Bodies held at a point of the world: by rows, or by a frame in which nothing but turning is left.
 //!
-//! A pivot keeps the point Q of a body at a place of the world: three bilateral rows `p_Q = const` with a force of constraint
-//! that may have any direction. With the arm `r` from the centre of mass to Q,
+//! A pivot keeps the point Q of a body at a place of the world: three bilateral rows `p_Q = const` with a force of
+//! constraint that may have any direction. With the arm `r` from the centre of mass to Q,
 //!
 //! `u = v + w x r`,  `a_Q = a + alpha x r + w x (w x r)`,
 //!
-//! rows `(e_k, r x e_k)` for the three axes of the world, and the constant part `e_k . (w x (w x r))` (thesis 3.2, equations
-//! 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). That is the general path: the body is one like
-//! any other, its frame at the centre of mass, and the pivot is one more [constraint](crate::interaction::constraint).
+//! rows `(e_k, r x e_k)` for the three axes of the world, and the constant part `e_k . (w x (w x r))` (thesis 3.2,
+//! equations 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). That is the general path: the
+//! body is one like any other, its frame at the centre of mass, and the pivot is one more
+//! [constraint](crate::interaction::constraint).
 //!
-//! Where no contact can act on the body, the constraint can be solved once and for all: in a frame with its origin at Q, with
-//! the moments about Q and no inverse mass, turning is all that is left ([`RigidBody::pivoted`]), no row is needed and the
-//! pivot does not drift. That is a reduction of the plan: it is exact, costs less, and a test holds it against the rows.
+//! Where no contact can act on the body, the constraint can be solved once and for all: in a frame with its origin at
+//! Q, with the moments about Q and no inverse mass, turning is all that is left ([`RigidBody::pivoted`]), no row is
+//! needed and the pivot does not drift. That is a reduction of the plan: it is exact, costs less, and a test holds it
+//! against the rows.
 //!
 //! | how | when |
 //! |---|---|
 //! | rows | tier `accurate`, by `dop853` or `rk4`: something may touch the body, or all effects are asked for |
 //! | reduced | otherwise; over time steps of a stretch in which events crowd too |
 //!
-//! Assumption: the point is fixed in the world and in the body. Fails: never; a point that is not finite is refused with the
-//! scene.
+//! Assumption: the point is fixed in the world and in the body. Fails: never; a point that is not finite is refused
+//! with the scene.
 
 use crate::accounting::books::{Books, gravity_at, momentum_of};
 use crate::interaction::constraint::ConstraintId;
@@ -155,9 +157,10 @@ fn to_turning(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyStat
     }
 }
 
-/// Does something to bodies over `h` seconds that knows no rows, in a world in which turning alone is left of pivoted bodies;
-/// `books` finds the books in its answer. There pivoted bodies pass their momentum on to the world; what they do not is
-/// booked here: their weight by its moment at both ends, and as support what is left of the change of their momentum.
+/// Does something to bodies over `h` seconds that knows no rows, in a world in which turning alone is left of pivoted
+/// bodies; `books` finds the books in its answer. There pivoted bodies pass their momentum on to the world; what they
+/// do not is booked here: their weight by its moment at both ends, and as support what is left of the change of their
+/// momentum.
 ///
 /// # Errors
 /// Those of `work`; when a shape cannot be put into the other frame, a number that is not finite.

@@ -1,9 +1,9 @@
 //! The plan: which effects a scene calls for, and why.
 //!
-//! A plan is derived from the scene and printed; it decides nothing in secret. For every [`Effect`] it holds whether
-//! it is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
-//! skipping rest gives the same bits as simulating everything (`Effects::All`); a reduction (a plane instead of space, turning
-//! alone instead of a body that rows hold at its pivot) gives the same motion to 1e-12 over a second.
+//! A plan is derived from the scene and printed; it decides nothing in secret. For every [`Effect`] it holds whether it
+//! is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
+//! skipping rest gives the same bits as simulating everything (`Effects::All`); a reduction (a plane instead of space,
+//! turning alone instead of a body that rows hold at its pivot) gives the same motion to 1e-12 over a second.
 
 pub use crate::effects::Effects;
 use crate::free_method::Choice;

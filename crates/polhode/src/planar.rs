@@ -1,11 +1,11 @@
 //! Planar motion: when a scene moves in a plane, and the coordinates of that motion.
 //!
-//! Let every body be its own mirror image in one plane, shape and mass, and velocities, gravity and fixed bodies likewise.
-//! The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion; so it is its
-//! own image and stays in the plane. What is left of a body are two velocities in the plane and one angular velocity
-//! about its normal, and of every pair of contacts that are images of each other one: the thesis's "under what conditions
-//! we can model a simulation using the 2D equations". In space the same motion is found with twice the contacts and
-//! twice the unknowns, and rounding may leave the plane, which a fall can amplify.
+//! Let every body be its own mirror image in one plane, shape and mass, and velocities, gravity and fixed bodies
+//! likewise. The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion;
+//! so it is its own image and stays in the plane. What is left of a body are two velocities in the plane and one
+//! angular velocity about its normal, and of every pair of contacts that are images of each other one: the thesis's
+//! "under what conditions we can model a simulation using the 2D equations". In space the same motion is found with
+//! twice the contacts and twice the unknowns, and rounding may leave the plane, which a fall can amplify.
 //!
 //! The proof needs laws that treat all contacts of an instant alike; one contact after the other (propagation) has no
 //! mirror symmetry, nor have the forces of a linear programme.
@@ -85,7 +85,8 @@ impl std::fmt::Display for Defect {
     }
 }
 
-/// Normals worth trying: the axis about which a body spins, or else the world's axes and those of the first movable body.
+/// Normals worth trying: the axis about which a body spins, or else the world's axes and those of the first movable
+/// body.
 fn candidates(world: &World, states: &[BodyState]) -> Vec<DVec3> {
     let spinning = (0..states.len()).map(|i| world.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
     if let Some(axis) = spinning {

@@ -1,5 +1,5 @@
-//! The plane in which the bodies of a scene move, and the coordinates of that motion: two of a velocity in the plane, one of
-//! the angular velocity about its normal. When a scene moves in one is found in `planar.rs`.
+//! The plane in which the bodies of a scene move, and the coordinates of that motion: two of a velocity in the plane,
+//! one of the angular velocity about its normal. When a scene moves in one is found in `planar.rs`.
 
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;

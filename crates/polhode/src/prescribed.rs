@@ -1,22 +1,22 @@
 //! Kinematic bodies as the engine sees them: states and accelerations that no force changes.
 //!
-//! The moving frame of a kinematic body is its own frame. Its state holds the pose and the velocity of its own origin and,
-//! since it has no inertia, its angular velocity (rad/s, world) in the place of the angular momentum, as of unit inertia.
-//! Such states are functions of time: they must be set at every time at which contacts are evaluated
+//! The moving frame of a kinematic body is its own frame. Its state holds the pose and the velocity of its own origin
+//! and, since it has no inertia, its angular velocity (rad/s, world) in the place of the angular momentum, as of unit
+//! inertia. Such states are functions of time: they must be set at every time at which contacts are evaluated
 //! ([`World::prescribe`]).
 //!
-//! In the rows of contacts a kinematic body is a known term. With A or B prescribed, r from its origin to the contact point
-//! and the sign of the body (+ for A, - for B):
+//! In the rows of contacts a kinematic body is a known term. With A or B prescribed, r from its origin to the contact
+//! point and the sign of the body (+ for A, - for B):
 //!
 //! ```text
 //! chi'  = J v + sum +-n.(v + w x r)               chi'' = J a + bias + sum +-n.(a + alpha x r)
 //! ```
 //!
 //! over its prescribed members. [`polhode_contact::kinematics`] has that term of `chi'` and all of `bias`, from the
-//! velocities in the states; the term of `chi''` is [`World::prescribed_acceleration_of`]. A force f along the normal does
-//! work on the bodies that forces move at the rate `-f` times the term of `chi'` ([`World::prescribed_rate_of`]), an
-//! impulse p the work `-p` times it: work of the outside. What an impact law says of energy is in relative velocities, and so
-//! leaves that work out.
+//! velocities in the states; the term of `chi''` is [`World::prescribed_acceleration_of`]. A force f along the normal
+//! does work on the bodies that forces move at the rate `-f` times the term of `chi'` ([`World::prescribed_rate_of`]),
+//! an impulse p the work `-p` times it: work of the outside. What an impact law says of energy is in relative
+//! velocities, and so leaves that work out.
 
 use crate::collision::contact_set::ContactId;
 use crate::prescribed_state::state_at;
@@ -87,8 +87,8 @@ impl World {
         })
     }
 
-    /// Acceleration of a body's origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s) that its motion prescribes, world;
-    /// zero for other bodies.
+    /// Acceleration of a body's origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s) that its motion
+    /// prescribes, world; zero for other bodies.
     pub(crate) fn prescribed_acceleration(&self, body: usize, t: f64) -> (DVec3, DVec3) {
         self.trajectory(body).map_or((DVec3::ZERO, DVec3::ZERO), |trajectory| {
             let acceleration = trajectory.acceleration(t);
@@ -96,8 +96,8 @@ impl World {
         })
     }
 
-    /// The first time strictly between `from` and `to` (s, rising) at which the motion of a kinematic member of these contacts
-    /// is not smooth.
+    /// The first time strictly between `from` and `to` (s, rising) at which the motion of a kinematic member of these
+    /// contacts is not smooth.
     pub(crate) fn prescribed_corner_between(&self, contacts: &[ContactId], from: f64, to: f64) -> Option<f64> {
         if self.prescribed.is_empty() {
             return None;
@@ -121,8 +121,8 @@ impl World {
         corner.unwrap_or(f64::INFINITY)
     }
 
-    /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on such a
-    /// body can others rest. Other bodies are in nobody's way.
+    /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on
+    /// such a body can others rest. Other bodies are in nobody's way.
     pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
         self.stands_still(body, t, self.next_corner(body, t).next_down())
     }
@@ -135,8 +135,8 @@ impl World {
         })
     }
 
-    /// Work of prescribed motions on the bodies that forces move, J, by impulses p (N s) along the normals of contacts; by
-    /// forces (N) the power, W.
+    /// Work of prescribed motions on the bodies that forces move, J, by impulses p (N s) along the normals of contacts;
+    /// by forces (N) the power, W.
     pub(crate) fn prescribed_work<'a>(
         &self,
         states: &[BodyState],
@@ -236,9 +236,9 @@ mod tests {
         states
     }
 
-    /// The second derivative of a separation is `J a_free + bias` and the term of the prescribed body, the first one what
-    /// contact says: against differences of the separation itself, for faces, edges, spheres and half-spaces, with the
-    /// kinematic body first or second.
+    /// The second derivative of a separation is `J a_free + bias` and the term of the prescribed body, the first one
+    /// what contact says: against differences of the separation itself, for faces, edges, spheres and half-spaces, with
+    /// the kinematic body first or second.
     #[test]
     fn separations_of_prescribed_bodies() -> TestResult {
         let cuboid = || Shape::cuboid(DVec3::new(1.5, 1.0, 0.8));
@@ -298,8 +298,8 @@ mod tests {
         Ok(())
     }
 
-    /// An impact on a kinematic body gives the body that is struck what the impact takes in relative velocities (the energy
-    /// change of the law) and the work of the prescribed motion, `-p` times its part of the rate of separation.
+    /// An impact on a kinematic body gives the body that is struck what the impact takes in relative velocities (the
+    /// energy change of the law) and the work of the prescribed motion, `-p` times its part of the rate of separation.
     #[test]
     fn work_of_a_prescribed_motion_in_an_impact() -> TestResult {
         let settings = ImpactSettings::default();
@@ -328,8 +328,8 @@ mod tests {
         Ok(())
     }
 
-    /// At the start a kinematic body is where its motion has it, not at the centre of its oscillation, and has its velocity;
-    /// it is not among the bodies that forces move.
+    /// At the start a kinematic body is where its motion has it, not at the centre of its oscillation, and has its
+    /// velocity; it is not among the bodies that forces move.
     #[test]
     fn states_follow_the_motion() -> TestResult {
         for motion in motions()? {

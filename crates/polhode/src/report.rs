@@ -12,8 +12,8 @@ pub struct Certificate {
     pub max_residual: f64,
     /// Largest penetration, m (zero when no body ever penetrated).
     pub max_penetration_m: f64,
-    /// Largest penetration in units of what the method promises for its pair: above 1 the run is degraded. Zero for a tier
-    /// that promises nothing.
+    /// Largest penetration in units of what the method promises for its pair: above 1 the run is degraded. Zero for a
+    /// tier that promises nothing.
     pub max_penetration_of_limit: f64,
     /// Where and when that was.
     pub max_penetration_at: Option<PairAt>,

@@ -29,8 +29,8 @@ pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState]
     }
 }
 
-/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier;
-/// none of a sample that it has passed over.
+/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a
+/// tier; none of a sample that it has passed over.
 ///
 /// # Errors
 /// As `states_at`.

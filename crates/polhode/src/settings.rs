@@ -8,22 +8,22 @@ use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 /// Upper bound of a step when none is given, s; the step of tier `thesis`.
 const DEFAULT_STEP_S: f64 = 0.01;
 
-/// Step of tier `stepped` when none is given, s: bodies of tenths of a metre that fall for a second move by a hundredth of
-/// their size in it, and bounces that last less than two steps have speeds below 0.02 m/s.
+/// Step of tier `stepped` when none is given, s: bodies of tenths of a metre that fall for a second move by a hundredth
+/// of their size in it, and bounces that last less than two steps have speeds below 0.02 m/s.
 const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 
 /// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
 
-/// What projections may move or take at the default tolerance, in units of it (dimensionless, 1 to 100). The error of a step
-/// is a part of the tolerance and touch is of its order; putting contacts that lie close together exactly in place turns a
-/// body by some times more.
+/// What projections may move or take at the default tolerance, in units of it (dimensionless, 1 to 100). The error of a
+/// step is a part of the tolerance and touch is of its order; putting contacts that lie close together exactly in place
+/// turns a body by some times more.
 const DRIFT_FACTOR: f64 = 10.0;
 
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
-/// Penetration that `accurate` promises to stay below at the default tolerance and tighter ones, relative to the size of
-/// the smaller body: where contacts close is located far below it whatever the tolerance.
+/// Penetration that `accurate` promises to stay below at the default tolerance and tighter ones, relative to the size
+/// of the smaller body: where contacts close is located far below it whatever the tolerance.
 const PENETRATION_RELATIVE: f64 = 1e-12;
 
 /// Events in one step when no cap is given.
@@ -69,8 +69,8 @@ impl Settings {
         self.tier == Tier::Accurate && self.asked_integrator == Some(Integrator::Rk4)
     }
 
-    /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where it
-    /// promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
+    /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where
+    /// it promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
     /// contacts go within a step.
     pub(crate) fn promised_penetration(&self) -> Option<f64> {
         match self.tier {
@@ -91,8 +91,8 @@ impl Settings {
         }
     }
 
-    /// What a step of constrained motion errs by at the most (dimensionless): the tolerance under error control, anything by a
-    /// method whose error is known by its step.
+    /// What a step of constrained motion errs by at the most (dimensionless): the tolerance under error control,
+    /// anything by a method whose error is known by its step.
     pub(crate) fn step_error(&self) -> f64 {
         if self.constrains_by_rk4() { f64::INFINITY } else { self.tolerance }
     }

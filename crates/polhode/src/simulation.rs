@@ -154,8 +154,9 @@ impl Simulation {
         self.advance(limit, observer)
     }
 
-    /// Goes on to a time (s), exactly, in flight and at rest too. In the tier `accurate` the motion is the same, bit for bit,
-    /// however a run is cut; the tiers of fixed steps cut a step short, and their motion is the same to the error of a step.
+    /// Goes on to a time (s), exactly, in flight and at rest too. In the tier `accurate` the motion is the same, bit
+    /// for bit, however a run is cut; the tiers of fixed steps cut a step short, and their motion is the same to the
+    /// error of a step.
     ///
     /// # Errors
     /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
@@ -225,8 +226,8 @@ impl Simulation {
         self.tier.sample(&self.core, index)
     }
 
-    /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives for each,
-    /// evaluated at once.
+    /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives
+    /// for each, evaluated at once.
     pub fn bodies(&self) -> Vec<BodySample> {
         self.tier.samples(&self.core)
     }
@@ -283,8 +284,8 @@ impl Simulation {
         self.tier.accelerations(&mut self.core)
     }
 
-    /// The bodies where they stand now, for questions: what is nearest, what a ray meets, what overlaps what. An example
-    /// stands at [`BodyQueries`].
+    /// The bodies where they stand now, for questions: what is nearest, what a ray meets, what overlaps what. An
+    /// example stands at [`BodyQueries`].
     ///
     /// # Errors
     /// When a pose is not finite.
@@ -317,8 +318,9 @@ impl Simulation {
         })
     }
 
-    /// Goes back or on to a snapshot of a simulation of the same scene with the same effects, and with the same bodies added
-    /// and removed. What follows has the same bits as what followed when it was taken, samples, events and report included.
+    /// Goes back or on to a snapshot of a simulation of the same scene with the same effects, and with the same bodies
+    /// added and removed. What follows has the same bits as what followed when it was taken, samples, events and report
+    /// included.
     ///
     /// # Errors
     /// When it is of another scene or other effects, or contradicts itself; the simulation is then as it was.

@@ -1,9 +1,9 @@
 //! Finds the singular force that has made a run fail.
 //!
 //! A force field may be singular: a point attracts with mu/d^2, which is infinite at the point, and no motion can be
-//! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the cause.
-//! This module evaluates the forces of the scene one by one at the present states, and names the one that is not finite or
-//! far too strong for the step.
+//! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the
+//! cause. This module evaluates the forces of the scene one by one at the present states, and names the one that is not
+//! finite or far too strong for the step.
 
 use crate::SimulationError;
 use crate::core::Core;
@@ -13,9 +13,9 @@ use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, RigidBody};
 
-/// A force counts as the cause when alone it would move the body, from rest, by more than this many times the size of the
-/// body within the longest step (dimensionless, 1 to 1e6). A force that steps of that length resolve moves the body by a
-/// fraction of its size.
+/// A force counts as the cause when alone it would move the body, from rest, by more than this many times the size of
+/// the body within the longest step (dimensionless, 1 to 1e6). A force that steps of that length resolve moves the body
+/// by a fraction of its size.
 const SIZES_PER_STEP: f64 = 1e3;
 
 /// The first force of the scene that is not finite on a body in these states at `t` (s).
@@ -69,8 +69,8 @@ fn may_come_of_a_force(error: &SimulationError) -> bool {
     }
 }
 
-/// Calls `asked` with the index of every force of the scene, the index of every movable body, and the wrench of that force
-/// on that body.
+/// Calls `asked` with the index of every force of the scene, the index of every movable body, and the wrench of that
+/// force on that body.
 fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut asked: impl FnMut(usize, usize, Wrench)) {
     let own = world.movable_states(states);
     for (number, force) in world.scene.forces().iter().enumerate() {

@@ -1,7 +1,7 @@
 //! What a tier does: it advances the bodies of a scene to a time or to their first event.
 //!
-//! One file or folder for each tier; none knows another. A tier may have computed the motion beyond the present: what it
-//! says of the bodies is asked for at a time.
+//! One file or folder for each tier; none knows another. A tier may have computed the motion beyond the present: what
+//! it says of the bodies is asked for at a time.
 
 use crate::accounting::Accounts;
 use crate::core::Core;
@@ -24,11 +24,11 @@ pub(crate) enum Reached {
 
 /// A set of methods with one promise.
 ///
-/// What has a body here is that of a tier which books every step when it makes it, and whose bodies all stand at the present
-/// between two steps.
+/// What has a body here is that of a tier which books every step when it makes it, and whose bodies all stand at the
+/// present between two steps.
 pub(crate) trait Tier: std::fmt::Debug {
-    /// Advances the present (`core.t`) to `limit_s`, or to the first event before, and tells the observer the samples and
-    /// events on the way.
+    /// Advances the present (`core.t`) to `limit_s`, or to the first event before, and tells the observer the samples
+    /// and events on the way.
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -45,8 +45,8 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// States of all bodies at the present.
     fn states(&self, core: &Core) -> Vec<BodyState>;
 
-    /// State of one body at the present: the same bits as in [`Tier::states`], at a cost that does not grow with the number
-    /// of bodies that do not move with it.
+    /// State of one body at the present: the same bits as in [`Tier::states`], at a cost that does not grow with the
+    /// number of bodies that do not move with it.
     fn state(&self, core: &Core, body: usize) -> BodyState;
 
     /// One body at the present, as it is reported.

@@ -1,7 +1,8 @@
 //! Boxes around moving bodies, and the pairs of bodies whose boxes meet.
 //!
-//! A box contains a body, with the distance that counts as touch, at every time of an interval. Where many boxes are new
-//! the broad phase finds all pairs; where the boxes of a few bodies are renewed, these alone are held against all others.
+//! A box contains a body, with the distance that counts as touch, at every time of an interval. Where many boxes are
+//! new the broad phase finds all pairs; where the boxes of a few bodies are renewed, these alone are held against all
+//! others.
 
 use crate::SimulationError;
 use crate::settings::Settings;

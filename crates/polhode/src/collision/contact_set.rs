@@ -55,9 +55,9 @@ impl World {
         Some(self.narrow_phase.read((a, b), placed, (reach, self.bodies.len()), read))
     }
 
-    /// The signed separation of two bodies, m, found afresh and at any distance: what a pair is judged by when it is placed,
-    /// by a scene or a program, or looked at where a step began, far from the poses that the memory is of. None for a body
-    /// without a shape.
+    /// The signed separation of two bodies, m, found afresh and at any distance: what a pair is judged by when it is
+    /// placed, by a scene or a program, or looked at where a step began, far from the poses that the memory is of. None
+    /// for a body without a shape.
     pub(crate) fn separation_afresh(&self, states: &[BodyState], a: usize, b: usize) -> Option<f64> {
         let (shape_a, shape_b) = self.shapes(a, b)?;
         Some(separation(shape_a, &states[a].pose, shape_b, &states[b].pose))
@@ -116,8 +116,8 @@ impl World {
         (height.abs() > distance).then(|| plane.normal() * height)
     }
 
-    /// Whether a contact point stands for itself in planar motion, and not its mirror image among the `found` for it. Where
-    /// two images separate equally well, collision detection may name one of them alone, on either side.
+    /// Whether a contact point stands for itself in planar motion, and not its mirror image among the `found` for it.
+    /// Where two images separate equally well, collision detection may name one of them alone, on either side.
     fn is_counted(&self, point: DVec3, found: &[Touch], distance: f64) -> bool {
         let Some(plane) = &self.plane else { return true };
         let height = plane.height(point);
@@ -134,8 +134,8 @@ impl World {
         self.pair(states, a, b, reach).1
     }
 
-    /// The separation of one pair, m, as far as it is within reach, and its contacts as [`Self::contacts_of_pair`] gives
-    /// them: two bodies may overlap more than any contact tells.
+    /// The separation of one pair, m, as far as it is within reach, and its contacts as [`Self::contacts_of_pair`]
+    /// gives them: two bodies may overlap more than any contact tells.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
         let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
@@ -160,7 +160,8 @@ impl World {
             .collect();
         let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);
         let in_motion = |touch: &Touch| Touch { kinematics: self.in_plane(touch.kinematics), ..*touch };
-        // A contact that has left its features is none, also where collision detection keeps it as the last of its pair.
+        // A contact that has left its features is none, also where collision detection keeps it as the last of its
+        // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
         let within = |touch: &Touch| {
             let geometry = &touch.kinematics.geometry;

@@ -1,8 +1,9 @@
 //! The narrow phase of the facade, with its memory: whoever needs contacts of two bodies asks here, by
 //! [`World::manifold_of`](crate::world::World::manifold_of).
 //!
-//! What is remembered of a pair says which features need not be looked at; answers are the same, bit for bit, with it and
-//! without. It is a cache and no part of the state: a copy of the world begins without, and snapshots do not hold it.
+//! What is remembered of a pair says which features need not be looked at; answers are the same, bit for bit, with it
+//! and without. It is a cache and no part of the state: a copy of the world begins without, and snapshots do not hold
+//! it.
 
 use polhode_contact::{Manifold, PairMemory, Shape, Workspace, near_manifold_with};
 use polhode_spatial::Pose;

@@ -73,8 +73,8 @@ pub enum SceneError {
     MovingHalfSpace(String),
     /// A triangle surface is given to a body that forces move.
     #[error(
-        "body {0} is a triangle surface, which encloses no volume: it must be fixed or kinematic; a body that forces move \
-         needs a closed mesh"
+        "body {0} is a triangle surface, which encloses no volume: it must be fixed or kinematic; a body that forces \
+         move needs a closed mesh"
     )]
     MovingSurface(String),
     /// A `no_contact` group names a body that does not exist.
@@ -98,7 +98,7 @@ pub enum SceneError {
     },
     /// The scene's integrator cannot integrate one of its forces.
     #[error(
-        "integrator {integrator} cannot integrate forces that depend on velocities (drag, damping): use dop853 or rk4"
+        "integrator {integrator} cannot integrate a force that depends on velocities (drag, damping): use dop853 or rk4"
     )]
     IntegratorTakesNoVelocities {
         /// Its name.
@@ -111,8 +111,8 @@ pub enum SceneError {
     FixedBodyPivots(String),
     /// The velocity of a pivoted body would move its pivot.
     #[error(
-        "body {body} has a pivot, but its velocity differs by {difference:e} m/s from the one that its angular velocity \
-         gives it about the pivot, {needed:?} m/s: give that velocity, or leave it out"
+        "body {body} has a pivot, but its velocity differs by {difference:e} m/s from the one that its angular \
+         velocity gives it about the pivot, {needed:?} m/s: give that one, or leave the velocity out"
     )]
     PivotMoves {
         /// The body.
@@ -140,8 +140,8 @@ pub enum SceneError {
     },
     /// Two bodies overlap at the start by more than counts as touch.
     #[error(
-        "bodies {body_a} and {body_b} overlap by {depth_m:e} m at the start, and at most {allowed_m:e} m counts as touch: \
-         move them apart, or name both in a no_contact group"
+        "bodies {body_a} and {body_b} overlap by {depth_m:e} m at the start, and at most {allowed_m:e} m counts as \
+         touch: move them apart, or name both in a no_contact group"
     )]
     InitialOverlap {
         /// One body.

@@ -1,7 +1,7 @@
 //! What a snapshot holds: plain data, from which everything else of a run is computed again.
 //!
-//! Left out are what is a pure function of these data (polynomials of steps, the agenda, mass properties) and buffers. What
-//! a program has changed in a running simulation belongs into [`Content`] too, beside the accounts.
+//! Left out are what is a pure function of these data (polynomials of steps, the agenda, mass properties) and buffers.
+//! What a program has changed in a running simulation belongs into [`Content`] too, beside the accounts.
 
 use super::numbers::{Contact, Kinematics, State, Vector};
 use serde::{Deserialize, Serialize};

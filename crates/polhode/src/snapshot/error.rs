@@ -12,8 +12,8 @@ pub enum SnapshotError {
     NotASnapshot,
     /// The snapshot has another version of the format.
     #[error(
-        "the snapshot has format {found}, and this version of the program reads format {known}: run the scene again from \
-         its start"
+        "the snapshot has format {found}, and this version of the program reads format {known}: run the scene again \
+         from its start"
     )]
     Version {
         /// Version of the format of the bytes.
@@ -23,7 +23,8 @@ pub enum SnapshotError {
     },
     /// Bytes are missing, or there are too many.
     #[error(
-        "the snapshot should have {expected} bytes and has {found}: it was not written or copied completely; copy it again"
+        "the snapshot should have {expected} bytes and has {found}: it was not written or copied completely; copy it \
+         again"
     )]
     Length {
         /// How many bytes it should have.
@@ -52,8 +53,8 @@ pub enum SnapshotError {
     },
     /// The simulation was made with other effects than the snapshot.
     #[error(
-        "the snapshot was taken with the effects {found:?}, and the simulation was made with {own:?}: make the simulation \
-         with Effects::{found:?}"
+        "the snapshot was taken with the effects {found:?}, and the simulation was made with {own:?}: make the \
+         simulation with Effects::{found:?}"
     )]
     OtherEffects {
         /// Effects of the snapshot.

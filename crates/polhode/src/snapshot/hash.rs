@@ -1,7 +1,7 @@
 //! The 64-bit hash FNV-1a, and that of a scene.
 //!
-//! `h <- (h xor byte) * 1099511628211`. Source: docs/REFERENCES.md, Fowler, Noll and Vo. It tells scenes apart that differ by
-//! accident; it is no protection against one made to have the same hash.
+//! `h <- (h xor byte) * 1099511628211`. Source: docs/REFERENCES.md, Fowler, Noll and Vo. It tells scenes apart that
+//! differ by accident; it is no protection against one made to have the same hash.
 
 use crate::Scene;
 use std::fmt::{self, Write};
@@ -37,8 +37,8 @@ impl Write for Fnv1a {
     }
 }
 
-/// Hash of everything that a scene says: of its debug text, in which every number stands with all its digits. Of a field of
-/// the user's own it knows what that shows of itself.
+/// Hash of everything that a scene says: of its debug text, in which every number stands with all its digits. Of a
+/// field of the user's own it knows what that shows of itself.
 pub(super) fn of_scene(scene: &Scene) -> u64 {
     let mut hash = Fnv1a::default();
     // Taking bytes in cannot fail.

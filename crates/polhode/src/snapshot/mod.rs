@@ -8,8 +8,8 @@
 //! | `hash` | the hash of a scene |
 //! | `error` | why a snapshot is refused |
 //!
-//! The bytes are those of postcard, in which a number keeps its bits. They do not depend on the platform. Another version of
-//! the program may read them, and need not compute the same bits from them.
+//! The bytes are those of postcard, in which a number keeps its bits. They do not depend on the platform. Another
+//! version of the program may read them, and need not compute the same bits from them.
 
 pub(crate) mod content;
 mod envelope;

@@ -24,8 +24,8 @@ use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen, further
-/// ones of a crowd where the last part begins.
+/// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen,
+/// further ones of a crowd where the last part begins.
 const MOST_SPLITS: u32 = 4;
 
 /// A contact that approaches or parts more slowly than gravity moves a body within this many steps is at rest, when

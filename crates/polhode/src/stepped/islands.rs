@@ -82,8 +82,8 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64
     swept.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
 }
 
-/// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no
-/// field acts on, is in none; one that a field acts on is an island by itself.
+/// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and
+/// that no field acts on, is in none; one that a field acts on is an island by itself.
 pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
     let mut sets = DisjointSets::new(world.bodies.len());
     let mut taken = vec![false; world.bodies.len()];

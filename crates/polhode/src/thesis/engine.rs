@@ -205,7 +205,8 @@ impl ThesisEngine {
         let h = t_next - core.t;
         let stage = Ends { t: [core.t, t_next], states: [&self.states, ends] };
         let mut received = free_stage::received(world, stage, &world.movable, about);
-        // Forces that stay the same work along the way of the contact points: their speed in the middle, to second order.
+        // Forces that stay the same work along the way of the contact points: their speed in the middle, to second
+        // order.
         let mut middle = self.states.clone();
         world.prescribe(core.t + 0.5 * h, &mut middle);
         let contacts = resting.touches.iter().zip(&resting.forces);

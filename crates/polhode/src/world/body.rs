@@ -67,7 +67,8 @@ impl WorldBody {
         })
     }
 
-    /// The state in which the scene gives the body, at `t` (s): prescribed motions are functions of the time of the run.
+    /// The state in which the scene gives the body, at `t` (s): prescribed motions are functions of the time of the
+    /// run.
     pub(super) fn state_at(&self, body: &Body, t: f64) -> BodyState {
         let pose = *body.initial_pose() * Pose::from_translation(self.origin);
         match (&self.rigid, &self.trajectory) {

@@ -1,7 +1,7 @@
 //! Energies of the bodies, and their centre of mass at the start.
 //!
-//! Potential energies are measured from the start of the run: far from the world's origin the potential itself is so large
-//! that its rounding exceeds its changes.
+//! Potential energies are measured from the start of the run: far from the world's origin the potential itself is so
+//! large that its rounding exceeds its changes.
 
 use super::model::World;
 use polhode_dynamics::BodyState;

@@ -4,8 +4,8 @@ use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Field, Wrench};
 use std::cell::RefCell;
 
-/// Buffers for the states and wrenches of all movable bodies; a query about a few bodies writes only their entries. They are
-/// no part of the state.
+/// Buffers for the states and wrenches of all movable bodies; a query about a few bodies writes only their entries.
+/// They are no part of the state.
 #[derive(Debug, Default)]
 pub(crate) struct FieldBuffers(pub(crate) RefCell<(Vec<BodyState>, Vec<Wrench>)>);
 
@@ -65,8 +65,8 @@ impl FieldIndex {
         named || self.unnamed.iter().any(|&number| fields[number].acts_on(slot))
     }
 
-    /// The fields that act on any of these movable bodies, ascending, and the slots of all bodies whose states those fields
-    /// read, with `slots` among them. Nothing when a field does not name its bodies.
+    /// The fields that act on any of these movable bodies, ascending, and the slots of all bodies whose states those
+    /// fields read, with `slots` among them. Nothing when a field does not name its bodies.
     pub(crate) fn acting_on(&self, slots: &[usize]) -> Option<(Vec<usize>, Vec<usize>)> {
         if !self.unnamed.is_empty() {
             return None;

@@ -139,8 +139,8 @@ impl World {
         Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
     }
 
-    /// As [`World::loads`], for these bodies alone. If every field names the bodies that it acts on, only the fields that act
-    /// on these bodies are evaluated.
+    /// As [`World::loads`], for these bodies alone. If every field names the bodies that it acts on, only the fields
+    /// that act on these bodies are evaluated.
     pub(crate) fn loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
         let motion = self.free_motion();
         let swing = |slot: usize, wrench: &mut Wrench| {
@@ -159,8 +159,8 @@ impl World {
         })
     }
 
-    /// Wrenches of the `chosen` fields on these bodies, each completed by `finish` with its slot; nothing when a field does not
-    /// name its bodies.
+    /// Wrenches of the `chosen` fields on these bodies, each completed by `finish` with its slot; nothing when a field
+    /// does not name its bodies.
     fn field_wrenches_on(
         &self,
         t: f64,

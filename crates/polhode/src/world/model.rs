@@ -1,9 +1,9 @@
 //! The model that the engine computes with: all bodies of a scene, in their moving frames.
 //!
 //! The moving frame C of a body has the axes of the body. Its origin is the centre of mass (thesis 3.2: "we can offset
-//! all the values so that the origin is forced to coincide with the centre of mass"), or the pivot of a body whose motion
-//! is reduced to rotation about it (`pivots.rs`). Shapes are transformed into the moving frame once, here; `reported.rs`
-//! transforms results back.
+//! all the values so that the origin is forced to coincide with the centre of mass"), or the pivot of a body whose
+//! motion is reduced to rotation about it (`pivots.rs`). Shapes are transformed into the moving frame once, here;
+//! `reported.rs` transforms results back.
 
 use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
@@ -163,8 +163,8 @@ impl World {
         self.collides
     }
 
-    /// Whether the momentum ledger counts the momentum of a body. A fixed or kinematic body has none, and a body reduced
-    /// to rotation about its pivot passes its momentum on to the world.
+    /// Whether the momentum ledger counts the momentum of a body. A fixed or kinematic body has none, and a body
+    /// reduced to rotation about its pivot passes its momentum on to the world.
     pub(crate) fn carries_momentum(&self, body: usize) -> bool {
         let body = &self.bodies[body];
         !body.removed && body.rigid.as_ref().is_some_and(|rigid| !rigid.is_pivoted())

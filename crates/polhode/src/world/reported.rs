@@ -8,8 +8,8 @@ use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
 impl World {
-    /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic body, which
-    /// has none, that of its own origin.
+    /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
+    /// body, which has none, that of its own origin.
     pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
         let body = &self.bodies[index];
         let velocity = match (&body.rigid, &body.trajectory) {
@@ -26,8 +26,8 @@ impl World {
         BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
     }
 
-    /// A body's acceleration as it is reported: that of the centre of mass, computed from that of the origin of the moving
-    /// frame.
+    /// A body's acceleration as it is reported: that of the centre of mass, computed from that of the origin of the
+    /// moving frame.
     pub(crate) fn reported_acceleration(
         &self,
         body: usize,

@@ -1,5 +1,5 @@
-//! The distances that decide whether two bodies touch or overlap: each relative to the size of the pair, with an allowance
-//! for the rounding of their poses.
+//! The distances that decide whether two bodies touch or overlap: each relative to the size of the pair, with an
+//! allowance for the rounding of their poses.
 
 use super::model::World;
 use polhode_dynamics::BodyState;
@@ -14,12 +14,13 @@ pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;
 /// Displacement of a surface by the rounding of its pose, in units in the last place of the largest coordinate.
 const ROUNDING_ULPS: f64 = 8.0;
 
-/// Allowance for rounding in the penetration that a tier promises, in units in the last place of the largest coordinate.
+/// Allowance for rounding in the penetration that a tier promises, in units in the last place of the largest
+/// coordinate.
 const PENETRATION_ULPS: f64 = 4.0;
 
 impl World {
-    /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does not
-    /// count.
+    /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
+    /// not count.
     pub(crate) fn pair_size(&self, a: usize, b: usize) -> f64 {
         let (size_a, size_b) = (self.bodies[a].size, self.bodies[b].size);
         if size_a == 0.0 {
@@ -50,7 +51,8 @@ impl World {
     fn ulp(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
         let coordinate = |i: usize| {
             let body = &self.bodies[i];
-            // A half-space has no size. Its plane may be far from its origin, and only the other body's coordinates count.
+            // A half-space has no size. Its plane may be far from its origin, and only the other body's coordinates
+            // count.
             if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
         };
         f64::EPSILON * coordinate(a).max(coordinate(b))

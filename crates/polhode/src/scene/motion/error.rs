@@ -28,8 +28,8 @@ pub enum MotionError {
     Frequency(f64),
     /// A speed or an acceleration of the motion exceeds [`LARGEST`].
     #[error(
-        "a prescribed motion reaches {quantity} of {value:e}: at most {LARGEST:e} is accepted; reduce the displacement, or \
-         allow more time for it"
+        "a prescribed motion reaches {quantity} of {value:e}: at most {LARGEST:e} is accepted; reduce the \
+         displacement, or allow more time for it"
     )]
     TooFast {
         /// What is too large, with its unit.
@@ -42,7 +42,8 @@ pub enum MotionError {
     EmptyTable,
     /// A table of fewer than two samples.
     #[error(
-        "a table of a prescribed motion has {0} samples: two or more are needed; a body that stands still is a fixed body"
+        "a table of a prescribed motion has {0} samples: two or more are needed; a body that stands still is a fixed \
+         body"
     )]
     TooFewSamples(usize),
     /// The number of positions or orientations is not that of the times.
@@ -67,8 +68,9 @@ pub enum MotionError {
     },
     /// Two successive orientations differ by so much that the sense of rotation between them is undetermined.
     #[error(
-        "orientations of a prescribed motion: between sample {before} and sample {index} the body turns by {angle} rad, and \
-         at most {LARGEST_TURN} rad is accepted, because half a turn may go either way: add samples between them",
+        "orientations of a prescribed motion: between sample {before} and sample {index} the body turns by {angle} \
+         rad, and at most {LARGEST_TURN} rad is accepted, because half a turn may go either way: add samples between \
+         them",
         before = .index.saturating_sub(1)
     )]
     Turn {
@@ -79,8 +81,8 @@ pub enum MotionError {
     },
     /// The initial pose given for the body is not that of the motion at t = 0.
     #[error(
-        "the {quantity} given differs by {difference:.2e} {unit} from that of the table at t = 0, {needed:?}: give that \
-         {quantity}, or leave it out"
+        "the {quantity} given differs by {difference:.2e} {unit} from that of the table at t = 0, {needed:?}: give \
+         that {quantity}, or leave it out"
     )]
     Start {
         /// What differs: the position or the orientation.
