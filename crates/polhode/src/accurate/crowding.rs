@@ -21,7 +21,7 @@ use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
-use crate::pivots::with_turning_alone;
+use crate::pivots::with_pivots_reduced;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
 use polhode_contact::aabb_of;
@@ -74,7 +74,7 @@ fn time_step(
 ) -> Result<(TimeStepReport, f64), ResponseError> {
     let work =
         |world: &World, states: &mut [BodyState]| stepper.advance_with_estimate(world, states, bodies, pairs, (t, h));
-    with_turning_alone(world, states, bodies, h, work, |(report, _)| &mut report.books)
+    with_pivots_reduced(world, states, bodies, h, work, |(report, _)| &mut report.books)
 }
 
 impl Engine {
@@ -272,7 +272,7 @@ impl Engine {
         }
         let mut stepper = step.stepper.clone();
         let h = t - step.t;
-        let made = with_turning_alone(
+        let made = with_pivots_reduced(
             &core.world,
             &mut scratch,
             bodies,

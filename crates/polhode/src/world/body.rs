@@ -41,7 +41,7 @@ impl WorldBody {
         let refused = |source| SceneError::Shape { body: body.name().to_owned(), source };
         let center_of_mass = body.mass_properties().map_or(DVec3::ZERO, MassProperties::center_of_mass);
         let held = HeldPoint::of(body).filter(|_| form == PivotForm::Rows);
-        let pivot = body.pivot_point().filter(|_| form == PivotForm::Turning);
+        let pivot = body.pivot_point().filter(|_| form == PivotForm::Reduced);
         let pivot = pivot.map(|point| body.initial_pose().inverse_transform_point(point));
         let origin = pivot.unwrap_or(center_of_mass);
         let shape = match body.shape() {
@@ -74,7 +74,7 @@ impl WorldBody {
         match (&self.rigid, &self.trajectory) {
             (Some(rigid), _) => {
                 let given = *body.initial_velocity();
-                rigid.at_velocity(pose, self.held.map_or(given, |held| held.turning(&pose, given.angular)))
+                rigid.at_velocity(pose, self.held.map_or(given, |held| held.velocity_of_rotation(&pose, given.angular)))
             }
             (None, Some(trajectory)) => prescribed_state::state_at(trajectory, t),
             (None, None) => BodyState::at_rest(pose),
