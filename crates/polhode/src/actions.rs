@@ -230,7 +230,7 @@ impl Simulation {
 /// Checks that a body overlaps no other body by more than counts as touch.
 fn check_clear(world: &World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
-        let Some(separation) = world.separation_afresh(states, index, other) else { continue };
+        let Some(separation) = world.separation_without_memory(states, index, other) else { continue };
         let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
         if separation < -allowed_m {
             let name = |body: usize| world.bodies[body].name.clone();

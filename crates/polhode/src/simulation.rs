@@ -56,7 +56,6 @@ impl StepOutcome {
 }
 
 /// A scene that is advanced in time.
-
 ///
 /// ```
 /// use polhode::contact::Shape;

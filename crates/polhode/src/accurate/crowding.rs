@@ -340,7 +340,7 @@ fn no_way_out(
     pairs: &[(usize, usize)],
     t: f64,
 ) -> Option<SimulationError> {
-    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_afresh(states, a, b)?, (a, b)));
+    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_without_memory(states, a, b)?, (a, b)));
     let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
     // The remaining penetration bounds that of all pairs, and is usually zero.
     let smallest = pairs.iter().map(|&(a, b)| core.world.pair_size(a, b)).fold(f64::INFINITY, f64::min);
