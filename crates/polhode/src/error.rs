@@ -142,9 +142,9 @@ pub enum SimulationError {
     },
     /// Many steps have advanced time by almost nothing.
     #[error(
-        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all, with {body_a} touching \
-         {body_b} at {point} m; their contact changes faster than steps can resolve: raise method.tolerance, change \
-         the initial poses a little, or set method.crowding = \"step\""
+        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of {body_a} \
+         and {body_b} at {point} m change faster than steps can resolve: raise method.tolerance, change the initial \
+         poses a little, or let method.crowding be \"step\""
     )]
     NoProgress {
         /// When, s.
@@ -153,11 +153,11 @@ pub enum SimulationError {
         steps: u64,
         /// Time by which they advanced in all, s.
         advanced_s: f64,
-        /// A body of a contact then; empty when there is none.
+        /// A body of a contact at that time; without a contact, a body of the event.
         body_a: String,
         /// The other body.
         body_b: String,
-        /// Where they touch, m.
+        /// The contact point, world, m; zero without a contact.
         point: DVec3,
     },
     /// A program asks to advance to a time that is not finite or lies in the past.

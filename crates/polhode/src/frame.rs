@@ -22,9 +22,10 @@ pub enum MotionKind {
     Rest,
 }
 
-/// A contact that touches. The motion and the resultants of contact forces are unique. Where statics does not determine
-/// the single forces (four legs on a floor), those of least norm are given, and another method may give others for the
-/// same motion.
+/// A contact that touches.
+///
+/// The motion and the resultants of contact forces are unique. Where statics does not determine the single forces (four
+/// legs on a floor), those of least norm are given, and another method may give others for the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactView {
     /// Body A.

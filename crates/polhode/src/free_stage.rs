@@ -1,6 +1,7 @@
-//! Impulse and work of gravity and force fields over a step of an integrator that does not keep books itself. Impulse
-//! and work are integrals over the step, computed by Simpson's rule from the states at both ends and in the middle. The
-//! middle state is that of the cubic Hermite polynomial through states and rates at the ends,
+//! Impulse and work of gravity and force fields over a step of an integrator that does not keep books itself.
+//!
+//! Impulse and work are integrals over the step, computed by Simpson's rule from the states at both ends and in the
+//! middle. The middle state is that of the cubic Hermite polynomial through states and rates at the ends,
 //! `x(h/2) = (x0 + x1)/2 + h/8 (x0' - x1')`, with attitudes as rotation vectors from the start; the integrator needs no
 //! further evaluation. The error of an integral is of order h^5 in the step, and zero for bodies under gravity alone.
 //! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.

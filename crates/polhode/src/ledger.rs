@@ -1,10 +1,11 @@
 //! The ledger of energy: the change of the total energy, booked by cause.
 //!
-//! `T + V + D_impact + D_friction + D_rest + D_damping - W_external + D_projection + D_numerical = E0` T is the kinetic
-//! and V the potential energy, E0 their sum at the start; a positive D is energy lost. Every term is computed from its
-//! own cause and none is the remainder of the others. What is left of the equation, the closure, therefore checks the
-//! book-keeping, and `D_numerical`, the energy that the integrator lost between events, measures its accuracy. Sums are
-//! compensated. [`crate::momentum_ledger`] does the same for momentum.
+//! `T + V + D_impact + D_friction + D_rest + D_damping - W_external + D_projection + D_numerical = E0`
+//!
+//! T is the kinetic and V the potential energy, E0 their sum at the start; a positive D is energy lost. Every term is
+//! computed from its own cause and none is the remainder of the others. What is left of the equation, the closure,
+//! therefore checks the book-keeping, and `D_numerical`, the energy that the integrator lost between events, measures
+//! its accuracy. Sums are compensated. [`crate::momentum_ledger`] does the same for momentum.
 
 use crate::MomentumLedger;
 use polhode_spatial::CompensatedSum;

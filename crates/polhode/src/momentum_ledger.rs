@@ -1,10 +1,11 @@
 //! The ledger of momentum: the change of linear and angular momentum, booked by cause.
 //!
-//! `P + D_rest + D_projection + D_numerical - J_gravity - J_support - J_fields - J_program =
-//! P0` and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world:
-//! the centre of mass of the movable bodies at the start. J is the impulse of external forces: gravity, force fields,
-//! and fixed bodies through impacts and active contacts. Forces between movable bodies cancel. Forces of pivots belong
-//! to the support; a body that is reduced to rotation about its pivot passes its momentum on to the world and counts as
+//! `P + D_rest + D_projection + D_numerical - J_gravity - J_support - J_fields - J_program = P0`
+//!
+//! and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world: the
+//! centre of mass of the movable bodies at the start. J is the impulse of external forces: gravity, force fields, and
+//! fixed bodies through impacts and active contacts. Forces between movable bodies cancel. Forces of pivots belong to
+//! the support; a body that is reduced to rotation about its pivot passes its momentum on to the world and counts as
 //! fixed. As in the ledger of energy, every term is computed from its own cause and none is the remainder. P in N s, L
 //! in N m s.
 

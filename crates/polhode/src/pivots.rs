@@ -3,18 +3,22 @@
 //! A pivot keeps the point Q of a body at a point of the world: three bilateral rows `p_Q = const`, with a constraint
 //! force of any direction. With the arm `r` from the centre of mass to Q,
 //!
-//! `u = v + w x r`,  `a_Q = a + alpha x r + w x (w x r)`, the rows are `(e_k, r x e_k)` for the three axes of the
-//! world, with the constants `e_k . (w x (w x r))` (thesis 3.2, equations 2 and 3 for a point of a body; Featherstone,
-//! chapter 8, for rows of joints). This is the general form: the moving frame of the body has its origin at the centre
-//! of mass, as that of any other body, and the pivot is one more [constraint](crate::interaction::constraint).
+//! `u = v + w x r`,  `a_Q = a + alpha x r + w x (w x r)`,
+//!
+//! the rows are `(e_k, r x e_k)` for the three axes of the world, with the constants `e_k . (w x (w x r))` (thesis 3.2,
+//! equations 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). This is the general form: the
+//! moving frame of the body has its origin at the centre of mass, as that of any other body, and the pivot is one more
+//! [constraint](crate::interaction::constraint).
 //!
 //! If no contact can act on the body, its motion can be reduced to rotation about Q: in a frame with its origin at Q,
 //! with the moments of inertia about Q and inverse mass zero ([`RigidBody::pivoted`]). Then no row is needed, and the
 //! pivot does not drift. This reduction of the plan is exact and costs less; a test compares it with the rows.
+//!
 //! | form | when |
 //! |---|---|
 //! | rows | tier `accurate` with `dop853` or `rk4`, if the body may collide or all effects are asked for |
 //! | reduced | otherwise, and in the time steps of a stretch of crowded events |
+//!
 //! Assumption: the point is fixed in the world and in the body. Fails: never; the scene refuses a point that is not
 //! finite.
 

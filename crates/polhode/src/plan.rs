@@ -212,7 +212,7 @@ fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Fi
     list
 }
 
-/// The bodies of the scene that have not been removed, with their numbers.
+/// The bodies of the scene that have not been removed, with their indices.
 fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
     world.scene.bodies().iter().enumerate().filter(|&(body, _)| !world.bodies[body].removed)
 }

@@ -10,6 +10,7 @@
 //! ```text
 //! chi'  = J v + sum +-n.(v + w x r)               chi'' = J a + bias + sum +-n.(a + alpha x r)
 //! ```
+//!
 //! where the sums are over the kinematic bodies of the contact. [`polhode_contact::kinematics`] includes the term of
 //! `chi'`, and all of `bias`, from the velocities in the states; [`World::prescribed_acceleration_of`] is the term of
 //! `chi''`. The kinematic body does work on the other body: a contact force f has the power `-f` times the term of

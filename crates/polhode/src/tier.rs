@@ -22,8 +22,10 @@ pub(crate) enum Reached {
     Event,
 }
 
-/// A set of methods with one promise. The default methods here are right for a tier that books every step when it makes
-/// it, and whose states are all those of the present between two steps.
+/// A set of methods with one promise.
+///
+/// The default methods here are right for a tier that books every step when it makes it, and whose states are all those
+/// of the present between two steps.
 pub(crate) trait Tier: std::fmt::Debug {
     /// Advances the present (`core.t`) to `limit_s`, or to the first event before it, and gives the observer the
     /// samples and events on the way.

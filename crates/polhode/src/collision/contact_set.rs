@@ -14,7 +14,7 @@ use polhode_spatial::{DVec3, Velocity};
 /// the two rules do not alternate.
 const COUNTERPART_FRACTION: f64 = 0.25;
 
-/// Identity of a contact point: two bodies (by number, A before B) and the features that meet.
+/// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct ContactId {
     pub(crate) a: usize,

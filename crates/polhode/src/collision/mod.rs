@@ -2,7 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `boxes` | boxes around moving bodies, and the pairs whose boxes meet |
+//! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
 

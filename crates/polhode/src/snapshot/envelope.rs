@@ -7,6 +7,7 @@
 //! | 8 | the length of the content, little-endian |
 //! | 8 | FNV-1a over the magic word, version, length and content |
 //! | rest | the content |
+//!
 //! Each step of FNV-1a is a bijection of the hash, so that every change of a single byte changes the checksum.
 
 use super::SnapshotError;

@@ -8,6 +8,7 @@
 //! | `envelope` | the header of the bytes: version, length, checksum |
 //! | `hash` | the hash of a scene |
 //! | `error` | why a snapshot is refused |
+//!
 //! The bytes are in the format postcard, in which numbers keep their bits. They do not depend on the platform. Another
 //! version of the program that reads them need not compute the same bits from them.
 
