@@ -1,7 +1,7 @@
 //! The `polhode` program.
 //!
 //! Results go to stdout, progress (a bar, on a terminal only) and messages to stderr. Exit codes: 0 fine; 1 a check
-//! failed, the run diverged or has not kept what its method promises (`degraded`); 2 usage or a bad scene; 3 input or
+//! failed, the run diverged or has not kept the promise of its tier (`degraded`); 2 usage or a bad scene; 3 input or
 //! output; 130 interrupted. The clock is read here and nowhere else.
 //!
 //! | module | holds |
@@ -9,12 +9,27 @@
 //! | `args` | the command line |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
-//! | `checkpoints` | when and where a run is kept to be continued |
-//! | `watch` | what a run shows and writes while it goes on, and Ctrl-C |
-//! | `cost` | the command that shows what accuracy costs |
+//! | `checkpoints` | when and where a run is stored so that it can be continued |
+//! | `watch` | the observer of a run: outputs, progress bar and Ctrl-C |
+//! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout` | writing results |
+//!
+//! The stages of `polhode run`, in the order of the calls; paths are in `src`. Other commands that take a scene load it
+//! in the same way.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | arguments | parses the command line and calls the command | `args.rs`, `main.rs` |
+//! | settings | collects the values that the command line sets | `scene.rs` |
+//! | accuracy | chooses the cheapest method that reaches a given error, if `--accuracy` asks for it | `cost/mod.rs` |
+//! | scene | loads the file with these values | `run.rs` |
+//! | outputs | opens files and the checkpoint, none of which may replace an input | `run.rs`, `checkpoints.rs` |
+//! | simulation | makes the simulation and prints its plan | `scene.rs`, `text/report.rs` |
+//! | run | runs it, with a progress bar, up to the end, a checkpoint or Ctrl-C | `run.rs`, `watch.rs` |
+//! | report | prints the report, for people or as JSON | `text/report.rs`, `stdout.rs` |
+//! | exit code | says on stderr what went wrong, and returns the exit code | `failure.rs` |
 
 mod args;
 mod check;

@@ -35,6 +35,31 @@
 //! assert_eq!(resting.contacts[0].geometry.normal, DVec3::Z);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls; paths are in `src`. The contacts of many bodies:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | shape | checks a shape, and stores what queries need: faces, edges, hull | `shape/construction.rs` |
+//! | boxes | bounds each body over an interval of time | `bounding/aabb.rs` |
+//! | broad phase | finds the pairs whose boxes overlap | `broad_phase` |
+//! | dispatch | chooses by the kinds of the two shapes, with buffers and the memory of the pair | `narrow_phase/dispatch/persistent.rs`, `narrow_phase/dispatch/manifold.rs` |
+//! | parts | takes compounds and meshes apart, and keeps the contacts that lie on the whole surface | `narrow_phase/parts/compound_pair.rs`, `narrow_phase/parts/mesh_pair.rs` |
+//! | axis | searches for the axis of largest separation | `narrow_phase/axis/separating_axis.rs`, `narrow_phase/axis/gap.rs`, `narrow_phase/axis/ring.rs` |
+//! | region | collects the features that touch around that axis | `narrow_phase/region/face_pair.rs`, `narrow_phase/region/round_region.rs` |
+//! | terms | evaluates each contact: point, normal, separation, and later its time derivatives | `narrow_phase/terms/evaluate.rs` |
+//!
+//! The time at which two moving shapes touch:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | search | checks arguments, and takes compounds and meshes apart | `impact/time_of_impact.rs`, `impact/composite_impact.rs` |
+//! | separation | evaluates the separation at a time, with the axis that attains it | `impact/pair_impact.rs` |
+//! | bound | computes how long the pair certainly stays separated along that axis | `impact/impact_bounds.rs`, `impact/quadratic_bound.rs` |
+//! | advancement | advances by that time and repeats, until the separation is rounding | `impact/pair_impact.rs` |
+//! | refinement | resolves the time more finely than poses are rounded | `impact/fine_time.rs` |
 
 mod backend;
 pub mod bounding;

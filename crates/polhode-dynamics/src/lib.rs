@@ -42,6 +42,28 @@
 //! assert!((rotational(&end) / rotational(&start) - 1.0).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls; paths are in `src`. Free flight, under gravity alone:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | body | makes inverse mass, inverse inertia and principal axes from mass properties | `rigid_body.rs` |
+//! | state | makes a state from pose and velocity | `rigid_body.rs`, `state.rs` |
+//! | flight record | computes the constants of the rotation | `flight.rs`, `exact_rotation/mod.rs` |
+//! | evaluation | evaluates parabola and rotation at any time, by elliptic functions | `flight.rs`, `exact_rotation/elliptic.rs` |
+//!
+//! Motion under forces:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | fields | gives forces and torques at a time and a state | `field` |
+//! | system | makes the rates of a flat state from them | `free_motion.rs`, `system.rs` |
+//! | method | makes the integrator of a name | `integrator/method.rs` |
+//! | step | evaluates the rates at its stages, estimates its error and repeats with a shorter step | `integrator`, `dop853.rs`, `rk4.rs` |
+//! | dense output | gives the state within the step, and bounds on the motion | `dense_step.rs`, `integrated_motion.rs` |
+//! | event location | finds when a function of the states changes its sign | `integrator/event.rs` |
 
 pub mod carlson;
 mod dense_polynomial;

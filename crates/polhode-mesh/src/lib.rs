@@ -41,6 +41,22 @@
 //! assert!((properties.mass() - 1.0).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls, from a file to mass properties and convex parts; paths are in `src`.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | read | recognises the format and reads vertices and triangles | `format.rs`, `obj.rs`, `stl.rs`, `off.rs`, `ply.rs` |
+//! | mesh | checks that coordinates are finite and that triangles name vertices | `triangle_mesh.rs` |
+//! | diagnosis | finds what keeps the mesh from bounding a solid, and where | `diagnosis.rs`, `topology.rs` |
+//! | repair | mends what can be mended safely, and reports it | `repair.rs`, `weld.rs` |
+//! | solid | accepts a mesh without such defects and with positive volume | `solid_mesh.rs` |
+//! | integrals | sums volume, centroid and second moment about a local point | `volume_integrals.rs`, `moment_sums.rs` |
+//! | mass properties | scales them by a mass or a density | `mass_properties.rs` |
+//! | convexity | measures how far the solid is from convex | `convexity.rs` |
+//! | decomposition | cuts it into convex parts along planes | `decomposition.rs`, `convex_hull.rs` |
 
 pub mod convex_hull;
 pub mod convex_solid;

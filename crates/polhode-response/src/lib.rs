@@ -38,6 +38,29 @@
 //! assert!(forces.iter().all(|f| (f - 3.27).abs() < 1e-14));
 //! # Ok::<(), polhode_response::ResponseError>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls; paths are in `src`. Contact forces:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | problem | takes inverse masses and the rows of each constraint | `problem.rs`, `row_block.rs` |
+//! | Delassus matrix | computes `J M^-1 J^T` | `delassus.rs` |
+//! | active set | finds the rows with forces, from the last ones at first (warm start) | `complementarity/solver.rs`, `complementarity/active_set.rs` |
+//! | twice the precision | repeats that where rows nearly depend on each other | `precise.rs` |
+//! | interior point | solves what the active set has not | `interior_point.rs` |
+//! | certificate | computes residual and error bound of the answer | `certificate.rs` |
+//! | least norm | chooses the least forces of the same motion | `minimum_norm.rs`, `least_norm_hold.rs` |
+//!
+//! Impacts:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | law | calls the law of a name | `impact/law.rs` |
+//! | impulses | strikes rows by the law, each solve by the active set above | `impact/reflection.rs`, `impact/simultaneous.rs`, `impact/propagation.rs` |
+//! | end | checks that no row approaches, and computes the change of energy | `impact/finish.rs` |
+//! | outcome | returns impulses, status and energy | `impact/outcome.rs` |
 
 pub mod certificate;
 pub mod complementarity;

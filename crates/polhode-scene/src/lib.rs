@@ -31,6 +31,22 @@
 //! assert!(error.to_string().contains("mass must be a positive number of kilograms, found -1"));
 //! # Ok::<(), polhode_scene::SceneFileError>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls, from a scene file to the files of a run; paths are in `src`.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | read | reads the file, up to a largest length | `load.rs`, `read.rs` |
+//! | document | parses the text and values set from outside, and keeps the place of every key | `document/mod.rs`, `document/tree.rs`, `document/overrides.rs` |
+//! | format | turns keys into plain data | `format/scene.rs` |
+//! | build | makes bodies, forces and method through the constructors that check them | `build/scene.rs` |
+//! | meshes | reads the mesh files that bodies name | `mesh_file.rs` |
+//! | error | shows the line of a key that is refused | `error.rs`, `document/source.rs` |
+//! | output | writes samples and events while the run goes on | `output/outputs.rs`, `output/atomic_file.rs` |
+//! | checkpoint | stores a run and loads it again | `checkpoint.rs` |
+//! | report | writes plan and report as JSON | `report.rs` |
 
 pub mod checkpoint;
 pub mod compare;

@@ -32,6 +32,18 @@
 //! assert_eq!(brick.principal_axes().moments(), DVec3::new(2.5, 5.0, 6.5));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Stages
+//!
+//! In the order of the calls, from inertia to a moving pose; paths are in `src`.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | inertia | checks that moments are positive and obey the triangle inequality | `inertia.rs` |
+//! | mass properties | joins mass, centre of mass and inertia; adds the parts of a body | `mass_properties.rs` |
+//! | principal axes | finds principal moments and axes | `principal_axes.rs` |
+//! | pose, velocity | relate frames and give the velocities of points | `rotation.rs`, `pose.rs`, `velocity.rs` |
+//! | motion | gives a pose at any time, with bounds over an interval | `motion` |
 
 pub mod compensated_sum;
 pub mod disjoint_sets;

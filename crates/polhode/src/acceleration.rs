@@ -1,12 +1,12 @@
-//! How fast the velocity of a body changes.
+//! Linear and angular acceleration of a body.
 
 use polhode_spatial::DVec3;
 
 /// Acceleration of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Acceleration {
-    /// Of the centre of mass, world, m/s^2.
+    /// Acceleration of the centre of mass, world, m/s^2; of a kinematic body that of its own origin.
     pub linear: DVec3,
-    /// Angular, world, rad/s^2.
+    /// Angular acceleration, world, rad/s^2.
     pub angular: DVec3,
 }

@@ -1,4 +1,4 @@
-//! Why an action of a program on a simulation is refused.
+//! Errors of actions: why a simulation refuses what a program wants to do to a body.
 
 use thiserror::Error;
 
@@ -6,22 +6,28 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ActionError {
-    /// The handle is not one of this simulation's.
-    #[error("body number {index} does not exist: the simulation has {bodies} bodies")]
+    /// The handle belongs to no body of this simulation.
+    #[error(
+        "body number {index} (counted from 0) does not exist: the simulation has {bodies} bodies; use a handle that \
+         this simulation gave"
+    )]
     UnknownBody {
-        /// The number of the handle.
+        /// Index of the handle.
         index: usize,
         /// How many bodies there are.
         bodies: usize,
     },
     /// The body has been removed.
-    #[error("body {0} has been removed: its handle is no longer of use")]
+    #[error("body {0} has been removed: nothing can be done to it any more")]
     RemovedBody(String),
-    /// The body never moves.
-    #[error("body {0} is fixed: no force, impulse or velocity moves it")]
+    /// The body is fixed or kinematic, and no action moves it.
+    #[error(
+        "body {0} is fixed or has a prescribed motion: a program cannot give it a force, an impulse, a velocity or a \
+         pose"
+    )]
     FixedBody(String),
     /// A number is not finite.
-    #[error("{what} of body {body} has a component that is not finite")]
+    #[error("{what} of body {body} has a component that is not finite: finite numbers are needed")]
     NotFinite {
         /// The body.
         body: String,
@@ -30,7 +36,8 @@ pub enum ActionError {
     },
     /// The body would overlap another one.
     #[error(
-        "body {body_a} would overlap body {body_b} by {depth_m:e} m; at most {allowed_m:e} m counts as touch: choose another pose"
+        "body {body_a} would overlap body {body_b} by {depth_m:e} m, and at most {allowed_m:e} m counts as touch: \
+         choose another pose"
     )]
     Overlap {
         /// The body.
@@ -39,10 +46,10 @@ pub enum ActionError {
         body_b: String,
         /// How deep, m.
         depth_m: f64,
-        /// What counts as touch, m.
+        /// Largest overlap that counts as touch, m.
         allowed_m: f64,
     },
-    /// The body is held at a pivot, which it cannot leave.
-    #[error("body {0} is held at a pivot: it can be turned about it, not moved away from it")]
+    /// The pose would move the body away from its pivot.
+    #[error("the pose would move body {0} away from its pivot: choose a pose that turns it about the pivot")]
     PivotedBody(String),
 }

@@ -1,9 +1,10 @@
-//! What a program does to the bodies of a simulation.
+//! Actions: what a program does to the bodies of a simulation.
 //!
-//! Every action is checked before anything changes, so that one that is refused leaves the simulation as it was. An action
-//! ends the present steps of the bodies it concerns, wakes them from rest, and lets them go on; other bodies are left
-//! alone. The ledgers book it as work from outside and as impulse given by the program. Where an action ends a reduction
-//! of the plan (planar motion, flight in closed form, no contact), the plan is derived again, and the report says when.
+//! Every action is checked before anything changes, so that a refused action leaves the simulation as it was. An action
+//! ends the present steps of the bodies that it affects, wakes them from rest, and starts new steps; the steps of other
+//! bodies continue. The energy ledger books the action as external work, the momentum ledger as impulse of the program.
+//! After an action the plan is derived again, because the action may end a reduction (planar motion, free flight in
+//! closed form, no contact); the report says when and what changed.
 
 use crate::action_error::ActionError;
 use crate::plan::Findings;
@@ -18,11 +19,11 @@ use polhode_dynamics::field::Wrench;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
 impl Simulation {
-    /// Sets the force (N) on the centre of mass of a body and the torque (N m), world; both are held until they are set
-    /// again. Zero takes them away.
+    /// Applies a force (N) at the centre of mass of a body and a torque (N m), world. Both act until they are set
+    /// again; zero removes them.
     ///
     /// # Errors
-    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    /// For a removed, fixed or kinematic body and for numbers that are not finite ([`ActionError`]).
     pub fn set_force(&mut self, body: BodyId, force_n: DVec3, torque_nm: DVec3) -> Result<(), SimulationError> {
         let index = self.movable(body)?;
         self.finite(index, "the force", force_n)?;
@@ -31,10 +32,10 @@ impl Simulation {
         self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))
     }
 
-    /// Gives an impulse (N s) to a body at a point (m), both world.
+    /// Applies an impulse (N s) to a body at a point (m), both world.
     ///
     /// # Errors
-    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    /// For a removed, fixed or kinematic body and for numbers that are not finite ([`ActionError`]).
     pub fn apply_impulse(&mut self, body: BodyId, impulse_ns: DVec3, point_m: DVec3) -> Result<(), SimulationError> {
         let index = self.movable(body)?;
         self.finite(index, "the impulse", impulse_ns)?;
@@ -48,10 +49,11 @@ impl Simulation {
         })
     }
 
-    /// Sets the velocity of a body: of its centre of mass, and angular, world. A body on a pivot takes the angular one.
+    /// Sets the velocity of the centre of mass of a body and its angular velocity, world. For a body at a pivot the
+    /// angular velocity determines that of the centre of mass, and the one given is ignored.
     ///
     /// # Errors
-    /// For a removed or fixed body and for numbers that are not finite ([`ActionError`]).
+    /// For a removed, fixed or kinematic body and for numbers that are not finite ([`ActionError`]).
     pub fn set_velocity(&mut self, body: BodyId, velocity: Velocity) -> Result<(), SimulationError> {
         let index = self.movable(body)?;
         self.finite(index, "the velocity", velocity.linear)?;
@@ -61,10 +63,11 @@ impl Simulation {
         })
     }
 
-    /// Puts a body to a pose (of its own origin, world). Its velocity stays.
+    /// Sets the pose of a body (of its own origin, world). Its velocity and angular velocity stay.
     ///
     /// # Errors
-    /// When the body would overlap another one, leave its pivot, or is removed, fixed or not finite ([`ActionError`]).
+    /// When the body would overlap another one or leave its pivot, when the pose is not finite, or for a removed, fixed
+    /// or kinematic body ([`ActionError`]).
     pub fn set_pose(&mut self, body: BodyId, pose: Pose) -> Result<(), SimulationError> {
         let index = self.movable(body)?;
         if !pose.is_finite() {
@@ -79,16 +82,17 @@ impl Simulation {
         states[index].pose = moved;
         self.check_clear(index, &states)?;
         self.change_state(index, &[index], "set_pose", |world, rigid, state| {
-            // The velocities stay, so that the momentum turns with the body.
+            // The velocities stay; the angular momentum follows from the new attitude.
             let velocity = rigid.center_of_mass_velocity(state);
             *state = rigid.at_velocity(moved, world.admitted_velocity(index, &moved, velocity));
         })
     }
 
-    /// Adds a body, as it would stand in a scene, at the present; its handle.
+    /// Adds a body, given as in a scene, at the present time. Returns its handle.
     ///
     /// # Errors
-    /// When a scene would refuse it (a name in use, numbers that are not finite), or it would overlap another body.
+    /// When a scene would refuse the body (its name is in use, a number is not finite), or it would overlap another
+    /// body.
     pub fn add_body(&mut self, body: Body) -> Result<BodyId, SimulationError> {
         let world = &self.core.world;
         let taken = world.bodies.iter().any(|other| !other.removed && other.name == body.name);
@@ -108,10 +112,10 @@ impl Simulation {
         Ok(BodyId::new(index))
     }
 
-    /// Removes a body. Its number stays in samples, with the pose it had; what it carried falls.
+    /// Removes a body. Samples keep its place, with its last pose. Bodies that rested on it are no longer supported.
     ///
     /// # Errors
-    /// For a body that has been removed before ([`ActionError`]).
+    /// For a body that has already been removed ([`ActionError`]).
     pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
         let index = self.present(body)?;
         self.act(&[index], &[], "remove_body", |simulation| {
@@ -122,7 +126,8 @@ impl Simulation {
         })
     }
 
-    /// Changes the state of a body, and books the change; `moved` names the body if its pose is new.
+    /// Changes the state of a body and books the change as one by the program. `moved` holds the body if its pose
+    /// changes, and nothing else.
     fn change_state(
         &mut self,
         index: usize,
@@ -131,11 +136,13 @@ impl Simulation {
         change: impl Fn(&World, &polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
         if let Some(rigid) = &self.core.world.bodies[index].rigid {
-            // Finite numbers may have an effect that is not.
+            // The effect of finite numbers may overflow.
             let mut state = self.tier.states(&self.core)[index];
             change(&self.core.world, rigid, &mut state);
             if !(state.is_finite() && rigid.kinetic_energy(&state).is_finite()) {
-                return Err(ActionError::NotFinite { body: self.name(index), what: "the motion after it" }.into());
+                return Err(
+                    ActionError::NotFinite { body: self.name(index), what: "the state after the action" }.into()
+                );
             }
         }
         self.act(&[index], moved, what, |simulation| {
@@ -150,8 +157,8 @@ impl Simulation {
         })
     }
 
-    /// Does something to bodies that have been interrupted, derives the plan again, and lets the bodies go on; the poses of
-    /// `moved` are new.
+    /// Ends the steps of `bodies`, applies `change`, derives the plan again, and starts new steps. The poses of `moved`
+    /// have changed.
     fn act(
         &mut self,
         bodies: &[usize],
@@ -159,7 +166,7 @@ impl Simulation {
         what: &'static str,
         change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
     ) -> Result<(), SimulationError> {
-        // A plane of motion is one of all bodies: whether they stay in it is asked of all.
+        // Planar motion is one of all bodies, so that the symmetry of all must be measured again.
         let planar = self.core.world.plane.is_some();
         let concerned = if planar { self.core.world.movable.clone() } else { bodies.to_vec() };
         self.tier.interrupt(&mut self.core, &concerned)?;
@@ -179,7 +186,7 @@ impl Simulation {
                 let found = planar::find(&core.world, &states, &core.settings);
                 if found.plane == Some(plane) { found } else { PlanarFinding { plane: None, ..found } }
             }
-            _ => PlanarFinding::off("not looked for again after an action of the program"),
+            _ => PlanarFinding::off("not examined again after an action of the program"),
         };
         core.world.plane = planar.plane;
         let findings = Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), choice, planar };
@@ -191,7 +198,7 @@ impl Simulation {
         self.plan = plan;
     }
 
-    /// The number of a body that has not been removed.
+    /// Index of a body that has not been removed.
     fn present(&self, body: BodyId) -> Result<usize, ActionError> {
         let (index, bodies) = (body.index(), self.core.world.bodies.len());
         match self.core.world.bodies.get(index) {
@@ -201,7 +208,7 @@ impl Simulation {
         }
     }
 
-    /// The number of a body that moves.
+    /// Index of a body that forces move.
     fn movable(&self, body: BodyId) -> Result<usize, ActionError> {
         let index = self.present(body)?;
         if self.core.world.bodies[index].moves() { Ok(index) } else { Err(ActionError::FixedBody(self.name(index))) }
@@ -220,10 +227,10 @@ impl Simulation {
     }
 }
 
-/// Checks that a body overlaps no other one.
+/// Checks that a body overlaps no other body by more than counts as touch.
 fn check_clear(world: &World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
-        let Some(separation) = world.separation_afresh(states, index, other) else { continue };
+        let Some(separation) = world.separation_without_memory(states, index, other) else { continue };
         let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
         if separation < -allowed_m {
             let name = |body: usize| world.bodies[body].name.clone();

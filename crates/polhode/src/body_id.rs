@@ -1,7 +1,7 @@
 //! The handle of a body.
 
-/// A body of a simulation, by its number in the scene: the same number in samples, events, fields of the report and
-/// queries. Numbers are never given again: the handle of a body that has been removed stays that of a removed body.
+/// The handle of a body of a simulation: its index in the scene, which is also its index in samples, events, reports
+/// and queries. The index of a removed body is not given to another one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(usize);
 
@@ -10,7 +10,7 @@ impl BodyId {
         Self(number)
     }
 
-    /// The number of the body in the scene, which is its place in samples.
+    /// Index of the body in the scene, which is its place in samples.
     pub const fn index(self) -> usize {
         self.0
     }

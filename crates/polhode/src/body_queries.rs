@@ -1,7 +1,7 @@
-//! Questions about the bodies of a simulation where they stand: nearest, overlapping, hit by a ray, distance of two.
+//! Geometric queries about the bodies of a simulation at its present time: the nearest body, overlaps, rays, distances.
 //!
-//! The answers name bodies by their index in the scene. Bodies without a shape, and meshes that collide with nothing, have
-//! no place in them.
+//! Answers give bodies by their indices in the scene. Bodies without a shape, and meshes of bodies that may not
+//! collide, are not found.
 
 use crate::world::World;
 use polhode_contact::{Aabb, ClosestPoints, QueryError, QueryScene, Ray, RayHit, Shape, SurfacePoint, distance};
@@ -32,7 +32,8 @@ use polhode_spatial::{DVec3, Pose};
 #[derive(Debug, Clone)]
 pub struct BodyQueries<'a> {
     scene: QueryScene<'a>,
-    /// Body of each member of the scene, ascending, with its shape and where that stands.
+    /// For each member of the query scene: the index of its body, ascending, its shape, and the pose of its moving
+    /// frame.
     members: Vec<(usize, &'a Shape, Pose)>,
     names: Vec<&'a str>,
 }
@@ -56,7 +57,7 @@ impl<'a> BodyQueries<'a> {
         self.names.iter().position(|own| *own == name)
     }
 
-    /// The body nearest to a point (world, m), and the nearest place of its surface.
+    /// The body nearest to a point (world, m), and the nearest point of its surface.
     ///
     /// # Errors
     /// When the point is not finite.
@@ -64,17 +65,17 @@ impl<'a> BodyQueries<'a> {
         Ok(self.scene.nearest(point)?.map(|(member, found)| (self.body(member), found)))
     }
 
-    /// The body that a ray meets first within a distance (m), and where.
+    /// The body that a ray hits first within a distance (m), and the hit.
     pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(usize, RayHit)> {
         self.scene.first_hit(ray, max_distance).map(|(member, hit)| (self.body(member), hit))
     }
 
-    /// All bodies that a ray meets within a distance (m), sorted by distance.
+    /// All bodies that a ray hits within a distance (m), sorted by distance.
     pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
         self.scene.all_hits(ray, max_distance).into_iter().map(|(member, hit)| (self.body(member), hit)).collect()
     }
 
-    /// All bodies that overlap a shape that stands at a pose, ascending; touch counts.
+    /// All bodies that overlap or touch a shape at a pose, ascending.
     ///
     /// # Errors
     /// When the pose is not finite.
@@ -82,7 +83,7 @@ impl<'a> BodyQueries<'a> {
         Ok(self.scene.overlapping(shape, pose)?.into_iter().map(|member| self.body(member)).collect())
     }
 
-    /// All bodies that overlap a box along the world's axes, ascending; touch counts.
+    /// All bodies that overlap or touch a box along the world's axes, ascending.
     ///
     /// # Errors
     /// When the box is flat or unbounded.

@@ -1,12 +1,12 @@
-//! A body as it is reported.
+//! Pose and velocity of a body, as samples and reports hold them.
 
 use polhode_spatial::{Pose, Velocity};
 
-/// A body at one time.
+/// Pose and velocity of a body at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodySample {
     /// `X_WB`: pose of the body's own origin.
     pub pose: Pose,
-    /// Velocity of the centre of mass and angular velocity, world.
+    /// Velocity of the centre of mass (of a kinematic body: of its own origin) and angular velocity, world.
     pub velocity: Velocity,
 }

@@ -1,4 +1,4 @@
-//! What every tier works on: the world, the settings, the present time and the accounts.
+//! What all tiers work on: the world, the settings, the present time and the accounts.
 
 use crate::accounting::Accounts;
 use crate::settings::Settings;
@@ -15,25 +15,26 @@ pub(crate) struct Core {
     /// The present, s.
     pub(crate) t: f64,
     pub(crate) accounts: Accounts,
-    /// Buffers of contact problems; the answers do not depend on what was solved before.
+    /// Solver of contact problems, with its buffers; its answers do not depend on what it solved before.
     pub(crate) solver: ComplementaritySolver,
 }
 
 impl Core {
-    /// Where a step from `t` (s) must end at the latest: at the end of the run, or where a force is not smooth in time.
+    /// The time (s) at which a step from `t` (s) must end at the latest: the end of the run, or the first time at which
+    /// a force is not smooth.
     pub(crate) fn horizon(&self, t: f64) -> f64 {
         let duration = self.world.scene.duration_s();
-        // A program may go on after the end of the run.
+        // A program may advance beyond the end of the run.
         let end = if t < duration { duration } else { f64::INFINITY };
         self.world.free_motion().corner_between(t, end).unwrap_or(end)
     }
 
-    /// Whether the run ends at `t` (s); a program may go on.
+    /// Whether the run ends at `t` (s); a program may advance further.
     pub(crate) fn is_end_of_run(&self, t: f64) -> bool {
         t == self.world.scene.duration_s()
     }
 
-    /// A contact problem that was refused.
+    /// The error of a contact problem at `t` (s) that could not be set up.
     pub(crate) fn response_error(t: f64, source: ResponseError) -> SimulationError {
         SimulationError::ContactProblem { t, source }
     }

@@ -3,9 +3,9 @@
 /// Which effects a run simulates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Effects {
-    /// Those that the plan finds the scene to call for.
+    /// Those that the plan finds to matter in the scene.
     #[default]
     Planned,
-    /// All, whether called for or not: the reference for what the plan leaves out.
+    /// All, without the reductions of the plan: the reference that shows what the reductions change.
     All,
 }

@@ -1,14 +1,15 @@
-//! The energies of a scene.
+//! Total, kinetic and potential energy of a scene.
 
-/// Energies of the whole scene, J. The potential is `-sum m g.x_cm`, zero at the world's origin.
+/// Energies of the whole scene, J. The potential energy is `-sum m g.p_WBcm`, zero at the world's origin, and that of
+/// the conservative force fields.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
-    /// Total at t = 0.
+    /// Total energy at t = 0.
     pub initial_j: f64,
-    /// Total at the end.
+    /// Total energy at the time of the report, or at the present.
     pub final_j: f64,
-    /// Kinetic at the end.
+    /// Kinetic energy then.
     pub kinetic_j: f64,
-    /// Potential at the end.
+    /// Potential energy then.
     pub potential_j: f64,
 }

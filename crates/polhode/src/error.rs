@@ -1,4 +1,4 @@
-//! What can go wrong while simulating.
+//! Errors of a simulation: why it cannot be made, cannot go on, or refuses what a program asks for.
 
 use crate::action_error::ActionError;
 use crate::scene::SceneError;
@@ -23,22 +23,29 @@ pub enum SimulationError {
     #[error(transparent)]
     Snapshot(#[from] SnapshotError),
     /// The state is no longer finite.
-    #[error("the state of body {body} is not finite at t = {t} s: the run diverged")]
+    #[error(
+        "the pose or velocity of body {body} is not finite at t = {t} s: the integration diverged; use a shorter \
+         method.step, or leave the integrator to the plan"
+    )]
     Diverged {
         /// The body.
         body: String,
         /// When, s.
         t: f64,
     },
-    /// The total energy is too large for a number.
-    #[error("the energy of the scene is no longer a finite number at t = {t} s: speeds or accelerations are too large")]
+    /// The total energy exceeds the largest number.
+    #[error(
+        "the total energy is not a finite number at t = {t} s: masses, speeds, forces or coordinates of the scene are \
+         too large; check their units"
+    )]
     EnergyOverflow {
         /// When, s.
         t: f64,
     },
-    /// More events in one step than allowed.
+    /// One step holds more events than `method.max_events_per_step` allows.
     #[error(
-        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, or give the contact a restitution below 1"
+        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, shorten method.step, \
+         or give the materials a restitution below 1"
     )]
     TooManyEvents {
         /// The limit.
@@ -47,35 +54,39 @@ pub enum SimulationError {
         t: f64,
     },
     /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
-    #[error("contact forces not found at t = {t} s: the residual stays at {residual:e}")]
+    #[error(
+        "the solver found no contact forces or impulses at t = {t} s: the relative residual stays at {residual:e}; \
+         mass ratios or lengths of the scene may differ too much"
+    )]
     ContactSolve {
         /// When, s.
         t: f64,
-        /// Residual reached (relative).
+        /// Residual reached, relative.
         residual: f64,
     },
-    /// There are more bodies than pairs can be numbered for.
-    #[error("pairs of bodies that may touch cannot be found: {0}")]
+    /// There are more bodies than the broad phase can number.
+    #[error("the broad phase cannot find the pairs of bodies that may touch: {0}")]
     BroadPhase(#[source] BroadPhaseError),
     /// The integrator could not make a step.
-    #[error("no step possible from t = {t} s: {source}")]
+    #[error("the integrator cannot make a step from t = {t} s: {source}")]
     Integration {
         /// Start of the step, s.
         t: f64,
         /// Why.
         source: IntegrationError,
     },
-    /// A contact problem was not valid.
-    #[error("contact problem refused at t = {t} s: {source}")]
+    /// The data of a contact problem are not valid.
+    #[error("the contact problem at t = {t} s cannot be set up: {source}")]
     ContactProblem {
         /// When, s.
         t: f64,
         /// Why.
         source: ResponseError,
     },
-    /// Steps became too short to make progress.
+    /// Error control asks for a step that is too short to advance time.
     #[error(
-        "the step fell below {smallest_s:e} s at t = {t} s: the motion cannot be resolved to the tolerance asked for"
+        "error control asks for a step shorter than {smallest_s:e} s at t = {t} s, which no longer advances time: \
+         raise method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)"
     )]
     StepTooSmall {
         /// When, s.
@@ -83,36 +94,41 @@ pub enum SimulationError {
         /// Shortest step allowed, s.
         smallest_s: f64,
     },
-    /// A force of the scene is infinite or not a number where a body is: at the place of what attracts it, say.
-    #[error("{force} on body {body} is not finite at t = {t} s: its formula is singular where the body is")]
+    /// A force of the scene is infinite or not a number at the position of a body: at the centre of attraction, for
+    /// example.
+    #[error(
+        "{force} on body {body} is not finite at t = {t} s: its formula is singular at the position of the body; move \
+         the body"
+    )]
     ForceNotFinite {
         /// When, s.
         t: f64,
         /// The body.
         body: String,
-        /// The force: its number in the scene, from one, and its kind.
+        /// The force: its index in the scene, counted from 0, and its kind.
         force: String,
     },
-    /// A body has come so near to a place where a force grows beyond all bounds that no step is short enough. There is no
-    /// motion through such a place that the equations would determine.
+    /// A body has come so near to a singularity of a force that no step is short enough. The equations of motion
+    /// determine no motion through such a point.
     #[error(
-        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body runs into a \
-         place at which its formula is singular; end the run before, or start the body past that place"
+        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body \
+         approaches a point at which the formula of the force is singular; end the run before, or start the body so \
+         that it misses that point"
     )]
     SingularForce {
         /// When, s.
         t: f64,
         /// The body.
         body: String,
-        /// The force: its number in the scene, from one, and its kind.
+        /// The force: its index in the scene, counted from 0, and its kind.
         force: String,
-        /// How large it has become, N.
+        /// Its magnitude then, N.
         force_n: f64,
     },
-    /// Bodies overlap where nothing can move them apart: a prescribed motion leaves one no way out.
+    /// A prescribed motion presses a body into another one that cannot yield.
     #[error(
-        "{body_a} and {body_b} overlap by {overlap_m:e} m at t = {t} s, and nothing moves them apart: leave the body a way \
-         out, or end the prescribed motion before"
+        "{body_a} and {body_b} overlap by {overlap_m:e} m at t = {t} s, and no impulse can separate them: a prescribed \
+         motion leaves a body no room; give it room, or end the prescribed motion before"
     )]
     NoWayOut {
         /// When, s.
@@ -124,27 +140,28 @@ pub enum SimulationError {
         /// How far they overlap, m.
         overlap_m: f64,
     },
-    /// Many steps have not advanced time.
+    /// Many steps have advanced time by almost nothing.
     #[error(
-        "no progress at t = {t} s: {steps} steps have advanced by {advanced_s:e} s while {body_a} touches {body_b} at {point} m: \
-         the contact changes faster than it can be followed; raise method.tolerance, or move the start a little"
+        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of {body_a} \
+         and {body_b} at {point} m change faster than steps can resolve: raise method.tolerance, change the initial \
+         poses a little, or let method.crowding be \"step\""
     )]
     NoProgress {
         /// When, s.
         t: f64,
         /// How many steps.
         steps: u64,
-        /// How far they advanced, s.
+        /// Time by which they advanced in all, s.
         advanced_s: f64,
-        /// A body of a contact then; empty when there is none.
+        /// A body of a contact at that time; without a contact, a body of the event.
         body_a: String,
         /// The other body.
         body_b: String,
-        /// Where they touch, m.
+        /// The contact point, world, m; zero without a contact.
         point: DVec3,
     },
-    /// A time to go on to is not finite, or has passed.
-    #[error("cannot go on to t = {t_s} s from t = {now_s} s: a finite time that has not passed is needed")]
+    /// A program asks to advance to a time that is not finite or lies in the past.
+    #[error("cannot advance to t = {t_s} s: a finite time of at least the present, t = {now_s} s, is needed")]
     TimeInThePast {
         /// The time asked for, s.
         t_s: f64,
@@ -152,7 +169,7 @@ pub enum SimulationError {
         now_s: f64,
     },
     /// A time of impact could not be found.
-    #[error("time of impact of bodies {body_a} and {body_b} not found at t = {t} s: {source}")]
+    #[error("the search from t = {t} s for the time of impact of bodies {body_a} and {body_b} failed: {source}")]
     ImpactSearch {
         /// When, s.
         t: f64,

@@ -1,8 +1,8 @@
-//! What happens at an instant.
+//! Events: impacts, and bodies that begin or cease to touch, to rest or to move.
 
 use polhode_spatial::DVec3;
 
-/// Kinds of event; the words are those of the events file.
+/// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
     /// An impulse at one contact point.
@@ -15,12 +15,12 @@ pub enum EventKind {
     Rest,
     /// A resting body begins to move.
     Wake,
-    /// The force of one contact point has reached zero and the contact opens.
+    /// The force of one contact point has reached zero, and the contact opens.
     Detach,
 }
 
 impl EventKind {
-    /// The word used in files.
+    /// The name of the kind in files of events.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Impact => "impact",
@@ -36,20 +36,20 @@ impl EventKind {
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// When, s.
+    /// Time, s.
     pub t: f64,
-    /// What.
+    /// Kind.
     pub kind: EventKind,
-    /// Body A, by its number in the scene.
+    /// Index of body A in the scene.
     pub body_a: usize,
-    /// Body B, when there is one.
+    /// Index of body B in the scene; none for an event of a single body.
     pub body_b: Option<usize>,
-    /// Where, world, m.
+    /// Position of the contact point or body, world, m.
     pub point: DVec3,
-    /// Contact normal, from B to A, world; zero where there is none.
+    /// Unit contact normal, from B to A, world; zero for an event without a contact.
     pub normal: DVec3,
-    /// Impulse on A along the normal, N s.
+    /// Impulse on A along the normal, N s; zero unless the event is an impact.
     pub impulse: f64,
-    /// Change of kinetic energy, J.
+    /// Change of kinetic energy, J; negative when energy is lost.
     pub energy_change_j: f64,
 }

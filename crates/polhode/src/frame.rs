@@ -1,4 +1,4 @@
-//! Everything that a viewer draws of one instant.
+//! A frame: everything that a viewer draws at one time.
 
 use crate::BodyId;
 use crate::body_sample::BodySample;
@@ -9,23 +9,23 @@ use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-/// How a body moves at an instant.
+/// How a body moves at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MotionKind {
-    /// Never, or as its scene prescribes; or it has been removed.
+    /// Not by forces: it is fixed, kinematic or removed.
     Given,
     /// In free flight, in closed form.
     Flight,
-    /// Integrated, by forces and held contacts.
+    /// Integrated under forces, active contacts or pivots.
     Integrated,
-    /// At rest: its contacts keep it in certified equilibrium.
+    /// At rest, in certified equilibrium.
     Rest,
 }
 
 /// A contact that touches.
 ///
-/// Only sums of contact forces and the motion are unique: where statics leaves the forces open (four legs on a floor) the
-/// least ones are given, and another method may give others for the same motion.
+/// The motion and the resultants of contact forces are unique. Where statics does not determine the single forces (four
+/// legs on a floor), those of least norm are given, and another method may give others for the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactView {
     /// Body A.
@@ -34,40 +34,43 @@ pub struct ContactView {
     pub body_b: BodyId,
     /// Which features touch.
     pub feature: ContactFeature,
-    /// Where, world, m.
+    /// Contact point, world, m.
     pub point_m: DVec3,
     /// Unit normal from B to A, world.
     pub normal: DVec3,
     /// Signed distance along the normal, m; negative when the bodies overlap.
     pub separation_m: f64,
-    /// Force on A along the normal, N; zero for a contact that opens, NaN if it could not be found. In the tiers of fixed
-    /// steps it is that of the last step; in `thesis` zero before the first one.
+    /// Force on A along the normal, N. It is zero for a contact that opens, and NaN if the solver found no force. In
+    /// the tiers of fixed steps it is the mean force of the last step; in the tier `thesis` it is zero before the first
+    /// step.
     pub normal_force_n: f64,
 }
 
-/// What holds a body at its pivot.
+/// The force that holds a body at its pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PivotView {
     /// The body.
     pub body: BodyId,
-    /// Where it is held, world, m.
+    /// The point at which the body is held, world, m.
     pub point_m: DVec3,
-    /// Force of the pivot on the body, world, N; NaN if it could not be found. Unique but for what contacts leave open.
+    /// Force of the pivot on the body, world, N; NaN if the solver found no force. It is unique unless contact forces
+    /// of the body are not.
     pub force_n: DVec3,
 }
 
-/// Bodies that move together or rest together: connected by contacts that hold, or by forces that couple them; in the tier
-/// `stepped` by what they may meet within a step, in `thesis` all. Bodies in free flight and immovable ones are in none.
+/// An island: bodies that move together or rest together, connected by active contacts or by forces that couple them.
+/// In the tier `stepped` bodies are connected that may touch within a step; in the tier `thesis` all bodies form one
+/// island. Bodies in free flight, fixed and kinematic bodies are in no island.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IslandView {
     /// The bodies, ascending.
     pub bodies: Vec<BodyId>,
 }
 
-/// All bodies at one instant, with what connects them. The place of a body in the lists is its [`BodyId::index`].
+/// All bodies at one time, with contacts and islands. The place of a body in the lists is its [`BodyId::index`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
-    /// s.
+    /// Time, s.
     pub t_s: f64,
     /// Poses and velocities.
     pub bodies: Vec<BodySample>,
@@ -75,15 +78,15 @@ pub struct Frame {
     pub motions: Vec<MotionKind>,
     /// Contacts that touch, with their forces.
     pub contacts: Vec<ContactView>,
-    /// Bodies that move together.
+    /// Islands.
     pub islands: Vec<IslandView>,
-    /// Energies; `initial_j` is that at the start of the run.
+    /// Energies at this time; `initial_j` is that at the start of the run.
     pub energy: Energy,
 }
 
 impl World {
-    /// Adds what is seen of a contact that bears this force (N); one that stands for its mirror image in a planar motion too
-    /// is two.
+    /// Adds the view of a contact with this force (N). In planar motion a contact may stand for its mirror image too;
+    /// then two views are added, each with half of the force.
     pub(crate) fn view_contact(&self, states: &[BodyState], touch: &Touch, force_n: f64, views: &mut Vec<ContactView>) {
         let (id, geometry) = (touch.id, touch.kinematics.geometry);
         let view = ContactView {

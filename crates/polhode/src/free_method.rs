@@ -1,4 +1,4 @@
-//! Which integrator moves bodies that no contact holds, and why.
+//! Choice of the integrator for bodies without active contacts, with its reason.
 //!
 //! | forces besides uniform gravity | integrator |
 //! |---|---|
@@ -6,10 +6,10 @@
 //! | conservative, no body may collide, at most sixteen splittings a step at the start | `exact-adaptive` |
 //! | any others | `dop853` |
 //!
-//! What a scene asks for is used literally. Splitting costs nothing for the spin, however fast, does not let the energy
-//! of a bound motion drift, and leaves an attitude that no torque turns exact; its order is 4, so that forces that are
-//! strong within a step are left to DOP853. Both are under error control: a comet that begins far from its sun, where
-//! all is slow, is followed by shorter steps near it, and by DOP853 from where a step would need more than 64.
+//! An integrator that the scene names is used in any case. Splitting integrates free rotation exactly, however fast the
+//! spin, and the energy of a bound motion does not drift. Its order is 4, so that DOP853 is better for forces that
+//! change much within a step. Both are under error control: for a comet that starts far from its sun the splitting
+//! takes shorter steps near the sun, and where a step would need more than 64 splittings DOP853 takes over.
 
 use crate::scene::{Integrator, Tier};
 use crate::settings::Settings;
@@ -18,10 +18,11 @@ use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_dynamics::integrator::{AdaptiveExact, Integrator as _, Tolerance};
 
-/// Splittings of one step at the most: about what DOP853 spends on a step that it cannot make at once.
+/// Largest number of splittings of one step at the start: they cost about as much as a step of DOP853 that error
+/// control shortens.
 const MOST_SPLITTINGS: u32 = 16;
 
-/// Steps from the start over which the splittings are counted.
+/// Number of trial steps from the start in which the splittings are counted.
 const TRIAL_STEPS: u32 = 8;
 
 /// The integrator of free motion and the reason.
@@ -31,44 +32,48 @@ pub(crate) struct Choice {
     pub(crate) reason: String,
 }
 
-/// Chooses for a scene at its start.
+/// Chooses the integrator for a scene in these states.
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
     match settings.asked_integrator {
-        _ if settings.tier == Tier::Stepped => {
-            choice(settings.integrator, "the tier's: exact drift, forces as one kick in the middle of the step")
-        }
+        _ if settings.tier == Tier::Stepped => choice(
+            settings.integrator,
+            "the tier has its own: exact flight, forces as one kick in the middle of the step",
+        ),
         Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
             Integrator::Rk4,
-            "asked for; bodies that contacts hold go by it too, with the contact forces at every stage",
+            "asked for; it integrates constrained motion too, with the contact forces at every stage",
         ),
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
-            choice(integrator, "asked for; bodies that forces couple and that may collide go by dop853")
+            choice(integrator, "asked for; dop853 integrates bodies that forces couple and that may collide")
         }
         Some(integrator) => choice(integrator, "asked for"),
-        None if settings.tier == Tier::Thesis => choice(settings.integrator, "the thesis's"),
+        None if settings.tier == Tier::Thesis => choice(settings.integrator, "that of the thesis"),
         None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
         }
-        None if world.has_rows() => {
-            choice(Integrator::Dop853, "rows hold bodies at pivots: error control, with the forces of constraint")
-        }
+        None if world.has_rows() => choice(
+            Integrator::Dop853,
+            "bodies are held at pivots: error control, with the forces of constraint at every stage",
+        ),
         None if !is_conservative(world) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")
         }
-        None if world.may_collide_at_all() => {
-            choice(Integrator::Dop853, "forces act on bodies that may collide: error control, with the contact forces")
-        }
+        None if world.may_collide_at_all() => choice(
+            Integrator::Dop853,
+            "forces act on bodies that may collide: error control, with the contact forces at every stage",
+        ),
         None => match splittings(world, states, settings) {
             Some(count) => {
                 let reason = format!(
-                    "conservative forces: exact drift with kicks under error control, {count} splittings a step at the start"
+                    "conservative forces: exact flight with kicks under error control, {count} splittings a step at \
+                     the start"
                 );
                 choice(Integrator::ExactAdaptive, &reason)
             }
             None => choice(
                 Integrator::Dop853,
-                "conservative, but splitting would need more than sixteen steps for one: error control at order 8",
+                "conservative forces, but a step would need more than sixteen splittings: error control at order 8",
             ),
         },
     }
@@ -80,7 +85,8 @@ fn is_conservative(world: &World) -> bool {
     fields.iter().all(|field| field.account() == Account::Potential && field.dependence() == Dependence::Poses)
 }
 
-/// The most splittings that one of the first steps needs at the tolerance; nothing when they are too many.
+/// Largest number of splittings that one of the trial steps needs at the tolerance; none when they are more than
+/// [`MOST_SPLITTINGS`].
 fn splittings(world: &World, states: &[BodyState], settings: &Settings) -> Option<u32> {
     let motion = world.free_motion();
     let tolerance = Tolerance::new(settings.tolerance).unwrap_or_default();

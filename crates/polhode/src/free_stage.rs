@@ -1,10 +1,10 @@
-//! What gravity and force fields give to bodies over a step of an integrator that knows nothing of ledgers.
+//! Impulse and work of gravity and force fields over a step of an integrator that does not keep books itself.
 //!
-//! Impulses and works are integrals over the step, by Simpson's rule on the states at its ends and in its middle. The
-//! middle is that of the cubic through the states and rates at the ends (Hermite), attitudes as rotation vectors from
-//! the start, so that no evaluation of the method is spent on book-keeping:
-//! `x(h/2) = (x0 + x1)/2 + h/8 (x0' - x1')`. The error of an integral is of order h^5 in the step, and none for bodies
-//! under gravity alone. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.
+//! Impulse and work are integrals over the step, computed by Simpson's rule from the states at both ends and in the
+//! middle. The middle state is that of the cubic Hermite polynomial through states and rates at the ends,
+//! `x(h/2) = (x0 + x1)/2 + h/8 (x0' - x1')`, with attitudes as rotation vectors from the start; the integrator needs no
+//! further evaluation. The error of an integral is of order h^5 in the step, and zero for bodies under gravity alone.
+//! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.
 
 use crate::accounting::books::{Received, given_by_fields};
 use crate::interaction::assembly::free_acceleration;
@@ -20,7 +20,7 @@ pub(crate) struct Ends<'a> {
     pub(crate) states: [&'a [BodyState]; 2],
 }
 
-/// What gravity and the fields gave to `bodies` over the step, moments about a point.
+/// Impulse and work of gravity and the fields on `bodies` over the step, moments about `about`.
 pub(crate) fn received(world: &World, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Received {
     let mut received = Received { gravity: gravity(world, ends, bodies, about), ..Received::default() };
     if !world.has_fields() {

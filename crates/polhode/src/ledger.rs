@@ -1,43 +1,46 @@
-//! The ledger: where every joule went.
+//! The ledger of energy: the change of the total energy, booked by cause.
 //!
 //! `T + V + D_impact + D_friction + D_rest + D_damping - W_external + D_projection + D_numerical = E0`
 //!
-//! Every term is summed from its own measured source and none is the remainder, so that the closure checks the
-//! book-keeping, and `D_numerical`, the energy that the integrator lost over smooth stages, is an honest statement of
-//! accuracy. A positive `D` is energy lost. Sums are compensated. Momentum has a ledger of its own beside it.
+//! T is the kinetic and V the potential energy, E0 their sum at the start; a positive D is energy lost. Every term is
+//! computed from its own cause and none is the remainder of the others. What is left of the equation, the closure,
+//! therefore checks the book-keeping, and `D_numerical`, the energy that the integrator lost between events, measures
+//! its accuracy. Sums are compensated. [`crate::momentum_ledger`] does the same for momentum.
 
 use crate::MomentumLedger;
 use polhode_spatial::CompensatedSum;
 
-/// Energy booked by source, J.
+/// Energy booked by cause, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ledger {
-    /// Lost in impacts, from impulses: `-p.(u- + u+)/2` with the relative velocities u, also where a kinematic body strikes.
+    /// Lost in impacts: `-p.(u- + u+)/2` from the impulses p and the relative velocities u before and after, also for
+    /// impacts of kinematic bodies.
     pub impact: CompensatedSum,
     /// Lost to friction.
     pub friction: CompensatedSum,
-    /// Lost when small bounces were summed up or small velocities set to rest.
+    /// Lost when small bounces were summed up in closed form, and when small velocities were set to zero at rest.
     pub rest: CompensatedSum,
     /// Lost to drag and dampers.
     pub damping: CompensatedSum,
-    /// Work done by forces without a potential, by kinematic bodies and by a program.
+    /// Work done on the bodies by forces without a potential, by kinematic bodies and by a program.
     pub external: CompensatedSum,
-    /// Lost (or, when negative, gained) by moving bodies out of each other and off inconsistent velocities.
+    /// Lost (or, when negative, gained) by projections: of overlaps and separations of active contacts, and of their
+    /// velocities.
     pub projection: CompensatedSum,
-    /// Lost by the integrator over smooth stages: -(change of T + V - work).
+    /// Lost by the integrator between events: `-(change of T + V) + work` of the forces.
     pub numerical: CompensatedSum,
-    /// Total energy at the start, J, the potential counted from there.
+    /// Total energy at the start, J, with potential energy zero at the start.
     pub initial_j: f64,
-    /// Total energy now, J, the potential counted from the start.
+    /// Total energy now, J, with potential energy zero at the start.
     pub current_j: f64,
-    /// Largest `T + |V - V0|` so far, J: what closure is relative to.
+    /// Largest `T + |V - V0|` so far, J: the scale of [`Ledger::closure_relative`].
     pub scale_j: f64,
-    /// The same account of momentum.
+    /// The ledger of momentum.
     pub momentum: MomentumLedger,
 }
 
 impl Ledger {
-    /// What is left unexplained, J.
+    /// The closure, J: the part of the change of energy that no term explains.
     pub fn closure_j(&self) -> f64 {
         let mut sum = CompensatedSum::new(self.current_j);
         sum.extend([
@@ -53,7 +56,7 @@ impl Ledger {
         sum.value()
     }
 
-    /// What is left unexplained, relative to the largest energy of the run.
+    /// Magnitude of the closure, relative to the largest energy of the run.
     pub fn closure_relative(&self) -> f64 {
         let closure = self.closure_j().abs();
         if closure == 0.0 { 0.0 } else { closure / self.scale_j }

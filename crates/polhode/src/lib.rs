@@ -1,8 +1,142 @@
-//! Rigid-body simulation that accounts for its accuracy.
+//! Rigid-body simulation that accounts for its accuracy: the facade of the polhode crates.
 //!
 //! ```text
 //! Scene --> Plan --> Simulation --> samples, events --> RunReport (energies, ledger, certificate)
 //! ```
+//!
+//! A program describes bodies in a [`Scene`], makes a [`Simulation`] of it, and runs it to a [`RunReport`] or advances it
+//! in steps of its own. SI units, f64, right-handed frames, z up (docs/NOTATION.md, with a glossary).
+//!
+//! # Examples
+//!
+//! A ball falls and bounces; the report says how the run ended and where the energy went.
+//!
+//! ```
+//! use polhode::contact::Shape;
+//! use polhode::mesh::solid_sphere;
+//! use polhode::scene::Material;
+//! use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+//! use polhode::{Body, Effects, EventKind, Outcome, Recorder, Scene, Simulation};
+//! let ball = Body::movable("ball", solid_sphere(0.1, Mass::new(2.0)?)?)
+//!     .geometry(Shape::sphere(0.1)?.into())
+//!     .material(Material::new("rubber", 0.0, 0.5)?)
+//!     .pose(Pose::from_translation(DVec3::Z * 1.1));
+//! let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+//! let scene = Scene::builder("bounce").duration_s(0.8).body(floor).body(ball).build()?;
+//! let mut recorder = Recorder::default();
+//! let report = Simulation::new(&scene, Effects::Planned)?.run(&mut recorder)?;
+//! assert_eq!(report.outcome, Outcome::Completed);
+//! let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
+//! assert!((impacts[0].t - (2.0_f64 / 9.81).sqrt()).abs() < 1e-14);
+//! // A fall by 1 m and a restitution of 0.5 leave a quarter of m g h.
+//! assert!((report.ledger.impact.value() - 0.75 * 2.0 * 9.81).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A program advances a simulation to times of its own and reads poses there. A pendulum of length 1 m swings a little:
+//! after half a period it is on the other side.
+//!
+//! ```
+//! use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation};
+//! use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+//! let bob = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(1e-9))?);
+//! let tilt = Rotation::from_rotation_vector(DVec3::Y * 1e-4);
+//! let start = Pose::new(tilt, tilt.rotate(-DVec3::Z));
+//! let scene = Scene::builder("pendulum").body(Body::movable("bob", bob).pose(start).pivot(DVec3::ZERO)).build()?;
+//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let bob = simulation.body_id("bob").ok_or("no body of this name")?;
+//! simulation.advance_to(std::f64::consts::PI * (1.0_f64 / 9.81).sqrt(), &mut Unobserved)?;
+//! let mirrored = start.translation * DVec3::new(-1.0, 1.0, 1.0);
+//! assert!((simulation.body(bob).pose.translation - mirrored).length() < 1e-8);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The plan says what is simulated, by which method, and why; ledger and certificate say how far to trust the result.
+//!
+//! ```
+//! use polhode::contact::Shape;
+//! use polhode::mesh::solid_box;
+//! use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+//! use polhode::{Body, Decision, Effect, Effects, Scene, Simulation, Unobserved};
+//! let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0)?)?)
+//!     .geometry(Shape::cuboid(DVec3::ONE)?.into())
+//!     .pose(Pose::from_translation(DVec3::Z * 0.75));
+//! let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+//! let scene = Scene::builder("drop").body(floor).body(brick).build()?;
+//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let planar = simulation.plan().effects.iter().find(|decision| decision.effect == Effect::PlanarMotion);
+//! let planar = planar.ok_or("one decision for each effect")?;
+//! assert_eq!(planar.decision, Decision::On, "{}", planar.fact);
+//! let report = simulation.run(&mut Unobserved)?;
+//! // The terms of the ledger explain the change of energy to rounding, and no limit of the promise was exceeded.
+//! assert!(report.ledger.closure_relative() < 1e-14);
+//! assert!(report.certificate.max_penetration_of_limit <= 1.0);
+//! assert_eq!(report.certificate.fallbacks, 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Programs of some more lines stand in the folder `examples` of the crate: `golden_trajectory`, `custom_force_field`,
+//! `contacts_listened_to`, `hovering_thruster`, `bodies_that_come_and_go` and `paused_and_resumed`.
+//!
+//! # Stages of a run
+//!
+//! In the order of the calls, for the tier `accurate`; paths are in `src`.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
+//! | settings | completes the method by the defaults of its tier | `settings.rs` |
+//! | world | puts bodies into their moving frames, makes force fields | `world` |
+//! | findings | chooses the integrator; measures whether the motion is planar | `free_method.rs`, `planar.rs` |
+//! | plan | decides which effects are simulated, and says why | `plan.rs` |
+//! | simulation | makes the tier, and lets it advance to a time or to the next event | `simulation.rs`, `tier.rs` |
+//! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
+//! | free flight | makes a flight record of each body under gravity alone | `accurate/engine.rs` |
+//! | step | integrates each island under its contact forces, or by the scene's integrator | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
+//! | forces of a stage | assembles the rows of contacts and pivots and solves for their forces | `accurate/system.rs`, `interaction/assembly.rs` |
+//! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
+//! | search for impacts | finds pairs whose swept boxes overlap, and their first impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
+//! | agenda | gives the next end of a step, change of contacts or impact | `accurate/agenda.rs`, `accurate/tier.rs` |
+//! | samples | evaluates the states at the times of output before that | `sampling.rs`, `observer.rs` |
+//! | event | ends the islands concerned at that time | `accurate/events.rs` |
+//! | projection | puts active contacts and pivots back in place, positions and velocities | `accurate/projection.rs`, `interaction/projection.rs` |
+//! | impact | detects contacts, and strikes those that approach | `accurate/resolve.rs`, `interaction/impact.rs` |
+//! | hold | decides which contacts are active, and which bodies rest | `accurate/hold.rs`, `accurate/resolve.rs` |
+//! | crowded events | advances an island by time steps where events follow each other too closely | `accurate/crowding.rs`, `time_stepping` |
+//! | ledger | books energy and momentum of steps, impacts and projections | `accounting/books.rs` |
+//! | certificate | records penetrations and projections against the promise of the tier | `accounting/measures.rs`, `promise.rs` |
+//! | report | puts outcome, plan, ledger, certificate and warnings together | `simulation.rs`, `accounting/mod.rs`, `report.rs` |
+//!
+//! The tiers `stepped` and `thesis` (`stepped/engine.rs`, `thesis/engine.rs`) share all but the stages in `accurate`.
+//!
+//! # Modules
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods |
+//! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason; [`Effects`] |
+//! | `simulation` | [`Simulation`]: steps, runs, queries, snapshots |
+//! | `actions` | what a program does to bodies: [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
+//! | [`mod@observer`] | [`Observer`], [`Recorder`], [`Unobserved`]: who receives samples and events |
+//! | [`mod@event`] | [`Event`], [`EventKind`] |
+//! | [`mod@frame`] | [`Frame`]: poses, contacts, forces and islands at one time |
+//! | [`mod@body_queries`] | [`BodyQueries`]: nearest body, rays, overlaps, distances |
+//! | [`mod@report`] | [`RunReport`], [`Outcome`], [`Certificate`] |
+//! | [`mod@ledger`], [`mod@momentum_ledger`] | [`Ledger`], [`MomentumLedger`]: energy and momentum, booked by cause |
+//! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
+//! | [`mod@error`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`] |
+//! | `world` | bodies in their moving frames, and the forces on them |
+//! | `pivots`, `pivot_form` | bodies held at a point: constraint rows, or rotation alone |
+//! | `prescribed`, `prescribed_state` | kinematic bodies |
+//! | `planar`, `plane_of_motion` | planar motion |
+//! | `collision` | boxes, narrow phase and contacts of a pair |
+//! | `interaction` | constraints, impacts, projection and event location, which the tiers share |
+//! | `time_stepping` | the time step at the level of velocities |
+//! | `accurate`, `stepped`, `thesis` | the tiers, behind the trait of `tier` |
+//! | `accounting`, `promise` | books, measures and warnings of a run; the limits that a tier promises |
+//!
+//! This crate is all that a program needs to name: the crates below it are re-exported as [`contact`], [`dynamics`],
+//! [`mesh`], [`response`] and [`spatial`].
 
 mod acceleration;
 mod accounting;
@@ -18,7 +152,6 @@ mod effects;
 mod energy;
 pub mod error;
 pub mod event;
-mod field_index;
 pub mod frame;
 mod free_method;
 mod free_stage;

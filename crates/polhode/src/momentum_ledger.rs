@@ -1,17 +1,17 @@
-//! The ledger of momentum: where every newton-second went.
+//! The ledger of momentum: the change of linear and angular momentum, booked by cause.
 //!
 //! `P + D_rest + D_projection + D_numerical - J_gravity - J_support - J_fields - J_program = P0`
 //!
-//! and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world, the
-//! centre of mass of the movable bodies at the start. J is what the outside gave: gravity, force fields, and the fixed
-//! bodies through impacts and resting contacts; forces between bodies that move cancel. What a pivot
-//! gives is a support too; a body of which turning about its pivot alone is left passes its momentum on to the world and counts
-//! as fixed. As in the ledger of energy every term has its
-//! own source and none is the remainder. P in N s, L in N m s.
+//! and the same for the angular momentum `L_Q = sum L + (x - Q) x m v` about a point Q that is fixed in the world: the
+//! centre of mass of the movable bodies at the start. J is the impulse of external forces: gravity, force fields, and
+//! fixed bodies through impacts and active contacts. Forces between movable bodies cancel. Forces of pivots belong to
+//! the support; a body that is reduced to rotation about its pivot passes its momentum on to the world and counts as
+//! fixed. As in the ledger of energy, every term is computed from its own cause and none is the remainder. P in N s, L
+//! in N m s.
 
 use polhode_spatial::{CompensatedSum, DVec3};
 
-/// Linear momentum, N s, and angular momentum about the ledger's point, N m s; or what changes them.
+/// Linear momentum, N s, and angular momentum about the ledger's point Q, N m s; or a change of both.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Momentum {
     /// Linear part, N s.
@@ -43,12 +43,12 @@ pub struct MomentumSum {
 }
 
 impl MomentumSum {
-    /// Both parts of each component's sum, the linear ones first.
+    /// The sum and its compensation, of each component, the linear ones first.
     pub(crate) fn parts(&self) -> [[f64; 2]; 6] {
         self.components.map(|sum| sum.parts())
     }
 
-    /// The sum of such parts.
+    /// The sum with these parts.
     pub(crate) fn from_parts(parts: [[f64; 2]; 6]) -> Self {
         Self { components: parts.map(CompensatedSum::from_parts) }
     }
@@ -68,37 +68,39 @@ impl MomentumSum {
     }
 }
 
-/// Momentum booked by source.
+/// Momentum booked by cause.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MomentumLedger {
-    /// Q: the point of the world that angular momentum is about, m.
+    /// Q: the point of the world about which angular momentum is taken, m.
     pub about: DVec3,
-    /// Given by gravity.
+    /// Impulse of gravity.
     pub gravity: MomentumSum,
-    /// Given by fixed and kinematic bodies, through impacts and the forces of resting contacts, and by pivots that rows hold.
+    /// Impulse of fixed and kinematic bodies, through impacts and contact forces, and of pivots with constraint rows.
     pub support: MomentumSum,
-    /// Given by force fields.
+    /// Impulse of force fields.
     pub fields: MomentumSum,
-    /// Given by a program: impulses, velocities and poses that it set, bodies that it added or removed.
+    /// Impulse of the program: impulses that it applied, velocities and poses that it set, bodies that it added or
+    /// removed.
     pub program: MomentumSum,
-    /// Lost when small bounces were summed up or small velocities set to rest.
+    /// Lost when small bounces were summed up in closed form, and when small velocities were set to zero at rest.
     pub rest: MomentumSum,
-    /// Lost by moving bodies out of each other and off inconsistent velocities.
+    /// Lost by projections of positions and velocities.
     pub projection: MomentumSum,
-    /// Lost by the integrator over smooth stages.
+    /// Lost by the integrator between events.
     pub numerical: MomentumSum,
-    /// At the start.
+    /// Momentum at the start.
     pub initial: Momentum,
-    /// Now.
+    /// Momentum now.
     pub current: Momentum,
-    /// Largest linear momentum so far, N s: sum of magnitudes over bodies, or what gravity gave if that is more.
+    /// Largest linear momentum so far, N s: the sum of magnitudes over the bodies, or the impulse of gravity if that is
+    /// more.
     pub scale_linear: f64,
     /// The same for angular momentum, N m s.
     pub scale_angular: f64,
 }
 
 impl MomentumLedger {
-    /// What is left unexplained.
+    /// The closure: the part of the change of momentum that no term explains.
     pub fn closure(&self) -> Momentum {
         let mut sum = MomentumSum::default();
         for term in [self.current, self.rest.value(), self.projection.value(), self.numerical.value()] {
@@ -111,7 +113,8 @@ impl MomentumLedger {
         sum.value()
     }
 
-    /// What is left unexplained, relative to the largest momentum of the run: the worse of linear and angular.
+    /// Magnitude of the closure relative to the largest momentum of the run: the larger of the linear and angular
+    /// parts.
     pub fn closure_relative(&self) -> f64 {
         let relative = |closure: DVec3, scale: f64| if closure == DVec3::ZERO { 0.0 } else { closure.length() / scale };
         let closure = self.closure();

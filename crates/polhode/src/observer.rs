@@ -1,15 +1,15 @@
-//! Who watches a run.
+//! Observers receive samples and events of a run.
 
 pub use crate::body_sample::BodySample;
 use crate::event::Event;
 use crate::frame::Frame;
 
-/// Whether a run goes on.
+/// Whether a run continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Flow {
-    /// Go on.
+    /// Continue.
     Continue,
-    /// Stop after this step; what has been computed stays.
+    /// Stop after this step; the report covers what has been computed.
     Stop,
 }
 
@@ -23,19 +23,20 @@ pub trait Observer {
         let _ = event;
     }
 
-    /// Whether [`Observer::sample`] is called. Where nobody wants samples, bodies that fly in closed form are not evaluated
-    /// between events: their motion is the same to the last bit, but the scales of the ledgers (the largest energy and
-    /// momentum seen so far) then come from fewer times.
+    /// Whether [`Observer::sample`] is called. Without samples, bodies in free flight are not evaluated between events.
+    /// Their motion is the same to the last bit, but the scales of the ledgers (the largest energy and momentum so far)
+    /// are then taken from fewer times.
     fn wants_samples(&self) -> bool {
         true
     }
 
-    /// Whether [`Observer::frame`] is called: a frame holds contact forces, which take a solve.
+    /// Whether [`Observer::frame`] is called. A frame costs a solve for the contact forces.
     fn wants_frames(&self) -> bool {
         false
     }
 
-    /// Everything that a viewer draws of the time of a sample, after the sample; called if [`Observer::wants_frames`].
+    /// Everything that a viewer draws at the time of a sample. It is called after that sample, if
+    /// [`Observer::wants_frames`].
     fn frame(&mut self, frame: &Frame) {
         let _ = frame;
     }
@@ -47,7 +48,7 @@ pub trait Observer {
     }
 }
 
-/// Keeps everything in memory.
+/// Keeps all samples and events in memory.
 #[derive(Debug, Clone, Default)]
 pub struct Recorder {
     /// Times of the samples, s.
@@ -69,7 +70,7 @@ impl Observer for Recorder {
     }
 }
 
-/// Watches nothing.
+/// An observer that wants no samples and ignores events.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unobserved;
 

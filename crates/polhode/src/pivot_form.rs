@@ -1,75 +1,77 @@
-//! How a body is held at its pivot: by rows, or in a frame in which turning alone is left (`pivots.rs`), and where.
+//! How a body is held at its pivot: by constraint rows, or by a reduction of its motion to rotation about the pivot
+//! (`pivots.rs`).
 
 use crate::effects::Effects;
 use crate::scene::{Body, Integrator, Tier};
 use crate::settings::Settings;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-/// Which pivoted bodies are held by rows.
+/// Which pivoted bodies constraint rows hold; the motion of the others is reduced to rotation about the pivot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum PivotRows {
-    /// None: turning is all that is left of them.
+    /// None.
     #[default]
     None,
-    /// Those that something may touch.
-    WhereTouched,
+    /// Those that may collide.
+    WhereColliding,
     /// All.
     All,
 }
 
 impl PivotRows {
-    /// For a run of this kind: the tiers of fixed steps, and the methods that step bodies one by one, know no rows.
+    /// The choice for a run with these settings: the tiers of fixed steps, and integrators that advance bodies one by
+    /// one, have no constraint rows.
     pub(crate) fn of(settings: &Settings, effects: Effects) -> Self {
         let solves_rows = matches!(settings.asked_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
         match effects {
             _ if settings.tier != Tier::Accurate || !solves_rows => Self::None,
-            Effects::Planned => Self::WhereTouched,
+            Effects::Planned => Self::WhereColliding,
             Effects::All => Self::All,
         }
     }
 }
 
-/// What is left of the motion of a body.
+/// The form of the motion of a body in the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotForm {
-    /// Of a pivoted one turning alone; of any other everything.
-    Turning,
-    /// Everything: rows hold the pivot.
+    /// The motion of a pivoted body is reduced to rotation about the pivot; that of any other body is not reduced.
+    Reduced,
+    /// The motion is not reduced, and constraint rows hold the pivot.
     Rows,
 }
 
 impl PivotRows {
-    /// How a body is held that something may touch, or not.
+    /// The form of a body's motion; `may_collide` says whether the body may.
     pub(crate) fn form(self, body: &Body, may_collide: impl FnOnce() -> bool) -> PivotForm {
         let by_rows = body.pivot_point().is_some()
             && match self {
                 Self::None => false,
-                Self::WhereTouched => may_collide(),
+                Self::WhereColliding => may_collide(),
                 Self::All => true,
             };
-        if by_rows { PivotForm::Rows } else { PivotForm::Turning }
+        if by_rows { PivotForm::Rows } else { PivotForm::Reduced }
     }
 }
 
-/// The point of a body that rows hold.
+/// The point of a body that constraint rows hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HeldPoint {
-    /// Where it is held, world, m.
+    /// The pivot: the point of the world at which it is held, m.
     pub(crate) place: DVec3,
-    /// From the centre of mass to it, in body axes, m.
+    /// Arm from the centre of mass to the point, in body axes, m.
     pub(crate) arm: DVec3,
 }
 
 impl HeldPoint {
-    /// Of a body of the scene, if it has a pivot.
+    /// The held point of a body of the scene; none for a body without a pivot or without mass.
     pub(crate) fn of(body: &Body) -> Option<Self> {
         let (place, properties) = (body.pivot_point()?, body.mass_properties()?);
         let arm = body.initial_pose().inverse_transform_point(place) - properties.center_of_mass();
         Some(Self { place, arm })
     }
 
-    /// The velocity of the centre of mass of a body that turns about the point with this angular velocity.
-    pub(crate) fn turning(&self, pose: &Pose, angular: DVec3) -> Velocity {
+    /// The velocity of a body that turns about the point with this angular velocity.
+    pub(crate) fn velocity_of_rotation(&self, pose: &Pose, angular: DVec3) -> Velocity {
         Velocity::new(pose.rotation.rotate(self.arm).cross(angular), angular)
     }
 }

@@ -1,25 +1,26 @@
-//! Bodies held at a point of the world: by rows, or by a frame in which nothing but turning is left.
+//! Pivots: bodies held at a point of the world, by constraint rows or by a reduction to rotation about the point.
 //!
-//! A pivot keeps the point Q of a body at a place of the world: three bilateral rows `p_Q = const` with a force of constraint
-//! that may have any direction. With the arm `r` from the centre of mass to Q,
+//! A pivot keeps the point Q of a body at a point of the world: three bilateral rows `p_Q = const`, with a constraint
+//! force of any direction. With the arm `r` from the centre of mass to Q,
 //!
 //! `u = v + w x r`,  `a_Q = a + alpha x r + w x (w x r)`,
 //!
-//! rows `(e_k, r x e_k)` for the three axes of the world, and the constant part `e_k . (w x (w x r))` (thesis 3.2, equations
-//! 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). That is the general path: the body is one like
-//! any other, its frame at the centre of mass, and the pivot is one more [constraint](crate::interaction::constraint).
+//! the rows are `(e_k, r x e_k)` for the three axes of the world, with the constants `e_k . (w x (w x r))` (thesis 3.2,
+//! equations 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). This is the general form: the
+//! moving frame of the body has its origin at the centre of mass, as that of any other body, and the pivot is one more
+//! [constraint](crate::interaction::constraint).
 //!
-//! Where no contact can act on the body, the constraint can be solved once and for all: in a frame with its origin at Q, with
-//! the moments about Q and no inverse mass, turning is all that is left ([`RigidBody::pivoted`]), no row is needed and the
-//! pivot does not drift. That is a reduction of the plan: it is exact, costs less, and a test holds it against the rows.
+//! If no contact can act on the body, its motion can be reduced to rotation about Q: in a frame with its origin at Q,
+//! with the moments of inertia about Q and inverse mass zero ([`RigidBody::pivoted`]). Then no row is needed, and the
+//! pivot does not drift. This reduction of the plan is exact and costs less; a test compares it with the rows.
 //!
-//! | how | when |
+//! | form | when |
 //! |---|---|
-//! | rows | tier `accurate`, by `dop853` or `rk4`: something may touch the body, or all effects are asked for |
-//! | reduced | otherwise; over time steps of a stretch in which events crowd too |
+//! | rows | tier `accurate` with `dop853` or `rk4`, if the body may collide or all effects are asked for |
+//! | reduced | otherwise, and in the time steps of a stretch of crowded events |
 //!
-//! Assumption: the point is fixed in the world and in the body. Fails: never; a point that is not finite is refused with the
-//! scene.
+//! Assumption: the point is fixed in the world and in the body. Fails: never; the scene refuses a point that is not
+//! finite.
 
 use crate::accounting::books::{Books, gravity_at, momentum_of};
 use crate::interaction::constraint::ConstraintId;
@@ -32,19 +33,19 @@ use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-/// A pivot at the present states.
+/// The kinematics of a pivot in given states.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PivotKinematics {
     pub(crate) body: usize,
-    /// Where the point is, world, m.
+    /// Position of the held point of the body, world, m.
     pub(crate) point: DVec3,
-    /// From the centre of mass to it, world, m.
+    /// Arm from the centre of mass to the held point, world, m.
     pub(crate) arm: DVec3,
-    /// How far it has drifted from where it is held, m.
+    /// Drift: the vector from the pivot to the held point, m.
     pub(crate) gap: DVec3,
-    /// Its velocity, m/s.
+    /// Velocity of the held point, m/s.
     pub(crate) velocity: DVec3,
-    /// `w x (w x r)`, m/s^2: its acceleration but for that of the centre of mass and the angular one.
+    /// `w x (w x r)`, m/s^2: the part of the acceleration of the held point that contains no acceleration of the body.
     pub(crate) acceleration_bias: DVec3,
 }
 
@@ -56,17 +57,17 @@ impl PivotKinematics {
 }
 
 impl World {
-    /// Whether rows hold any body.
+    /// Whether constraint rows hold any body at a pivot.
     pub(crate) fn has_rows(&self) -> bool {
         !self.held_by_rows.is_empty()
     }
 
-    /// Whether rows hold a body at a pivot.
+    /// Whether constraint rows hold this body at its pivot.
     pub(crate) fn is_held_by_rows(&self, body: usize) -> bool {
         self.held_by_rows.binary_search(&body).is_ok()
     }
 
-    /// The pivots that hold some bodies by rows, in the order of the bodies, as they stand at these states.
+    /// The pivots with constraint rows of these bodies, in the order of the bodies, in these states.
     pub(crate) fn pivots<'a>(
         &'a self,
         states: &'a [BodyState],
@@ -76,7 +77,7 @@ impl World {
         bodies.iter().filter_map(|&body| self.pivot(states, body))
     }
 
-    /// The pivot that holds a body by rows.
+    /// The pivot of a body with constraint rows; none for any other body.
     pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<PivotKinematics> {
         let (held, state) = (self.bodies[body].held?, &states[body]);
         let arm = state.pose.rotation.rotate(held.arm);
@@ -92,10 +93,10 @@ impl World {
         })
     }
 
-    /// The same world with turning alone left of the bodies that rows hold.
+    /// The same world, with the motion of all pivoted bodies reduced to rotation about their pivots.
     ///
     /// # Errors
-    /// When a shape or a force cannot be put into another frame.
+    /// When a shape or a force cannot be expressed in the reduced frame.
     fn without_rows(&self) -> Result<Self, SceneError> {
         let mut reduced = self.clone();
         for body in std::mem::take(&mut reduced.held_by_rows) {
@@ -108,16 +109,18 @@ impl World {
             own.shape = own.shape.as_ref().map(|shape| shape.translated(-held.arm)).transpose().map_err(refused)?;
         }
         reduced.pivot_rows = PivotRows::None;
-        reduced.frames_have_changed()?;
+        reduced.recompute_from_frames()?;
         Ok(reduced)
     }
 
-    /// A velocity that a program gives to a body: of one that rows hold the angular part, and what follows from it.
+    /// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
+    /// angular velocity, and the linear one that follows from it.
     pub(crate) fn admitted_velocity(&self, body: usize, pose: &Pose, velocity: Velocity) -> Velocity {
-        self.bodies[body].held.map_or(velocity, |held| held.turning(pose, velocity.angular))
+        self.bodies[body].held.map_or(velocity, |held| held.velocity_of_rotation(pose, velocity.angular))
     }
 
-    /// How far a pose (of the moving frame, world) would carry a body away from its pivot, m; zero without one.
+    /// Distance by which a pose (of the moving frame, world) would move a body away from its pivot, m; zero for a body
+    /// without a pivot.
     pub(crate) fn leaves_pivot_by(&self, body: usize, now: &BodyState, pose: &Pose) -> f64 {
         let own = &self.bodies[body];
         if let Some(held) = own.held {
@@ -127,26 +130,26 @@ impl World {
         if pivoted { (pose.translation - now.pose.translation).length() } else { 0.0 }
     }
 
-    /// Takes from the velocity of a body that rows hold what would carry its pivot away, by an impulse at the pivot.
+    /// Applies the impulse at its pivot to a body that constraint rows hold, so that the held point has no velocity.
     pub(crate) fn hold_velocity(&self, body: usize, state: &mut BodyState) {
         let own = &self.bodies[body];
         let (Some(held), Some(free)) = (own.held, own.rigid) else { return };
         let Some(properties) = self.scene.bodies[body].mass_properties() else { return };
         let turning = RigidBody::pivoted(properties, own.origin + held.arm);
-        let w = turning.angular_velocity(&to_turning(&free, &held, state));
+        let w = turning.angular_velocity(&to_pivot_frame(&free, &held, state));
         let velocity = self.admitted_velocity(body, &state.pose, Velocity::new(DVec3::ZERO, w));
         *state = free.at_velocity(state.pose, velocity);
     }
 }
 
-/// Of a body in a frame at its pivot, the state in the frame at its centre of mass.
-fn from_turning(turning: &RigidBody, free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
+/// The state in the frame at the centre of mass, from that in the frame at the pivot.
+fn from_pivot_frame(turning: &RigidBody, free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
     let pose = Pose::new(state.pose.rotation, held.place - state.pose.rotation.rotate(held.arm));
-    free.at_velocity(pose, held.turning(&pose, turning.angular_velocity(state)))
+    free.at_velocity(pose, held.velocity_of_rotation(&pose, turning.angular_velocity(state)))
 }
 
-/// Of a body in a frame at its centre of mass, the state in the frame at its pivot: `L_Q = L - r x m v`.
-fn to_turning(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
+/// The state in the frame at the pivot, from that in the frame at the centre of mass: `L_Q = L - r x m v`.
+fn to_pivot_frame(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
     let arm = state.pose.rotation.rotate(held.arm);
     BodyState {
         pose: Pose::new(state.pose.rotation, held.place),
@@ -155,13 +158,16 @@ fn to_turning(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyStat
     }
 }
 
-/// Does something to bodies over `h` seconds that knows no rows, in a world in which turning alone is left of pivoted bodies;
-/// `books` finds the books in its answer. There pivoted bodies pass their momentum on to the world; what they do not is
-/// booked here: their weight by its moment at both ends, and as support what is left of the change of their momentum.
+/// Advances bodies over `h` (s) by a method without constraint rows.
+///
+/// `work` advances them in a world in which the motion of pivoted bodies is reduced to rotation about their pivots; the
+/// states are then transformed back. `books` selects the books in the answer of `work`. In the reduced world pivoted
+/// bodies pass their momentum on to the world and the books leave it out; it is therefore booked here: the impulse of
+/// their weight by the mean of its moment at both ends, and the rest of their change of momentum as support.
 ///
 /// # Errors
-/// Those of `work`; when a shape cannot be put into the other frame, a number that is not finite.
-pub(crate) fn with_turning_alone<T>(
+/// The errors of `work`; [`ResponseError::NotFinite`] when a shape cannot be expressed in the reduced frame.
+pub(crate) fn with_pivots_reduced<T>(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
@@ -178,14 +184,14 @@ pub(crate) fn with_turning_alone<T>(
     let parts = |body: usize| Some((world.bodies[body].held?, world.bodies[body].rigid?, reduced.bodies[body].rigid?));
     for &(body, state) in &before {
         if let Some((held, free, _)) = parts(body) {
-            states[body] = to_turning(&free, &held, &state);
+            states[body] = to_pivot_frame(&free, &held, &state);
         }
     }
     let done = work(&reduced, states);
     let moved = |body: usize| done.is_ok() && bodies.contains(&body);
     for &(body, state) in &before {
         states[body] = match parts(body).filter(|_| moved(body)) {
-            Some((held, free, turning)) => from_turning(&turning, &free, &held, &states[body]),
+            Some((held, free, turning)) => from_pivot_frame(&turning, &free, &held, &states[body]),
             None => state,
         };
     }

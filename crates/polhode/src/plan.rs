@@ -1,9 +1,10 @@
-//! The plan: which effects a scene calls for, and why.
+//! The plan: which effects are simulated, by which methods, and why.
 //!
-//! A plan is derived from the scene and printed; it decides nothing in secret. For every [`Effect`] it holds whether
-//! it is simulated, the measured fact that decides it and what leaving it out saves. Leaving out an absent effect or
-//! skipping rest gives the same bits as simulating everything (`Effects::All`); a reduction (a plane instead of space, turning
-//! alone instead of a body that rows hold at its pivot) gives the same motion to 1e-12 over a second.
+//! A plan is derived from the scene, and every decision about a run is in it. For every [`Effect`] it holds whether the
+//! effect is simulated, the measured fact that decides it, and what the decision saves. Leaving out an absent effect,
+//! or skipping bodies at rest, gives the same bits as simulating all effects ([`Effects::All`]). A reduction gives the
+//! same motion to 1e-12 over a second: planar motion instead of motion in space, or rotation about a pivot alone
+//! instead of constraint rows that hold the body there.
 
 pub use crate::effects::Effects;
 use crate::free_method::Choice;
@@ -14,24 +15,25 @@ use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use polhode_spatial::DVec3;
 
-/// An effect that a scene may or may not call for.
+/// An effect that the plan may leave out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effect {
     /// Uniform gravity.
     Gravity,
-    /// Rotation with three different principal moments (otherwise: spherical inertia or steady axes).
+    /// Free rotation of bodies whose principal moments differ; the others turn about fixed axes.
     GeneralRotation,
-    /// Spin about a principal axis, at one rate.
+    /// Spin about a principal axis at a constant rate.
     SteadyRotation,
-    /// Motion in one plane: three velocities a body, one contact of each mirror pair.
+    /// Motion of all bodies parallel to one plane: three velocity components a body, and one contact of each mirror
+    /// pair.
     PlanarMotion,
-    /// Flights in closed form, with no force but gravity.
+    /// Free flight, under gravity alone, in closed form.
     BallisticFlight,
     /// Contact between bodies.
     Contact,
-    /// Restitution above zero.
+    /// Impacts with a coefficient of restitution above zero.
     Restitution,
-    /// Islands in certified equilibrium are skipped until an event.
+    /// Islands at rest, which are skipped until an event.
     Rest,
     /// Friction.
     Friction,
@@ -63,9 +65,9 @@ impl Effect {
 /// Whether an effect is simulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Decision {
-    /// Simulated, or used.
+    /// The effect is simulated, or the reduction is used.
     On,
-    /// Left out.
+    /// The effect is left out, or the reduction is not used.
     Off,
 }
 
@@ -82,14 +84,14 @@ pub struct EffectDecision {
     pub saves: String,
 }
 
-/// Methods and effects of a run.
+/// Methods and effects of a run, with the reasons for them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The tier.
     pub tier: Tier,
     /// Why this tier.
     pub tier_reason: String,
-    /// Integrator of bodies that no contact holds.
+    /// Integrator of bodies without active contacts.
     pub integrator: Integrator,
     /// Why this integrator.
     pub integrator_reason: String,
@@ -97,11 +99,11 @@ pub struct Plan {
     pub impact: ImpactLaw,
     /// Method of contact forces.
     pub contact: ContactMethod,
-    /// How pairs that may touch are found.
+    /// Broad phase: how pairs that may touch are found.
     pub broad_phase: BroadPhaseMethod,
     /// Step, s: fixed in the tiers `thesis` and `stepped`, an upper bound in tier `accurate`.
     pub step_s: f64,
-    /// Local error per step of contact phases (dimensionless).
+    /// Local error per step of constrained motion (dimensionless).
     pub tolerance: f64,
     /// Largest number of events in one step.
     pub max_events_per_step: u64,
@@ -110,7 +112,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The plan for a scene: what it calls for, and why.
+    /// Derives the plan of a scene from settings and findings.
     pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
         let scene = &world.scene;
         let tier_reason = match (scene.method().tier, settings.tier) {
@@ -134,7 +136,7 @@ impl Plan {
 }
 
 impl Plan {
-    /// What is decided otherwise than in a plan before, in words.
+    /// The decisions that differ from an earlier plan, in words.
     pub(crate) fn changes_from(&self, before: &Self) -> Vec<String> {
         let mut changes = Vec::new();
         if self.integrator != before.integrator {
@@ -150,7 +152,7 @@ impl Plan {
         changes
     }
 
-    /// What a snapshot keeps of the plan: nothing where it is the one of the start.
+    /// The plan as a snapshot holds it; none when it is still the plan of the start.
     pub(crate) fn save(&self, at_start: &Self) -> Option<content::Plan> {
         let effect = |effect: &EffectDecision| content::EffectDecision {
             is_on: effect.decision == Decision::On,
@@ -163,10 +165,10 @@ impl Plan {
         })
     }
 
-    /// The plan of a snapshot with this integrator; `self` is that of the start.
+    /// The plan of a snapshot, with this integrator; `self` is the plan of the start.
     ///
     /// # Errors
-    /// When it does not decide about the same effects.
+    /// When the snapshot does not decide about the same effects.
     pub(crate) fn restored(
         &self,
         saved: Option<&content::Plan>,
@@ -174,7 +176,7 @@ impl Plan {
     ) -> Result<Self, SnapshotError> {
         let Some(saved) = saved else { return Ok(self.clone()) };
         if saved.effects.len() != self.effects.len() {
-            return Err(SnapshotError::Invalid("its plan does not decide about the effects that there are"));
+            return Err(SnapshotError::Invalid("its plan does not have one decision for each effect"));
         }
         let both = self.effects.iter().zip(&saved.effects);
         let effects = both.map(|(own, saved)| decision(own.effect, saved.is_on, saved.fact.clone(), &saved.saves));
@@ -183,10 +185,10 @@ impl Plan {
     }
 }
 
-/// What was found out about a scene before its plan.
+/// What has been measured of a scene, from which the plan is derived.
 #[derive(Debug, Clone)]
 pub(crate) struct Findings {
-    /// When, s.
+    /// Time of the measurements, s.
     pub(crate) t_s: f64,
     pub(crate) touching_pairs: usize,
     pub(crate) choice: Choice,
@@ -197,7 +199,7 @@ pub(crate) struct Findings {
 fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let mut list = motion_decisions(world, settings, findings);
     list.extend(contact_decisions(&world.scene, effects, findings));
-    list.push(decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "everything about it"));
+    list.push(decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction"));
     list.push(joint_decision(world));
     let loaded = world.loaded_count();
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
@@ -205,32 +207,36 @@ fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Fi
         Effect::ForceFields,
         loaded > 0,
         format!("{} force fields and {pivots} pivots, acting on {loaded} bodies", world.free_motion().fields().len()),
-        if loaded > 0 { "nothing: evaluated at every stage" } else { "everything about it" },
+        if loaded > 0 { "nothing: fields are evaluated at every stage" } else { "all evaluations of fields" },
     ));
     list
 }
 
-/// The bodies of the scene that have not been removed, with their numbers.
+/// The bodies of the scene that have not been removed, with their indices.
 fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
     world.scene.bodies().iter().enumerate().filter(|&(body, _)| !world.bodies[body].removed)
 }
 
-/// Pivots are the joints that there are: held by rows, or solved once and for all.
+/// The decision about joints. Pivots are the only joints so far: constraint rows hold them, or the motion is reduced to
+/// rotation about them.
 fn joint_decision(world: &World) -> EffectDecision {
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
     let rows = world.held_by_rows.len();
     let (fact, saves) = match (pivots, rows) {
-        (0, _) => ("the scene has none".to_owned(), "everything about it"),
+        (0, _) => ("the scene has no pivots".to_owned(), "all work on joints"),
         (_, 0) => (
-            format!("of {pivots} bodies at pivots turning alone is left: no row holds them"),
-            "three rows a pivot and their projection; agrees with them to 1e-12 over a second",
+            format!("the motion of {pivots} bodies is reduced to rotation about their pivots"),
+            "three constraint rows a pivot and their projection; the same motion to 1e-12 over a second",
         ),
         _ if rows == pivots => (
-            format!("three rows hold each of {pivots} bodies at pivots"),
+            format!("three constraint rows hold each of {pivots} bodies at its pivot"),
             "nothing: their forces are solved for at every stage, with those of contacts",
         ),
         _ => (
-            format!("three rows hold each of {rows} of {pivots} bodies at pivots; of the others turning alone is left"),
+            format!(
+                "three constraint rows hold each of {rows} of {pivots} bodies at its pivot; the motion of the others \
+                 is reduced to rotation about their pivots"
+            ),
             "nothing: their forces are solved for at every stage, with those of contacts",
         ),
     };
@@ -247,7 +253,7 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
             Effect::Gravity,
             gravity != DVec3::ZERO,
             format!("g = ({}, {}, {}) m/s^2", gravity.x, gravity.y, gravity.z),
-            "nothing: it is part of the closed form of flight",
+            "nothing: gravity is part of the closed form of free flight",
         ),
         rotation_decision(world),
         steady_decision(world),
@@ -256,7 +262,7 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
             planar.plane.is_some(),
             planar.fact.clone(),
             if planar.plane.is_some() {
-                "three of six velocities, and one of every two mirrored contacts"
+                "three of six velocity components a body, and one of every two mirrored contacts"
             } else {
                 "nothing"
             },
@@ -264,8 +270,8 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
         decision(
             Effect::BallisticFlight,
             flying > 0,
-            format!("{flying} of {movable} movable bodies are under no force but gravity between contacts"),
-            "one evaluation per flight, whatever its length; no error from the step",
+            format!("{flying} of {movable} movable bodies are under gravity alone between contacts"),
+            "all steps of a free flight: one evaluation, without an error of integration",
         ),
     ]
 }
@@ -277,13 +283,13 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
         Effects::Planned => decision(
             Effect::Rest,
             pairs.count > 0,
-            "groups whose forces certify equilibrium at zero velocity are skipped until an event".to_owned(),
-            "all work on resting groups; the same bits as without",
+            "islands at zero velocity whose contact forces certify equilibrium are skipped until an event".to_owned(),
+            "all work on resting islands; the same bits as without",
         ),
         Effects::All => decision(
             Effect::Rest,
             false,
-            "all effects asked for: contacts and forces of resting groups are computed at every step".to_owned(),
+            "all effects asked for: contacts and forces of resting islands are computed at every step".to_owned(),
             "nothing",
         ),
     };
@@ -292,7 +298,7 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
             Effect::Contact,
             pairs.count > 0,
             format!("{} pairs may collide, {} touch at t = {}", pairs.count, findings.touching_pairs, findings.t_s),
-            if pairs.count > 0 { "nothing: searched for at every step" } else { "all collision detection" },
+            if pairs.count > 0 { "nothing: pairs are searched at every step" } else { "all collision detection" },
         ),
         decision(
             Effect::Restitution,
@@ -309,7 +315,7 @@ fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecisi
     EffectDecision { effect, decision, fact, saves: saves.to_owned() }
 }
 
-/// Rotation needs the general solution unless every body's inertia is spherical or none turns.
+/// The decision about general rotation: it is left out when the three principal moments of every body are equal.
 fn rotation_decision(world: &World) -> EffectDecision {
     let mut general = 0;
     let mut spherical = 0;
@@ -322,14 +328,14 @@ fn rotation_decision(world: &World) -> EffectDecision {
         general > 0,
         format!("{general} bodies with different principal moments, {spherical} with equal ones"),
         if general > 0 {
-            "nothing; spherical bodies and steady axes take one rotation instead of elliptic functions"
+            "nothing; only bodies with equal moments or a spin about a principal axis need no elliptic functions"
         } else {
             "elliptic functions: every rotation is about a fixed axis"
         },
     )
 }
 
-/// A body that spins about a principal axis, under no torque, goes on doing so at one rate.
+/// The decision about steady rotation: a body that spins about a principal axis without torque keeps axis and rate.
 fn steady_decision(world: &World) -> EffectDecision {
     let (mut steady, mut turning) = (0, 0);
     let mut off_axis = 0.0f64;
@@ -350,8 +356,9 @@ fn steady_decision(world: &World) -> EffectDecision {
         Effect::SteadyRotation,
         steady > 0,
         format!(
-            "{steady} of {turning} free spins are about a principal axis (largest sine to it {off_axis:.1e}, limit 0)"
+            "{steady} of {turning} bodies that spin without torque do so about a principal axis (largest sine of the \
+             angle between spin and angular momentum {off_axis:.1e}, limit 0)"
         ),
-        if steady > 0 { "elliptic functions: one turn about a fixed axis" } else { "nothing" },
+        if steady > 0 { "elliptic functions: the rotation is about a fixed axis" } else { "nothing" },
     )
 }

@@ -1,14 +1,16 @@
-//! Planar motion: when a scene moves in a plane, and the coordinates of that motion.
+//! Planar motion: finds out whether the motion of a scene stays in a plane.
 //!
-//! Let every body be its own mirror image in one plane, shape and mass, and velocities, gravity and fixed bodies likewise.
-//! The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion; so it is its
-//! own image and stays in the plane. What is left of a body are two velocities in the plane and one angular velocity
-//! about its normal, and of every pair of contacts that are images of each other one: the thesis's "under what conditions
-//! we can model a simulation using the 2D equations". In space the same motion is found with twice the contacts and
-//! twice the unknowns, and rounding may leave the plane, which a fall can amplify.
+//! Let one plane be a plane of mirror symmetry of every body, shape and mass, and of velocities, gravity and fixed
+//! bodies. The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion too.
+//! So the motion is its own mirror image and stays in the plane. Each body then has two velocity components in the
+//! plane and one angular velocity about its normal, and of two contacts that are mirror images of each other one
+//! suffices: an answer to the thesis's "under what conditions we can model a simulation using the 2D equations". In
+//! space the same motion takes twice the contacts and twice the unknowns, and rounding may lead out of the plane, which
+//! an unstable motion amplifies.
 //!
-//! The proof needs laws that treat all contacts of an instant alike; one contact after the other (propagation) has no
-//! mirror symmetry, nor have the forces of a linear programme.
+//! Assumption: the laws treat all contacts of an instant alike. Propagation, which strikes one contact after the other,
+//! breaks the mirror symmetry; so do the forces of a linear programme. Fails: never; a scene without such a plane is
+//! simulated in space.
 
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Tier};
@@ -18,10 +20,11 @@ use polhode_contact::mirror_defect;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, UnitVector};
 
-/// What may be missing from symmetry, relative to the size of what is measured: roundings of poses and mass properties.
+/// Largest defect of symmetry, relative to the size of the quantity measured: the rounding of poses and mass
+/// properties.
 const SYMMETRY_RELATIVE: f64 = 32.0 * f64::EPSILON;
 
-/// Whether a scene moves in a plane, with the measured fact that decides it.
+/// Whether the motion of a scene is planar, with the measured fact that decides it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PlanarFinding {
     pub(crate) plane: Option<PlaneOfMotion>,
@@ -34,31 +37,34 @@ impl PlanarFinding {
     }
 }
 
-/// Looks for a plane in which the scene moves.
+/// Looks for a plane of symmetry of the scene in these states.
 pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> PlanarFinding {
     if !world.bodies.iter().any(WorldBody::moves) {
-        return PlanarFinding::off("nothing moves");
+        return PlanarFinding::off("no body moves");
     }
     if !world.prescribed.is_empty() {
-        return PlanarFinding::off("the motion of a body is prescribed: its symmetry is not examined");
+        return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
     }
     if world.has_loads() {
-        return PlanarFinding::off("forces besides uniform gravity, or pivots, act: their symmetry is not examined");
+        return PlanarFinding::off("forces besides uniform gravity or pivots act, and their symmetry is not examined");
     }
     let keeps_symmetry =
         matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
     if settings.tier != Tier::Stepped && !keeps_symmetry {
-        return PlanarFinding::off("the integrator asked for is shown as it is, in space");
+        return PlanarFinding::off("the integrator asked for may not keep the symmetry: it is used in space");
     }
     if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {
-        return PlanarFinding::off("impacts or forces are found one contact after the other, which keeps no symmetry");
+        return PlanarFinding::off(
+            "the impact law or the contact method does not treat all contacts alike, which breaks the symmetry",
+        );
     }
     let mut nearest: Option<Defect> = None;
     for normal in candidates(world, states) {
         let defect = measure(world, states, normal);
         if defect.relative <= SYMMETRY_RELATIVE {
             let fact = format!(
-                "every body is its own mirror image in the plane with normal ({}, {}, {}): to {:.1e}, limit {:.1e}",
+                "every body is its own mirror image in the plane with normal ({}, {}, {}), with a relative defect of \
+                 {:.1e} (limit {:.1e})",
                 normal.x, normal.y, normal.z, defect.relative, SYMMETRY_RELATIVE
             );
             let offset = plane_offset(world, states, normal);
@@ -72,7 +78,7 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     PlanarFinding::off(format!("no mirror plane: {nearest}"))
 }
 
-/// What spoils a plane most.
+/// The largest defect of symmetry in a plane.
 #[derive(Debug, Clone, PartialEq)]
 struct Defect {
     relative: f64,
@@ -81,16 +87,17 @@ struct Defect {
 
 impl std::fmt::Display for Defect {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}, by {:.1e} of its size (limit {:.1e})", self.what, self.relative, SYMMETRY_RELATIVE)
+        write!(f, "{} (relative defect {:.1e}, limit {:.1e})", self.what, self.relative, SYMMETRY_RELATIVE)
     }
 }
 
-/// Normals worth trying: the axis about which a body spins, or else the world's axes and those of the first movable body.
+/// Normals to try: the axis of the first spin, or, when no body spins, the axes of the world and of the first movable
+/// body.
 fn candidates(world: &World, states: &[BodyState]) -> Vec<DVec3> {
     let spinning = (0..states.len()).map(|i| world.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
     if let Some(axis) = spinning {
         let axis = axis.normalize_or_zero();
-        // A spin about an axis of the world is so to the last bit.
+        // Normalising a spin about an axis of the world gives that axis to the last bit.
         return if axis == DVec3::ZERO { Vec::new() } else { vec![axis] };
     }
     let mut normals = vec![DVec3::Y, DVec3::X, DVec3::Z];
@@ -100,13 +107,13 @@ fn candidates(world: &World, states: &[BodyState]) -> Vec<DVec3> {
     normals
 }
 
-/// Height of the plane: that of the first movable body.
+/// Offset of the plane, m: the plane passes through the first movable body.
 fn plane_offset(world: &World, states: &[BodyState], normal: DVec3) -> f64 {
     let first = states.iter().zip(&world.bodies).find(|(_, body)| body.moves());
     first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
 }
 
-/// The worst defect of symmetry in the plane with this normal.
+/// The largest defect of symmetry in the plane with this normal.
 fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
     let offset = plane_offset(world, states, normal);
     let mut worst = Defect { relative: 0.0, what: String::new() };
@@ -118,21 +125,23 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
         }
     };
     let gravity = world.gravity();
-    note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity leaves the plane".to_owned());
+    note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity is not parallel to the plane".to_owned());
     for (body, state) in world.bodies.iter().zip(states) {
         let height = normal.dot(state.pose.translation) - offset;
         if let Some(rigid) = &body.rigid {
             let extent = body.size + state.pose.translation.abs().max_element();
-            note(height.abs(), extent, &|| format!("{} stands beside the plane", body.name));
+            note(height.abs(), extent, &|| format!("{} is not centred on the plane", body.name));
             let velocity = rigid.velocity(state);
             let speed = velocity.linear.length();
             note(velocity.linear.dot(normal).abs(), speed, &|| format!("{} moves out of the plane", body.name));
             let spin = velocity.angular;
-            note(spin.cross(normal).length(), spin.length(), &|| format!("{} turns out of the plane", body.name));
+            note(spin.cross(normal).length(), spin.length(), &|| {
+                format!("{} does not turn about the normal of the plane", body.name)
+            });
             let axis = state.pose.rotation.inverse_rotate(normal);
             let moment = rigid.inertia() * axis;
             note(moment.cross(axis).length(), rigid.moments().max_element(), &|| {
-                format!("the normal is no principal axis of {}", body.name)
+                format!("the normal is not a principal axis of {}", body.name)
             });
         }
         if let Some(shape) = &body.shape {

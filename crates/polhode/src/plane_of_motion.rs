@@ -1,16 +1,16 @@
-//! The plane in which the bodies of a scene move, and the coordinates of that motion: two of a velocity in the plane, one of
-//! the angular velocity about its normal. When a scene moves in one is found in `planar.rs`.
+//! The plane of a planar motion, and the coordinates of velocities in it: two of the velocity in the plane, one of the
+//! angular velocity about its normal. `planar.rs` finds out whether a motion is planar.
 
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-/// The plane in which a scene moves: `normal . x = offset`.
+/// The plane of a planar motion: `normal . x = offset`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PlaneOfMotion {
     normal: DVec3,
-    /// m.
+    /// Distance from the world's origin along the normal, m.
     offset: f64,
-    /// Two directions that span the plane.
+    /// Two orthonormal directions that span the plane.
     axes: [DVec3; 2],
 }
 
@@ -25,12 +25,13 @@ impl PlaneOfMotion {
         self.normal
     }
 
-    /// Coordinates of a velocity or force with a moment: two in the plane, one about its normal.
+    /// Coordinates of a velocity with an angular velocity, or of a force with a moment: two in the plane, one about its
+    /// normal.
     pub(crate) fn coordinates(&self, linear: DVec3, angular: DVec3) -> [f64; 3] {
         [self.axes[0].dot(linear), self.axes[1].dot(linear), self.normal.dot(angular)]
     }
 
-    /// Linear and angular part of a velocity of the plane.
+    /// Linear and angular velocity with these coordinates.
     pub(crate) fn velocity(&self, coordinates: [f64; 3]) -> (DVec3, DVec3) {
         let [x, y, turn] = coordinates;
         (self.axes[0] * x + self.axes[1] * y, self.normal * turn)
@@ -41,17 +42,17 @@ impl PlaneOfMotion {
         self.normal.dot(point) - self.offset
     }
 
-    /// The point of the plane below a point.
+    /// Orthogonal projection of a point onto the plane.
     pub(crate) fn project_point(&self, point: DVec3) -> DVec3 {
         point - self.normal * self.height(point)
     }
 
-    /// The part of a vector in the plane.
+    /// Component of a vector parallel to the plane.
     pub(crate) fn project_vector(&self, vector: DVec3) -> DVec3 {
         vector - self.normal * self.normal.dot(vector)
     }
 
-    /// Takes from a state what rounding has left outside the motion in the plane.
+    /// Projects a state onto the motion in the plane: it removes what rounding has put outside it.
     pub(crate) fn project_state(&self, state: &mut BodyState) {
         state.pose.translation = self.project_point(state.pose.translation);
         state.linear_velocity = self.project_vector(state.linear_velocity);

@@ -1,22 +1,22 @@
-//! Kinematic bodies as the engine sees them: states and accelerations that no force changes.
+//! Kinematic bodies in the model: states and accelerations that are functions of time.
 //!
-//! The moving frame of a kinematic body is its own frame. Its state holds the pose and the velocity of its own origin and,
-//! since it has no inertia, its angular velocity (rad/s, world) in the place of the angular momentum, as of unit inertia.
-//! Such states are functions of time: they must be set at every time at which contacts are evaluated
-//! ([`World::prescribe`]).
+//! The moving frame of a kinematic body is its own frame. Its state holds pose and velocity of its own origin. Since
+//! the body has no inertia, the state holds its angular velocity (rad/s, world) in the place of the angular momentum.
+//! States of kinematic bodies must be set at every time at which contacts are evaluated ([`World::prescribe`]).
 //!
-//! In the rows of contacts a kinematic body is a known term. With A or B prescribed, r from its origin to the contact point
-//! and the sign of the body (+ for A, - for B):
+//! A kinematic body contributes known terms to the rows of its contacts. With the arm r from its origin to the contact
+//! point, and the sign + for body A and - for body B:
 //!
 //! ```text
 //! chi'  = J v + sum +-n.(v + w x r)               chi'' = J a + bias + sum +-n.(a + alpha x r)
 //! ```
 //!
-//! over its prescribed members. [`polhode_contact::kinematics`] has that term of `chi'` and all of `bias`, from the
-//! velocities in the states; the term of `chi''` is [`World::prescribed_acceleration_of`]. A force f along the normal does
-//! work on the bodies that forces move at the rate `-f` times the term of `chi'` ([`World::prescribed_rate_of`]), an
-//! impulse p the work `-p` times it: work of the outside. What an impact law says of energy is in relative velocities, and so
-//! leaves that work out.
+//! where the sums are over the kinematic bodies of the contact. [`polhode_contact::kinematics`] includes the term of
+//! `chi'`, and all of `bias`, from the velocities in the states; [`World::prescribed_acceleration_of`] is the term of
+//! `chi''`. The kinematic body does work on the other body: a contact force f has the power `-f` times the term of
+//! `chi'` ([`World::prescribed_rate_of`]), an impulse p does the work `-p` times that term. The ledger books it as
+//! external work. The change of energy that an impact law reports is computed from relative velocities and does not
+//! include this work.
 
 use crate::collision::contact_set::ContactId;
 use crate::prescribed_state::state_at;
@@ -32,12 +32,12 @@ impl World {
         &self.prescribed
     }
 
-    /// Motion of the moving frame of a kinematic body.
+    /// Motion of the moving frame of a kinematic body; none for other bodies.
     pub(crate) fn trajectory(&self, body: usize) -> Option<&Trajectory> {
         self.bodies[body].trajectory.as_ref()
     }
 
-    /// State of a kinematic body at `t` (s).
+    /// State of a kinematic body at `t` (s); none for other bodies.
     pub(crate) fn prescribed_state(&self, body: usize, t: f64) -> Option<BodyState> {
         self.trajectory(body).map(|trajectory| state_at(trajectory, t))
     }
@@ -65,14 +65,14 @@ impl World {
         self.prescribed_members(pairs).all(|body| self.stands_still(body, from, to))
     }
 
-    /// The kinematic members of these pairs; one that is in several comes as often.
+    /// The kinematic members of these pairs; a body in several pairs is repeated.
     fn prescribed_members<'a>(&'a self, pairs: &'a [(usize, usize)]) -> impl Iterator<Item = usize> + 'a {
         let pairs = if self.prescribed.is_empty() { &[] } else { pairs };
         pairs.iter().flat_map(|&(a, b)| [a, b]).filter(|&body| self.trajectory(body).is_some())
     }
 
-    /// Largest speed from `t` to `t + h` (s) of the material of a kinematic body where another body is at `t`,
-    /// m/s; zero for other bodies.
+    /// Bound on the speed from `t` to `t + h` (s) of the points of a kinematic body in the region that another body
+    /// occupies at `t`, m/s; zero for other bodies.
     pub(crate) fn prescribed_speed_at(
         &self,
         body: usize,
@@ -87,8 +87,8 @@ impl World {
         })
     }
 
-    /// Acceleration of a body's origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s) that its motion prescribes, world;
-    /// zero for other bodies.
+    /// Prescribed acceleration of a kinematic body's own origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s),
+    /// world; zero for other bodies.
     pub(crate) fn prescribed_acceleration(&self, body: usize, t: f64) -> (DVec3, DVec3) {
         self.trajectory(body).map_or((DVec3::ZERO, DVec3::ZERO), |trajectory| {
             let acceleration = trajectory.acceleration(t);
@@ -96,8 +96,8 @@ impl World {
         })
     }
 
-    /// The first time strictly between `from` and `to` (s, rising) at which the motion of a kinematic member of these contacts
-    /// is not smooth.
+    /// The first time strictly between `from` and `to` (s, `from < to`) at which the motion of a kinematic body of
+    /// these contacts is not smooth.
     pub(crate) fn prescribed_corner_between(&self, contacts: &[ContactId], from: f64, to: f64) -> Option<f64> {
         if self.prescribed.is_empty() {
             return None;
@@ -106,8 +106,8 @@ impl World {
         members.filter_map(|body| self.trajectory(body)?.corner_between(from, to)).reduce(f64::min)
     }
 
-    /// Whether a kinematic body stands still from `from` to `to` (s), so that what rests on it may go on resting; other
-    /// bodies do.
+    /// Whether a kinematic body stands still from `from` to `to` (s), so that bodies may rest on it; true for other
+    /// bodies.
     pub(crate) fn stands_still(&self, body: usize, from: f64, to: f64) -> bool {
         self.trajectory(body).is_none_or(|trajectory| {
             let bounds = trajectory.bounds(from, to);
@@ -121,13 +121,13 @@ impl World {
         corner.unwrap_or(f64::INFINITY)
     }
 
-    /// Whether a kinematic body stands still from `t` (s) to the next time at which its motion is not smooth: only on such a
-    /// body can others rest. Other bodies are in nobody's way.
+    /// Whether bodies may rest on this one from `t` (s): on a kinematic body if it stands still until the next time at
+    /// which its motion is not smooth, on any other body always.
     pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
         self.stands_still(body, t, self.next_corner(body, t).next_down())
     }
 
-    /// What prescribed velocities add to the rate of a contact's separation, m/s.
+    /// Term of prescribed velocities in the rate of a contact's separation, m/s.
     pub(crate) fn prescribed_rate_of(&self, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
         self.prescribed_term(states, id, geometry, |body| {
             let velocity = self.velocity(body, &states[body]);
@@ -135,8 +135,8 @@ impl World {
         })
     }
 
-    /// Work of prescribed motions on the bodies that forces move, J, by impulses p (N s) along the normals of contacts; by
-    /// forces (N) the power, W.
+    /// Work of kinematic bodies on the others by impulses p (N s) along contact normals, J; from forces (N) instead of
+    /// impulses, their power, W.
     pub(crate) fn prescribed_work<'a>(
         &self,
         states: &[BodyState],
@@ -145,7 +145,7 @@ impl World {
         impulses.map(|(id, geometry, p)| -p * self.prescribed_rate_of(states, id, geometry)).sum()
     }
 
-    /// What prescribed accelerations at `t` (s) add to the second derivative of a contact's separation, m/s^2.
+    /// Term of prescribed accelerations at `t` (s) in the second derivative of a contact's separation, m/s^2.
     pub(crate) fn prescribed_acceleration_of(
         &self,
         t: f64,
@@ -156,7 +156,7 @@ impl World {
         self.prescribed_term(states, id, geometry, |body| self.prescribed_acceleration(body, t))
     }
 
-    /// `sum +-n.(linear + angular x r)` over the members of a contact whose motion is prescribed.
+    /// `sum +-n.(linear + angular x r)` over the kinematic bodies of a contact.
     fn prescribed_term(
         &self,
         states: &[BodyState],
@@ -214,7 +214,7 @@ mod tests {
         ])
     }
 
-    /// A kinematic body of this shape, and a body of the other shape that flies by, of three different moments.
+    /// A kinematic body of this shape, and a body in free flight of the other shape with three different moments.
     fn world(motion: PrescribedMotion, shape: Shape, other: Shape) -> Result<(World, Vec<BodyState>), Box<dyn Error>> {
         let inertia = Inertia::from_diagonal(DVec3::new(0.2, 0.3, 0.4))?;
         let flying = Body::movable("body", MassProperties::new(Mass::new(2.0)?, DVec3::ZERO, inertia))
@@ -236,9 +236,9 @@ mod tests {
         states
     }
 
-    /// The second derivative of a separation is `J a_free + bias` and the term of the prescribed body, the first one what
-    /// contact says: against differences of the separation itself, for faces, edges, spheres and half-spaces, with the
-    /// kinematic body first or second.
+    /// Differences of the separation agree with its derivatives: the first with that of polhode-contact, the second
+    /// with `J a_free + bias` plus the term of the kinematic body. Faces, edges, spheres and half-spaces; the kinematic
+    /// body is A or B.
     #[test]
     fn separations_of_prescribed_bodies() -> TestResult {
         let cuboid = || Shape::cuboid(DVec3::new(1.5, 1.0, 0.8));
@@ -285,11 +285,11 @@ mod tests {
         let assembly = Assembly::new(world, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
         let free = assembly.free_accelerations(world, &states, &world.loads(t, &states));
         let b = assembly.acceleration_constants(world, t, &states, &free, [(id, &kinematics)].into_iter())?;
-        // Differences err by 1e-15/h^2 and by sixth derivatives times h^4.
+        // The error of the differences is 1e-15/h^2 and a sixth derivative times h^4.
         assert!((kinematics.separation_rate - rate).abs() < 1e-8, "{id:?} {} {rate}", kinematics.separation_rate);
         assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
 
-        // The rate is that of the bodies that forces move, and the term of the prescribed one.
+        // The rate of separation is the sum of the movable body's part and the kinematic body's term.
         let velocity = world.velocity(BODY, &states[BODY]);
         let columns = [velocity.linear.to_array(), velocity.angular.to_array()].concat();
         let moved = assembly.problem.row_velocities(&columns)?[0];
@@ -298,8 +298,8 @@ mod tests {
         Ok(())
     }
 
-    /// An impact on a kinematic body gives the body that is struck what the impact takes in relative velocities (the energy
-    /// change of the law) and the work of the prescribed motion, `-p` times its part of the rate of separation.
+    /// In an impact with a kinematic body the change of the movable body's energy is the energy change that the law
+    /// reports plus the work of the prescribed motion, `-p` times its term of the rate of separation.
     #[test]
     fn work_of_a_prescribed_motion_in_an_impact() -> TestResult {
         let settings = ImpactSettings::default();
@@ -321,15 +321,15 @@ mod tests {
                 "{outcome:?} {work}"
             );
             assert!((gained - outcome.energy_change - work).abs() < 1e-12 * before, "{gained} {outcome:?} {work}");
-            // Without restitution the contact opens no more and closes no more.
+            // Without restitution the contact neither opens nor closes afterwards.
             let after = world.kinematics(&states, touches[0].id).ok_or("no contact")?;
             assert!(after.separation_rate.abs() < 1e-12);
         }
         Ok(())
     }
 
-    /// At the start a kinematic body is where its motion has it, not at the centre of its oscillation, and has its velocity;
-    /// it is not among the bodies that forces move.
+    /// At the start a kinematic body has the pose and velocity of its motion at t = 0, not the centre of its
+    /// oscillation; and it is not among the movable bodies.
     #[test]
     fn states_follow_the_motion() -> TestResult {
         for motion in motions()? {
@@ -357,7 +357,7 @@ mod tests {
         Ok(touches.first().ok_or("no contact")?.id.feature)
     }
 
-    /// A table ends the steps of what it touches at its samples, and stands still after the last one.
+    /// The motion of a table is not smooth at its samples, and stands still after the last one.
     #[test]
     fn corners_and_standstill() -> TestResult {
         let [screw, _, table] = motions()?;

@@ -65,7 +65,7 @@ impl Core {
         let allowed = promised.map_or(f64::INFINITY, |relative| {
             // The time of an impact is known to its rounding only.
             let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
-            relative * self.world.pair_size(a, b) + self.world.judged_rounding(states, a, b) + late_approach
+            relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
         });
         self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
     }

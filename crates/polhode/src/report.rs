@@ -1,49 +1,49 @@
-//! What a run returns: energies, ledger, certificate, warnings.
+//! The report of a run: outcome, plan, energies, ledger, certificate, warnings.
 
 use crate::body_sample::BodySample;
 pub use crate::energy::Energy;
 use crate::{BodyId, Ledger, Plan};
 use std::fmt;
 
-/// What is known for certain about the accuracy of a run: the worst over all steps.
+/// What is known for certain about the accuracy of a run: the largest value of each measure over all steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Certificate {
     /// Largest residual of a contact-force or impact problem (natural map, relative).
     pub max_residual: f64,
-    /// Largest penetration, m (zero when no body ever penetrated).
+    /// Largest penetration, m; zero when no bodies overlapped.
     pub max_penetration_m: f64,
-    /// Largest penetration in units of what the method promises for its pair: above 1 the run is degraded. Zero for a tier
-    /// that promises nothing.
+    /// Largest penetration relative to the limit that the tier promises for the pair: above 1 the run is degraded. Zero
+    /// for a tier without a promise.
     pub max_penetration_of_limit: f64,
-    /// Where and when that was.
+    /// The pair and the time of that penetration.
     pub max_penetration_at: Option<PairAt>,
     /// Largest displacement of a body by one projection, m: of its origin, plus its rotation times its size.
     pub max_projection_m: f64,
-    /// The largest such displacement in units of what the method promises for its pair: above 1 the run is degraded.
-    /// Overlaps within touch at the start are moved out and do not count.
+    /// Largest such displacement relative to the limit that the tier promises for the pair: above 1 the run is
+    /// degraded. Projections of overlaps at the start that count as touch are left out.
     pub max_projection_of_limit: f64,
-    /// Where and when that was.
+    /// The pair and the time of that projection.
     pub max_projection_at: Option<PairAt>,
     /// Largest change of energy by one projection, J.
     pub max_projection_j: f64,
-    /// The same, relative to the largest energy of the run, as the closure of the ledger.
+    /// The same, relative to the largest energy of the run.
     pub max_projection_relative: f64,
-    /// Where and when that was.
+    /// The pair and the time of that projection.
     pub max_projection_j_at: Option<PairAt>,
-    /// Largest bound on the error of an acceleration that a contact-force solve committed, `sqrt(f'w)`, in units of
-    /// the mass norm, N^(1/2) (m/s^2)^(1/2) (zero to round-off for exact solves).
+    /// Largest bound `sqrt(f.w)` on the error of the accelerations from a solve for contact forces, in the norm of
+    /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves.
     pub max_acceleration_error_bound: f64,
-    /// Largest estimated local error of a step in a contact phase, relative to its tolerance.
+    /// Largest estimated local error of a step of constrained motion, relative to its tolerance.
     pub max_step_error: f64,
-    /// How often the method did something else than it promises by itself: a fallback solver answered, an event was put
-    /// off, a contact was left alone. [`RunReport::tolerated`] names them.
+    /// Number of fallbacks: a fallback solver answered, an event was postponed (backoff), a contact was not projected.
+    /// [`RunReport::tolerated`] names them.
     pub fallbacks: u64,
 }
 
-/// Two bodies at a time.
+/// A pair of bodies and a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairAt {
-    /// s.
+    /// Time, s.
     pub t_s: f64,
     /// Body A.
     pub body_a: BodyId,
@@ -51,16 +51,16 @@ pub struct PairAt {
     pub body_b: BodyId,
 }
 
-/// Something that a run has tolerated, skipped or approximated, once or more often.
+/// A tolerated violation or a fallback: something that the run tolerated, skipped or approximated, once or more often.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tolerated {
-    /// What, with the names of its bodies.
+    /// What it was, with the names of the bodies.
     pub what: String,
-    /// How often.
+    /// How often it occurred.
     pub count: u64,
-    /// When first, s.
+    /// Time of the first occurrence, s.
     pub first_s: f64,
-    /// When last, s.
+    /// Time of the last occurrence, s.
     pub last_s: f64,
 }
 
@@ -82,34 +82,35 @@ pub enum Outcome {
     Completed,
     /// The observer stopped it.
     Stopped,
-    /// It ended, or the observer stopped it, but it has not kept what its method promises: bodies overlapped by more, a
-    /// projection moved them or took energy by more, or a problem was not solved as asked. The first warnings say which
-    /// bodies, when, and by how much.
+    /// The run ended, or the observer stopped it, but it did not keep the promise of its tier: a penetration, the
+    /// displacement of a projection or the energy of projections exceeded its limit, or a problem was not solved to its
+    /// tolerance. The first warnings say which bodies, when, and by how much.
     Degraded,
 }
 
-/// A stretch of crowded events (they followed each other so closely that time hardly advanced), in which the bodies
-/// advanced by time steps.
+/// A stretch of time in which events followed each other so closely that time hardly advanced. The bodies were advanced
+/// through it by time steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrowdedStretch {
-    /// From, s.
+    /// Beginning of the stretch, s.
     pub from_s: f64,
-    /// To, s.
+    /// End of the stretch, s.
     pub to_s: f64,
-    /// Bodies at its begin.
+    /// Number of bodies at its beginning.
     pub bodies: usize,
-    /// Time steps made.
+    /// Number of time steps.
     pub steps: u64,
-    /// Sum of the estimated errors of the steps, by halving them: largest displacement of a body relative to its size.
+    /// Sum of the errors of the steps, each estimated by halving the step: largest displacement of a body relative to
+    /// its size.
     pub error: f64,
 }
 
-/// The plan was derived again after an action of the program, and some of it changed.
+/// A change of the plan, which is derived again after every action of the program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanChange {
-    /// When, s.
+    /// Time of the action, s.
     pub t_s: f64,
-    /// The action, by the name of its method.
+    /// Name of the method of [`Simulation`](crate::Simulation) that acted.
     pub action: String,
     /// What changed, in words.
     pub changes: Vec<String>,
@@ -120,31 +121,32 @@ pub struct PlanChange {
 pub struct RunReport {
     /// Name of the scene.
     pub scene: String,
-    /// The plan that was followed.
+    /// The plan of the run.
     pub plan: Plan,
     /// How the run ended.
     pub outcome: Outcome,
-    /// Time asked for, s.
+    /// Duration of the scene, s.
     pub duration_s: f64,
     /// Time simulated, s.
     pub simulated_s: f64,
-    /// Steps taken. While all bodies fly or rest they are those of the caller, so that they depend on how a run is cut.
+    /// Number of steps. While all bodies are in free flight or at rest, every call of a method that advances the
+    /// simulation counts as a step.
     pub steps: u64,
-    /// Events, of every kind.
+    /// Number of events of all kinds.
     pub events: u64,
     /// Energies.
     pub energy: Energy,
-    /// Every joule accounted for.
+    /// Energy and momentum, booked by cause.
     pub ledger: Ledger,
-    /// What is certain.
+    /// What is certain about the accuracy.
     pub certificate: Certificate,
-    /// Things a user should know: broken promises first, then the others in order of time.
+    /// Warnings: exceeded limits of the promise first, then the others in order of time.
     pub warnings: Vec<String>,
     /// Stretches of crowded events, passed by time steps: the events in them are not located exactly.
     pub crowded: Vec<CrowdedStretch>,
-    /// When actions of the program changed the plan.
+    /// Changes of the plan by actions of the program.
     pub plan_changes: Vec<PlanChange>,
-    /// What was tolerated, skipped or approximated, in the order in which each came first; their counts add up to
+    /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
     /// [`Certificate::fallbacks`].
     pub tolerated: Vec<Tolerated>,
     /// Names and final states of the bodies, in the order of the scene.

@@ -1,4 +1,4 @@
-//! Samples and frames: what an observer is told of the motion between two events.
+//! Samples and frames of the motion between two events, for the observer.
 
 use crate::SimulationError;
 use crate::core::Core;
@@ -8,7 +8,7 @@ use crate::tier::Tier;
 use polhode_dynamics::BodyState;
 use std::sync::Arc;
 
-/// Everything that a viewer draws of the instant `t` (s) with these states.
+/// The frame at `t` (s), when the bodies have these states.
 pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
     let sample = |(body, state)| core.world.sample(body, state);
     Frame {
@@ -21,7 +21,8 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
     }
 }
 
-/// Tells the observer the states at `t` (s), unless it has had a sample of that time, and the frame if it wants frames.
+/// Gives the observer a sample of the states at `t` (s), unless it already has one of that time, and a frame if it
+/// wants frames.
 pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
     if emitted && observer.wants_frames() {
@@ -29,8 +30,8 @@ pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState]
     }
 }
 
-/// Tells the observer the samples before `until` (s), whose states `states_at` evaluates within the present steps of a tier;
-/// none of a sample that it has passed over.
+/// Gives the observer all samples that are due before `until` (s). `states_at` evaluates the states within the present
+/// steps of the tier; it returns `None` when it has already passed the time of the sample.
 ///
 /// # Errors
 /// As `states_at`.

@@ -1,4 +1,4 @@
-//! The numbers a run is governed by, resolved from the scene's method and the defaults of its tier.
+//! The settings of a run: the scene's method, completed by the defaults of its tier.
 
 use crate::scene::{
     BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
@@ -8,33 +8,33 @@ use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 /// Upper bound of a step when none is given, s; the step of tier `thesis`.
 const DEFAULT_STEP_S: f64 = 0.01;
 
-/// Step of tier `stepped` when none is given, s: bodies of tenths of a metre that fall for a second move by a hundredth of
-/// their size in it, and bounces that last less than two steps have speeds below 0.02 m/s.
+/// Step of tier `stepped` when none is given, s. A body of some tenths of a metre that has fallen for a second moves by
+/// about a hundredth of its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
 const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 
-/// Local error of a step in a contact phase when none is given, relative to size and speed (dimensionless).
+/// Local error of a step of constrained motion when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
 
-/// What projections may move or take at the default tolerance, in units of it (dimensionless, 1 to 100). The error of a step
-/// is a part of the tolerance and touch is of its order; putting contacts that lie close together exactly in place turns a
-/// body by some times more.
+/// Promised limit of projections at the default tolerance, in units of that tolerance (dimensionless, 1 to 100). The
+/// error of a step is a fraction of the tolerance, and the touch distance is of its order; the projection of contacts
+/// that are close to each other turns a body by a few times more.
 const DRIFT_FACTOR: f64 = 10.0;
 
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
-/// Penetration that `accurate` promises to stay below at the default tolerance and tighter ones, relative to the size of
-/// the smaller body: where contacts close is located far below it whatever the tolerance.
+/// Promised limit of penetration in the tier `accurate` at the default tolerance and tighter ones, relative to the size
+/// of the smaller body. Closing contacts are located far more accurately, whatever the tolerance.
 const PENETRATION_RELATIVE: f64 = 1e-12;
 
-/// Events in one step when no cap is given.
+/// Largest number of events in one step when none is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
 
-/// Every knob, decided.
+/// The settings of a run, all resolved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Settings {
     pub(crate) tier: Tier,
     pub(crate) integrator: Integrator,
-    /// What the scene asks for.
+    /// The integrator that the scene names, if any.
     pub(crate) asked_integrator: Option<Integrator>,
     pub(crate) orientation: Orientation,
     pub(crate) rotation_rate: RotationRate,
@@ -42,7 +42,7 @@ pub(crate) struct Settings {
     pub(crate) contact: ContactMethod,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
-    /// Whether the scene asks for that step.
+    /// Whether the scene gives that step.
     pub(crate) step_is_asked: bool,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
@@ -52,26 +52,27 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// Whether bodies that nothing loads follow their flight records.
+    /// Whether bodies under gravity alone are in free flight, evaluated from flight records.
     pub(crate) fn flies(&self) -> bool {
         self.tier == Tier::Stepped
             || self.tier == Tier::Accurate
                 && match self.integrator {
-                    // Chosen for bodies under forces, it leaves the others their flight; asked for, it moves all.
+                    // When the plan chooses DOP853, bodies under gravity alone stay in free flight; when the scene
+                    // names it, it integrates all bodies.
                     Integrator::Dop853 => self.asked_integrator.is_none(),
                     integrator => integrator.is_exact_without_loads(),
                 }
     }
 
-    /// Whether bodies that contacts or pivots hold are integrated by the classical method of order 4 at the fixed step,
-    /// because the scene asks for it, and not by DOP853 under error control.
+    /// Whether constrained motion is integrated by RK4 at a fixed step, because the scene names it, and not by DOP853
+    /// under error control.
     pub(crate) fn constrains_by_rk4(&self) -> bool {
         self.tier == Tier::Accurate && self.asked_integrator == Some(Integrator::Rk4)
     }
 
-    /// Penetration that the tier promises to stay below, relative to the size of the smaller body of a pair; none where it
-    /// promises nothing. A tolerance above the default is the promise itself: errors of that size decide where held
-    /// contacts go within a step.
+    /// Promised limit of penetration, relative to the size of the smaller body of a pair; none for a tier without a
+    /// promise. A tolerance above the default is itself the limit, because active contacts drift by errors of that size
+    /// within a step.
     pub(crate) fn promised_penetration(&self) -> Option<f64> {
         match self.tier {
             Tier::Thesis | Tier::Stepped => None,
@@ -80,9 +81,8 @@ impl Settings {
         }
     }
 
-    /// What projections may move a body by or take, as a fraction of the size of its pair or of the energy of the scene
-    /// (dimensionless); none for a tier that promises nothing, and for a method whose error is known by its
-    /// step alone.
+    /// Promised limit of projections: of a displacement relative to the size of the pair, of the energy relative to
+    /// that of the scene (dimensionless). None for a tier without a promise, and for a method without error control.
     pub(crate) fn promised_drift(&self) -> Option<f64> {
         match self.tier {
             Tier::Thesis | Tier::Stepped => None,
@@ -91,18 +91,18 @@ impl Settings {
         }
     }
 
-    /// What a step of constrained motion errs by at the most (dimensionless): the tolerance under error control, anything by a
-    /// method whose error is known by its step.
+    /// Largest local error of a step of constrained motion (dimensionless): the tolerance under error control, infinite
+    /// for a method without error control.
     pub(crate) fn step_error(&self) -> f64 {
         if self.constrains_by_rk4() { f64::INFINITY } else { self.tolerance }
     }
 
-    /// Whether splitting under error control is the plan's choice, not the scene's.
+    /// Whether the integrator is splitting under error control, chosen by the plan and not named by the scene.
     pub(crate) fn splits_by_choice(&self) -> bool {
         self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
     }
 
-    /// The settings as they were before the plan chose an integrator.
+    /// The settings as [`Settings::resolve`] gives them, before the plan chooses an integrator.
     pub(crate) fn as_resolved(self) -> Self {
         let chosen = match self.tier {
             Tier::Thesis | Tier::Stepped => self.integrator,
@@ -121,7 +121,7 @@ impl Settings {
         })
     }
 
-    /// What the method asks for, and the tier's choice for the rest.
+    /// The settings that the method gives, and the tier's defaults for the rest.
     pub(crate) fn resolve(method: &Method) -> Self {
         let tier = method.tier.unwrap_or(Tier::Accurate);
         let (integrator, impact, contact) = match tier {

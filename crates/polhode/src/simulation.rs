@@ -1,4 +1,4 @@
-//! A simulation: a scene in motion, in the hand of a program.
+//! A simulation: a scene that a program advances in time, queries and changes.
 
 use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
@@ -26,14 +26,14 @@ use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_fo
 use polhode_contact::QueryError;
 use polhode_response::ComplementaritySolver;
 
-/// What is left of the run after a step is added to it, if it is less than this fraction of the step: a sum of equal
-/// steps may leave over what is no step.
+/// A step is extended to the end of the run when less than this fraction of a step would remain: the rounding of a sum
+/// of equal steps must not leave a tiny step.
 const LEFT_OVER_RELATIVE: f64 = 1e-9;
 
 /// How a step ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepEnd {
-    /// As planned.
+    /// At its full length.
     Planned,
     /// At an event: an impact, or a change of contacts.
     Event,
@@ -55,7 +55,7 @@ impl StepOutcome {
     }
 }
 
-/// A scene in motion.
+/// A scene that is advanced in time.
 ///
 /// ```
 /// use polhode::contact::Shape;
@@ -84,17 +84,17 @@ pub struct Simulation {
     pub(crate) plan_changes: Vec<PlanChange>,
     plan_at_start: Plan,
     plane_at_start: Option<PlaneOfMotion>,
-    /// Whether the end of the scene's duration has been passed.
+    /// Whether the end of the scene's duration has been reached.
     ended: bool,
 }
 
 impl Simulation {
-    /// Prepares a scene: makes the plan, finds what touches and checks that nothing overlaps.
+    /// Prepares a simulation: derives the plan, finds the contacts of the start and checks that no bodies overlap.
     ///
     /// # Errors
-    /// When bodies overlap at the start or the contact forces of the start cannot be found.
+    /// When bodies overlap at the start, a force is not finite there, or the solver finds no contact forces.
     pub fn new(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
-        // The method or the duration may have been put in after the scene was built.
+        // The method or the duration may have been replaced after the scene was built.
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
         let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
@@ -107,7 +107,7 @@ impl Simulation {
             Effects::Planned => planar::find(&world, &states, &settings),
             Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
         };
-        world.enter_plane(planar.plane, &mut states);
+        world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
         let tier: Box<dyn Tier> = match settings.tier {
@@ -139,8 +139,8 @@ impl Simulation {
         self.core.t
     }
 
-    /// Makes one step, or goes to the first event in it. At the end of the scene's duration a step ends exactly; steps
-    /// beyond it are made as before it.
+    /// Makes one step, which ends at the first event in it. A step ends exactly at the end of the scene's duration;
+    /// further calls make steps beyond it.
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -149,13 +149,14 @@ impl Simulation {
         let stride = self.tier.stride(&self.core);
         let left_over = duration - t - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
         let limit = if !self.ended && left_over { duration } else { t + stride };
-        // After the end of the run nothing says how long a rest lasts.
+        // Beyond the end of the run the stride of bodies at rest is infinite.
         let limit = if limit.is_finite() { limit } else { t + self.core.settings.step_s };
         self.advance(limit, observer)
     }
 
-    /// Goes on to a time (s), exactly, in flight and at rest too. In the tier `accurate` the motion is the same, bit for bit,
-    /// however a run is cut; the tiers of fixed steps cut a step short, and their motion is the same to the error of a step.
+    /// Advances exactly to a time (s). In the tier `accurate` the motion does not depend on the times at which it is
+    /// called, to the last bit. The tiers of fixed steps shorten a step, so that the motion is the same to the error of
+    /// a step.
     ///
     /// # Errors
     /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
@@ -164,7 +165,7 @@ impl Simulation {
             return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
         }
         loop {
-            // A run that is cut nowhere passes through the end of its duration.
+            // A run that is not stopped has a step that ends at the end of its duration; so must this one.
             let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
             let step = self.advance(limit, observer)?;
             if step.t_s >= t_s && !step.is_event() {
@@ -193,8 +194,8 @@ impl Simulation {
         Ok(StepOutcome { t_s: t, end })
     }
 
-    /// Runs to the end of the scene's duration, or until the observer stops it. A run that has not kept what its method
-    /// promises ends with [`Outcome::Degraded`].
+    /// Runs to the end of the scene's duration, or until the observer stops it, and returns the report. A run that has
+    /// not kept the promise of its tier ends with [`Outcome::Degraded`].
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -210,33 +211,29 @@ impl Simulation {
         self.report(outcome)
     }
 
-    /// The handle of a body by its name.
+    /// The handle of the body with this name; none if there is no such body, or it has been removed.
     pub fn body_id(&self, name: &str) -> Option<BodyId> {
         let named = |body: &WorldBody| !body.removed && body.name == name;
         self.core.world.bodies.iter().position(named).map(BodyId::new)
     }
 
-    /// A body at the present.
-    ///
-    /// # Panics
-    /// Never for a handle of this simulation; for one of another simulation with more bodies the last body is given.
+    /// Pose and velocity of a body at the present. A handle of another simulation with more bodies gives the last body.
     pub fn body(&self, body: BodyId) -> BodySample {
         let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
         self.tier.sample(&self.core, index)
     }
 
-    /// All bodies at the present, in the order of their handles ([`BodyId::index`]): what [`Simulation::body`] gives for each,
-    /// evaluated at once.
+    /// Poses and velocities of all bodies at the present, by [`BodyId::index`].
     pub fn bodies(&self) -> Vec<BodySample> {
         self.tier.samples(&self.core)
     }
 
-    /// Contacts that touch at the present. Only sums of forces and the motion are unique.
+    /// Contacts that touch at the present, with their forces. Single forces may not be unique ([`ContactView`]).
     pub fn contacts(&self) -> Vec<ContactView> {
         self.tier.contacts(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// What the pivots bear at the present, in the order of the bodies. Tier `accurate` alone finds it.
+    /// Forces of the pivots at the present, in the order of the bodies. Only the tier `accurate` computes them.
     ///
     /// ```
     /// use polhode::mesh::solid_box;
@@ -253,12 +250,12 @@ impl Simulation {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// Bodies that move together or rest together at the present.
+    /// The islands at the present: bodies that move together or rest together.
     pub fn islands(&self) -> Vec<IslandView> {
         self.tier.islands(&self.core)
     }
 
-    /// Everything that a viewer draws of the present.
+    /// Everything that a viewer draws, at the present.
     pub fn frame(&self) -> Frame {
         frame(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
     }
@@ -268,14 +265,14 @@ impl Simulation {
         self.core.accounts.books.clone().observe(&self.core.world, &self.tier.states(&self.core))
     }
 
-    /// Momentum at the present, the angular part about the point of the ledger of momentum.
+    /// Momentum at the present; the angular part is about the point of the momentum ledger.
     pub fn momentum(&self) -> Momentum {
         let mut books = self.core.accounts.books.clone();
         books.observe(&self.core.world, &self.tier.states(&self.core));
         books.ledger.momentum.current
     }
 
-    /// Accelerations of all bodies now, in the order of the scene.
+    /// Accelerations of all bodies at the present, by [`BodyId::index`].
     ///
     /// # Errors
     /// When the contact forces cannot be found.
@@ -283,8 +280,8 @@ impl Simulation {
         self.tier.accelerations(&mut self.core)
     }
 
-    /// The bodies where they stand now, for questions: what is nearest, what a ray meets, what overlaps what. An example
-    /// stands at [`BodyQueries`].
+    /// Geometric queries about the bodies at the present: nearest body, rays, overlaps, distances. [`BodyQueries`] has
+    /// an example.
     ///
     /// # Errors
     /// When a pose is not finite.
@@ -292,9 +289,9 @@ impl Simulation {
         BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
     }
 
-    /// Everything that the run goes on from, to be kept: [`Simulation::restore`] goes on from it with the same bits.
+    /// A snapshot: everything from which [`Simulation::restore`] continues the run with the same bits.
     ///
-    /// What the scene says is not in it; the hash of the scene is.
+    /// It holds a hash of the scene, not the scene itself.
     pub fn snapshot(&self) -> Snapshot {
         let change = |change: &PlanChange| content::PlanChange {
             t_s: change.t_s,
@@ -317,11 +314,12 @@ impl Simulation {
         })
     }
 
-    /// Goes back or on to a snapshot of a simulation of the same scene with the same effects, and with the same bodies added
-    /// and removed. What follows has the same bits as what followed when it was taken, samples, events and report included.
+    /// Restores a snapshot of a simulation of the same scene, with the same effects and the same bodies added and
+    /// removed. The motion, samples, events and report that follow have the same bits as those that followed the
+    /// snapshot.
     ///
     /// # Errors
-    /// When it is of another scene or other effects, or contradicts itself; the simulation is then as it was.
+    /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
         let content = snapshot.content_for(&self.core.world.scene, self.core.effects)?;
         let mut world = self.core.world.clone();
@@ -329,7 +327,7 @@ impl Simulation {
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         let mut settings = self.core.settings;
         settings.integrator = Integrator::from_name(&content.integrator)
-            .map_err(|_| SnapshotError::Invalid("its integrator is none that there is"))?;
+            .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
         let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
         let solver = ComplementaritySolver::default();
@@ -373,7 +371,7 @@ impl Simulation {
     }
 }
 
-/// The tier as a snapshot has it.
+/// The tier of a snapshot.
 fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
     if !core.t.is_finite() {
         return Err(SnapshotError::Invalid("its time is not finite").into());
@@ -382,6 +380,6 @@ fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>
         (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
         (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
         (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
-        _ => Err(SnapshotError::Invalid("it is of another tier than its scene").into()),
+        _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
     }
 }

@@ -1,8 +1,9 @@
-//! Which force a run has failed at.
+//! Finds the singular force that has made a run fail.
 //!
-//! A force field may be singular: a point attracts with mu/d^2, which is not finite at the point and cannot be followed into
-//! it. What fails first is then a step, a search or an energy, whose message says nothing of the cause. Here the forces of the
-//! scene are asked one by one, at the states of the present.
+//! A force field may be singular: a point attracts with mu/d^2, which is infinite at the point, and no motion can be
+//! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the
+//! cause. This module evaluates the forces of the scene one by one at the present states, and names the one that is not
+//! finite or far too strong for the step.
 
 use crate::SimulationError;
 use crate::core::Core;
@@ -12,8 +13,9 @@ use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, RigidBody};
 
-/// A force counts as the cause when alone it would take the body, from rest, over so many times its own size within the
-/// longest step (dimensionless, 1 to 1e6): forces that steps of that length resolve move it by a part of its size.
+/// A force counts as the cause when alone it would move the body, from rest, by more than this many times the size of
+/// the body within the longest step (dimensionless, 1 to 1e6). A force that steps of that length resolve moves the body
+/// by a fraction of its size.
 const SIZES_PER_STEP: f64 = 1e3;
 
 /// The first force of the scene that is not finite on a body in these states at `t` (s).
@@ -27,7 +29,7 @@ pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<
     found
 }
 
-/// The same failure with the force that has caused it, if one of these states has; the failure as it is otherwise.
+/// The error that names the force which has caused `error`, if a force has at these states; else `error` itself.
 pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState]) -> SimulationError {
     if !may_come_of_a_force(&error) || core.world.scene.forces().is_empty() {
         return error;
@@ -53,7 +55,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
     })
 }
 
-/// Whether a singular force may fail so.
+/// Whether a singular force may cause such an error.
 fn may_come_of_a_force(error: &SimulationError) -> bool {
     match error {
         SimulationError::StepTooSmall { .. }
@@ -67,11 +69,12 @@ fn may_come_of_a_force(error: &SimulationError) -> bool {
     }
 }
 
-/// Calls `asked` with the number of every force of the scene, of every body that it acts on, and its wrench there.
+/// Calls `asked` with the index of every force of the scene, the index of every movable body, and the wrench of that
+/// force on that body.
 fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut asked: impl FnMut(usize, usize, Wrench)) {
     let own = world.movable_states(states);
     for (number, force) in world.scene.forces().iter().enumerate() {
-        // Forces that make no field have been refused when the scene was built.
+        // A force whose fields cannot be made was refused when the scene was built.
         let Ok(fields) = force.fields(world) else { continue };
         let mut wrenches = vec![Wrench::default(); own.len()];
         for field in &fields {
@@ -93,15 +96,15 @@ fn name(world: &World, body: usize) -> String {
     world.bodies[body].name.clone()
 }
 
-/// A force as a message names it: its number in the scene, from one, and its kind.
+/// A force as a message names it: its index in the scene, counted from 0, and its kind.
 fn describe(world: &World, number: usize) -> String {
     let kind = match world.scene.forces().get(number) {
         Some(Force::PointGravity { center, .. }) => format!("point gravity towards {center} m"),
         Some(Force::MutualGravity { .. }) => "mutual gravity".to_owned(),
-        Some(Force::Applied { .. }) => "an applied load".to_owned(),
+        Some(Force::Applied { .. }) => "an applied force and torque".to_owned(),
         Some(Force::Drag { .. }) => "drag".to_owned(),
         Some(Force::Spring { .. }) => "a spring".to_owned(),
-        Some(Force::Field(_)) | None => "a field of the program".to_owned(),
+        Some(Force::Field(_)) | None => "a field that the program defines".to_owned(),
     };
-    format!("force number {} ({kind})", number + 1)
+    format!("force number {number} ({kind}; forces are counted from 0)")
 }

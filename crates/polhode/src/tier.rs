@@ -1,7 +1,7 @@
-//! What a tier does: it advances the bodies of a scene to a time or to their first event.
+//! The interface of a tier: it advances the bodies of a scene to a time or to the first event before it.
 //!
-//! One file or folder for each tier; none knows another. A tier may have computed the motion beyond the present: what it
-//! says of the bodies is asked for at a time.
+//! Each tier has a folder of its own, and none imports another. A tier may have computed the motion beyond the present,
+//! so that its queries are about the present time or take a time.
 
 use crate::accounting::Accounts;
 use crate::core::Core;
@@ -11,7 +11,7 @@ use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
 
-/// Why a tier has stopped to advance.
+/// Why a tier has stopped advancing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reached {
     /// The limit of time.
@@ -24,11 +24,11 @@ pub(crate) enum Reached {
 
 /// A set of methods with one promise.
 ///
-/// What has a body here is that of a tier which books every step when it makes it, and whose bodies all stand at the present
-/// between two steps.
+/// The default methods here are right for a tier that books every step when it makes it, and whose states are all those
+/// of the present between two steps.
 pub(crate) trait Tier: std::fmt::Debug {
-    /// Advances the present (`core.t`) to `limit_s`, or to the first event before, and tells the observer the samples and
-    /// events on the way.
+    /// Advances the present (`core.t`) to `limit_s`, or to the first event before it, and gives the observer the
+    /// samples and events on the way.
     ///
     /// # Errors
     /// See [`SimulationError`].
@@ -39,14 +39,14 @@ pub(crate) trait Tier: std::fmt::Debug {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError>;
 
-    /// The longest time (s) after which the caller wants to be asked again, while nothing happens.
+    /// Length (s) of a step of [`Simulation::step`](crate::Simulation::step) when no event ends it earlier.
     fn stride(&self, core: &Core) -> f64;
 
     /// States of all bodies at the present.
     fn states(&self, core: &Core) -> Vec<BodyState>;
 
-    /// State of one body at the present: the same bits as in [`Tier::states`], at a cost that does not grow with the number
-    /// of bodies that do not move with it.
+    /// State of one body at the present, with the same bits as in [`Tier::states`]. Its cost depends only on the bodies
+    /// of the same island.
     fn state(&self, core: &Core, body: usize) -> BodyState;
 
     /// One body at the present, as it is reported.
@@ -59,7 +59,7 @@ pub(crate) trait Tier: std::fmt::Debug {
         self.states(core).iter().enumerate().map(|(body, state)| core.world.sample(body, state)).collect()
     }
 
-    /// Books into `accounts`, which are a copy, what has been going on since it was last booked, up to the present.
+    /// Books the motion since the last booking, up to the present, into `accounts`, which are a copy.
     ///
     /// # Errors
     /// When states cannot be evaluated.
@@ -77,7 +77,7 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// cannot be found is NaN.
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView>;
 
-    /// What the pivots bear at `t` (s), when the bodies have these states; nothing from a tier that does not find it.
+    /// Forces of the pivots at `t` (s), when the bodies have these states; empty for a tier that does not compute them.
     fn pivots(&self, _core: &Core, _t: f64, _states: &[BodyState]) -> Vec<PivotView> {
         Vec::new()
     }
@@ -88,7 +88,8 @@ pub(crate) trait Tier: std::fmt::Debug {
     /// Bodies that move together, and those that rest together.
     fn islands(&self, core: &Core) -> Vec<IslandView>;
 
-    /// Brings some bodies, and all that their motion concerns, to the present, so that a program may change them.
+    /// Ends the present steps of these bodies, and of all bodies that move with them, at the present time, so that a
+    /// program may change their states.
     ///
     /// # Errors
     /// When their states cannot be evaluated.
@@ -96,10 +97,10 @@ pub(crate) trait Tier: std::fmt::Debug {
         Ok(())
     }
 
-    /// The states of the present, to be changed for bodies that have been interrupted.
+    /// States of the present. Only those of interrupted bodies may be changed.
     fn states_mut(&mut self) -> &mut [BodyState];
 
-    /// Goes on from the changed states of the bodies that have been interrupted; the poses of `moved` are new.
+    /// Starts new steps from the changed states of the interrupted bodies. The poses of `moved` have changed.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
@@ -107,15 +108,15 @@ pub(crate) trait Tier: std::fmt::Debug {
         Ok(())
     }
 
-    /// A body has been added to the world, with this state.
+    /// Takes up a body that has been added to the world, with this state.
     fn add_body(&mut self, core: &Core, state: BodyState);
 
-    /// A body is about to be removed from the world; it has been interrupted.
+    /// Drops a body, which has been interrupted and is about to be removed from the world.
     fn remove_body(&mut self, body: usize);
 
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
 
-    /// What the tier goes on from, as plain data.
+    /// The data from which the tier continues, for a snapshot.
     fn save(&self) -> content::Tier;
 }

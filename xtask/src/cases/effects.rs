@@ -1,5 +1,6 @@
 //! What the plan leaves out is not missed: the same bits where effects are absent or bodies rest, the same motion to
-//! 1e-12 where the plan reduces the motion (a plane instead of space, turning alone instead of rows that hold a pivot).
+//! 1e-12 where the plan reduces the motion (a plane instead of space, rotation about a pivot instead of rows that hold
+//! it).
 
 use super::free_rotation::bits;
 use super::run::Run;
@@ -40,15 +41,15 @@ fn compare(context: &Context, scene: &str) -> Result<Row, Box<dyn Error>> {
     }
     if let Some((reduced, rows)) = with_and_without_rows(&planned)? {
         let until = horizon(&reduced);
-        let quantity = format!("{scene}: difference of turning alone from rows at the pivot until t = {until:.3} s");
+        let quantity = format!("{scene}: difference of reduced rotation from rows at the pivot until t = {until:.3} s");
         return Ok(Row::at_most("effects", &quantity, REDUCTION, largest_difference(&reduced, &rows, until)));
     }
     let quantity = format!("{scene}: first sample that differs from effects = all");
     Ok(Row::exact("effects", &quantity, "none", first_difference(&planned, &all).as_deref().unwrap_or("none")))
 }
 
-/// A scene with pivots by the reduction of the plan and by rows, both under error control far below the difference allowed;
-/// nothing when the plan reduces none.
+/// A scene with pivots by the reduction of the plan and by rows, both under error control far below the difference
+/// allowed; nothing when the plan reduces none.
 fn with_and_without_rows(planned: &Run) -> Result<Option<(Run, Run)>, Box<dyn Error>> {
     let joints = planned.report.plan.effects.iter().find(|effect| effect.effect == Effect::Joints);
     let held = joints.is_some_and(|effect| effect.decision == Decision::On);

@@ -200,7 +200,7 @@ fn poses_that_contradict_the_table() {
     let cases = [
         ("position = [1.1, 0, 0]", "position", "[1.0, 0.0, 0.0]"),
         ("orientation = [0, 1, 0, 0]", "orientation", "[1.0, 0.0, 0.0, 0.0]"),
-        ("rotation_vector = [0, 0, 0.1]", "rotation_vector", "give that, or leave it out"),
+        ("rotation_vector = [0, 0, 0.1]", "rotation_vector", "give that orientation, or leave it out"),
     ];
     for (line, key, message) in cases {
         check(&with(&format!("{line}\n{table}")), &format!("bodies.mover.{key}"), line, message);

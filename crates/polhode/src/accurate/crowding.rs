@@ -21,7 +21,7 @@ use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
-use crate::pivots::with_turning_alone;
+use crate::pivots::with_pivots_reduced;
 use crate::states_of::{set_states, states_of};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
@@ -75,7 +75,7 @@ fn time_step(
 ) -> Result<(TimeStepReport, f64), ResponseError> {
     let work =
         |world: &World, states: &mut [BodyState]| stepper.advance_with_estimate(world, states, bodies, pairs, (t, h));
-    with_turning_alone(world, states, bodies, h, work, |(report, _)| &mut report.books)
+    with_pivots_reduced(world, states, bodies, h, work, |(report, _)| &mut report.books)
 }
 
 impl Engine {
@@ -269,7 +269,7 @@ impl Engine {
         set_states(&mut scratch, bodies, &step.start);
         let mut stepper = step.stepper.clone();
         let h = t - step.t;
-        let made = with_turning_alone(
+        let made = with_pivots_reduced(
             &core.world,
             &mut scratch,
             bodies,
@@ -337,7 +337,7 @@ fn no_way_out(
     pairs: &[(usize, usize)],
     t: f64,
 ) -> Option<SimulationError> {
-    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_afresh(states, a, b)?, (a, b)));
+    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_without_memory(states, a, b)?, (a, b)));
     let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
     // The remaining penetration bounds that of all pairs, and is usually zero.
     let smallest = pairs.iter().map(|&(a, b)| core.world.pair_size(a, b)).fold(f64::INFINITY, f64::min);

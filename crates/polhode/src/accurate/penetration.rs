@@ -146,7 +146,7 @@ impl Engine {
     /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest
     /// features may be on the far side, where there was never a gap.
     fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
-        core.world.separation_afresh(&self.states, a, b).is_some_and(|separation| separation < -depth)
+        core.world.separation_without_memory(&self.states, a, b).is_some_and(|separation| separation < -depth)
     }
 
     /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before

@@ -144,7 +144,7 @@ fn check_overlap(
     (a, b): (usize, usize),
     contacts: &[Touch],
 ) -> Result<(), SimulationError> {
-    let Some(separation) = core.world.separation_afresh(states, a, b) else { return Ok(()) };
+    let Some(separation) = core.world.separation_without_memory(states, a, b) else { return Ok(()) };
     let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
     let allowed_m = INITIAL_OVERLAP_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
     if separation < -allowed_m {

@@ -1,7 +1,8 @@
-//! Boxes around moving bodies, and the pairs of bodies whose boxes meet.
+//! Swept boxes of moving bodies, and the pairs of bodies whose boxes overlap.
 //!
-//! A box contains a body, with the distance that counts as touch, at every time of an interval. Where many boxes are new
-//! the broad phase finds all pairs; where the boxes of a few bodies are renewed, these alone are held against all others.
+//! A box contains a body at every time of an interval, enlarged by a margin. The broad phase finds all pairs when many
+//! boxes are new ([`Boxes::all_pairs`]); when the box of one body is new, it is compared with all others
+//! ([`Boxes::near`]).
 
 use crate::SimulationError;
 use crate::settings::Settings;
@@ -14,17 +15,17 @@ use polhode_spatial::{DVec3, Motion};
 /// The boxes of all bodies that have a shape.
 #[derive(Debug)]
 pub(crate) struct Boxes {
-    /// One for each body; none for a body without a shape.
+    /// The box of each body; none for a body without a shape.
     by_body: Vec<Option<Aabb>>,
     broad_phase: Box<dyn BroadPhase>,
-    /// Buffers: boxes without gaps, their bodies, and the pairs found.
+    /// Buffers: the boxes of the bodies that have one, the indices of these bodies, and the pairs found.
     packed: Vec<Aabb>,
     bodies: Vec<usize>,
     pairs: Vec<(u32, u32)>,
 }
 
 impl Boxes {
-    /// No boxes yet, for this many bodies.
+    /// No boxes yet, for `bodies` bodies.
     pub(crate) fn new(settings: &Settings, bodies: usize) -> Self {
         Self {
             by_body: vec![None; bodies],
@@ -35,17 +36,17 @@ impl Boxes {
         }
     }
 
-    /// One body more.
+    /// Adds the entry of a new body, without a box.
     pub(crate) fn make_room(&mut self) {
         self.by_body.push(None);
     }
 
-    /// Sets the box of a body that moves so over an interval (s), with a margin (m).
+    /// Sets the box of a body with this motion over an interval (s), enlarged by a margin (m).
     pub(crate) fn set(&mut self, world: &World, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
         self.by_body[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
     }
 
-    /// Sets the box of a body, or takes it away.
+    /// Sets or removes the box of a body.
     pub(crate) fn put(&mut self, body: usize, aabb: Option<Aabb>) {
         self.by_body[body] = aabb;
     }
@@ -56,7 +57,7 @@ impl Boxes {
         self.by_body.iter().map(|aabb| aabb.as_ref().map(bounds)).collect()
     }
 
-    /// The boxes of such bounds.
+    /// The boxes with these bounds.
     ///
     /// # Errors
     /// When bounds are reversed, or there is not one entry for each body.
@@ -77,7 +78,7 @@ impl Boxes {
         Ok(boxes)
     }
 
-    /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes meet.
+    /// Calls `found` with every pair (A < B, ascending) of bodies that may collide and whose boxes overlap.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -104,7 +105,7 @@ impl Boxes {
         Ok(())
     }
 
-    /// Calls `found` with every body that may collide with `body` and whose box meets its own, ascending.
+    /// Calls `found` with every body that may collide with `body` and whose box overlaps its box, ascending.
     pub(crate) fn near(&self, world: &World, body: usize, mut found: impl FnMut(usize)) {
         let Some(own) = &self.by_body[body] else { return };
         for (other, aabb) in self.by_body.iter().enumerate() {
@@ -115,7 +116,8 @@ impl Boxes {
     }
 }
 
-/// Box of a moving shape with a margin. What cannot be bounded may be anywhere: the search itself then says why.
+/// Box of a moving shape, enlarged by a margin. A motion without bounds gets an unbounded box; the search for its
+/// impacts then reports the error.
 fn swept_box(shape: &Shape, motion: &dyn Motion, interval: (f64, f64), margin: f64) -> Aabb {
     swept_aabb(shape, motion, interval.0, interval.1).and_then(|aabb| aabb.inflated(margin)).unwrap_or(Aabb::UNBOUNDED)
 }

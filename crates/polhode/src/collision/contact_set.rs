@@ -1,7 +1,7 @@
-//! The contacts that touch now, with their identities.
+//! The contacts of a pair of bodies, with identity, geometry and time derivatives.
 //!
-//! A contact is known by its bodies and features, so that its status survives from one event to the next while its
-//! geometry is always evaluated afresh. Between events the set is frozen; at an event it is detected again.
+//! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
+//! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
 use crate::prescribed_state;
 use crate::world::{TOUCH_RELATIVE, World};
@@ -9,11 +9,12 @@ use polhode_contact::{ContactFeature, ContactKinematics, Manifold, Shape, counte
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
-/// Vertices that meet within this fraction of touch are treated alike from both sides; a contact that has left its
-/// face by the whole of it is given up, so that the two rules do not undo each other.
+/// Fraction of the touch distance within which two vertices count as meeting, so that a contact of either with a face
+/// of the other body is found. A contact is dropped only when it has left its face by the whole touch distance, so that
+/// the two rules do not alternate.
 const COUNTERPART_FRACTION: f64 = 0.25;
 
-/// Identity of a contact point: two bodies (by number, A before B) and the features that meet.
+/// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct ContactId {
     pub(crate) a: usize,
@@ -21,28 +22,29 @@ pub(crate) struct ContactId {
     pub(crate) feature: ContactFeature,
 }
 
-/// What becomes of a touching contact until the next event.
+/// Whether a touching contact is active until the next event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Hold {
-    /// It stays: its relative acceleration along the normal is zero and a force may act.
+    /// It is active: a force keeps its relative acceleration along the normal at zero.
     Held,
-    /// It opens, or moves apart: no force acts.
+    /// It opens or separates: no force acts.
     Open,
 }
 
-/// A contact that touches now.
+/// A touching contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Touch {
     pub(crate) id: ContactId,
     pub(crate) kinematics: ContactKinematics,
     pub(crate) hold: Hold,
-    /// Whether `hold` is a decision that was made; a contact that has just been found has none.
+    /// Whether `hold` has been decided; it has not for a contact that has just been found.
     pub(crate) known: bool,
 }
 
 impl World {
-    /// What `read` makes of the contacts of two bodies with a separation of at most `reach` (m), as
-    /// [`polhode_contact::near_manifold`] gives them; none for a body without a shape.
+    /// Passes the manifold of two bodies (contacts with a separation of at most `reach`, m, as
+    /// [`polhode_contact::near_manifold`] gives them) to `read` and returns its result; none for a body without a
+    /// shape.
     pub(crate) fn manifold_of<T>(
         &self,
         states: &[BodyState],
@@ -55,20 +57,20 @@ impl World {
         Some(self.narrow_phase.read((a, b), placed, (reach, self.bodies.len()), read))
     }
 
-    /// The signed separation of two bodies, m, found afresh and at any distance: what a pair is judged by when it is placed,
-    /// by a scene or a program, or looked at where a step began, far from the poses that the memory is of. None for a body
-    /// without a shape.
-    pub(crate) fn separation_afresh(&self, states: &[BodyState], a: usize, b: usize) -> Option<f64> {
+    /// The signed separation of two bodies, m, at any distance, computed without the memory of the pair. It is for
+    /// poses far from those in the memory: bodies that a scene or a program has placed, and states at the start of a
+    /// step. None for a body without a shape.
+    pub(crate) fn separation_without_memory(&self, states: &[BodyState], a: usize, b: usize) -> Option<f64> {
         let (shape_a, shape_b) = self.shapes(a, b)?;
         Some(separation(shape_a, &states[a].pose, shape_b, &states[b].pose))
     }
 
-    /// The shapes of a pair that may collide.
+    /// The shapes of two bodies; none when one has no shape.
     pub(crate) fn shapes(&self, a: usize, b: usize) -> Option<(&Shape, &Shape)> {
         Some((self.bodies[a].shape.as_ref()?, self.bodies[b].shape.as_ref()?))
     }
 
-    /// Velocity of a body's moving frame; zero for one that never moves.
+    /// Velocity of the moving frame of a body; zero for a fixed body.
     pub(crate) fn velocity(&self, index: usize, state: &BodyState) -> Velocity {
         match (&self.bodies[index].rigid, &self.bodies[index].trajectory) {
             (Some(rigid), _) => rigid.velocity(state),
@@ -77,13 +79,14 @@ impl World {
         }
     }
 
-    /// Geometry, approach and acceleration terms of a contact at the given states; none when its features no longer
-    /// define a contact (edges have become parallel).
+    /// Geometry of a contact, rate of its separation and bias of its acceleration in these states; none when its
+    /// features no longer define a contact (edges have become parallel).
     pub(crate) fn kinematics(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
         self.kinematics_in_space(states, id).map(|kinematics| self.in_plane(kinematics))
     }
 
-    /// A contact as it acts in planar motion: it stands for its mirror image too, and together they act in the plane.
+    /// A contact as it acts in planar motion: it stands for its mirror image too, and the resultant of both acts in the
+    /// plane.
     fn in_plane(&self, mut kinematics: ContactKinematics) -> ContactKinematics {
         if let Some(plane) = &self.plane {
             let geometry = &mut kinematics.geometry;
@@ -107,8 +110,8 @@ impl World {
         )
     }
 
-    /// From the plane of a planar motion to a contact point that stands for its mirror image too, m; none for a point
-    /// that is its own image, and where there is no plane.
+    /// In planar motion: the vector from the plane to a contact point that stands for its mirror image too, m. None for
+    /// a point that is its own image, and in motion in space.
     pub(crate) fn mirrored(&self, states: &[BodyState], id: ContactId) -> Option<DVec3> {
         let plane = self.plane?;
         let height = plane.height(self.kinematics_in_space(states, id)?.geometry.point);
@@ -116,8 +119,9 @@ impl World {
         (height.abs() > distance).then(|| plane.normal() * height)
     }
 
-    /// Whether a contact point stands for itself in planar motion, and not its mirror image among the `found` for it. Where
-    /// two images separate equally well, collision detection may name one of them alone, on either side.
+    /// Whether a contact point is kept in planar motion. One below the plane is left out when its mirror image is among
+    /// `found`; it is kept when collision detection has found it alone, which may happen where both images have the
+    /// same separation.
     fn is_counted(&self, point: DVec3, found: &[Touch], distance: f64) -> bool {
         let Some(plane) = &self.plane else { return true };
         let height = plane.height(point);
@@ -129,13 +133,13 @@ impl World {
         points.all(|other| (other - image).length() > distance / COUNTERPART_FRACTION)
     }
 
-    /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature. They come as [`Hold::Open`].
+    /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature, all [`Hold::Open`].
     pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<Touch> {
         self.pair(states, a, b, reach).1
     }
 
-    /// The separation of one pair, m, as far as it is within reach, and its contacts as [`Self::contacts_of_pair`] gives
-    /// them: two bodies may overlap more than any contact tells.
+    /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them. The separation is
+    /// infinite when it exceeds `reach`; it may be more negative than that of any contact.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
         let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
@@ -160,7 +164,8 @@ impl World {
             .collect();
         let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);
         let in_motion = |touch: &Touch| Touch { kinematics: self.in_plane(touch.kinematics), ..*touch };
-        // A contact that has left its features is none, also where collision detection keeps it as the last of its pair.
+        // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
+        // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
         let within = |touch: &Touch| {
             let geometry = &touch.kinematics.geometry;

@@ -1,18 +1,19 @@
-//! The narrow phase of the facade, with its memory: whoever needs contacts of two bodies asks here, by
+//! The narrow phase with a memory of each pair. All contacts of two bodies are computed here, through
 //! [`World::manifold_of`](crate::world::World::manifold_of).
 //!
-//! What is remembered of a pair says which features need not be looked at; answers are the same, bit for bit, with it and
-//! without. It is a cache and no part of the state: a copy of the world begins without, and snapshots do not hold it.
+//! The memory of a pair tells which features need not be examined; answers have the same bits with it and without it.
+//! It is a cache and no part of the state: a copy of the world has an empty one, and snapshots do not hold it.
 
 use polhode_contact::{Manifold, PairMemory, Shape, Workspace, near_manifold_with};
 use polhode_spatial::Pose;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Pairs that are remembered, at the most, for each body of the world; more are of the past, and all are forgotten.
+/// Largest number of pairs in the memory per body of the world. When it is exceeded, most pairs are no longer near, and
+/// the whole memory is cleared.
 const MOST_PAIRS_PER_BODY: usize = 32;
 
-/// What is remembered of pairs of bodies.
+/// The narrow phase, with the memory of all pairs.
 #[derive(Debug, Default)]
 pub(crate) struct NarrowPhase {
     remembered: RefCell<Remembered>,
@@ -26,20 +27,21 @@ struct Remembered {
 }
 
 impl Clone for NarrowPhase {
-    /// One that remembers nothing yet.
+    /// One with an empty memory.
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
 impl NarrowPhase {
-    /// Another shape stands for a body, or none.
+    /// Clears the memory of all pairs of a body, whose shape has changed or been removed.
     pub(crate) fn forget(&mut self, body: usize) {
         self.remembered.get_mut().pairs.retain(|&(a, b), _| a != body && b != body);
     }
 
-    /// What `read` makes of the contacts of a pair with a separation of at most `reach` (m), as
-    /// [`polhode_contact::near_manifold`] gives them, in a world of so many bodies.
+    /// Passes the manifold of a pair (contacts with a separation of at most `reach`, m, as
+    /// [`polhode_contact::near_manifold`] gives them) to `read` and returns its result. `bodies` is the number of
+    /// bodies of the world.
     pub(crate) fn read<T>(
         &self,
         pair: (usize, usize),
@@ -47,7 +49,7 @@ impl NarrowPhase {
         (reach, bodies): (f64, usize),
         read: impl FnOnce(&Manifold) -> T,
     ) -> T {
-        // Who asks again while he reads an answer is answered without the memory.
+        // A nested call, from within `read`, computes without the memory.
         let (mut memory, mut none) = (self.remembered.try_borrow_mut(), Remembered::default());
         let Remembered { workspace, pairs, found } = memory.as_deref_mut().unwrap_or(&mut none);
         if pairs.len() > MOST_PAIRS_PER_BODY * bodies {

@@ -4,25 +4,26 @@ use super::{Geometry, Material, PrescribedMotion, SceneError, Trajectory};
 use polhode_contact::Shape;
 use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
 
-/// How far the velocity given to a pivoted body may be from that of its rotation, relative to it.
+/// Largest difference between the velocity given to a pivoted body and the one that its angular velocity gives it,
+/// relative to the latter (dimensionless).
 const PIVOT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Whether and how a body moves.
 #[derive(Debug, Clone, PartialEq)]
 pub enum BodyMass {
-    /// Immovable, of infinite mass (thesis 3.3): it never moves, whatever hits it.
+    /// Immovable: it has infinite mass (thesis 3.3), so that no impact moves it.
     Fixed,
-    /// Moves as prescribed, whatever hits it: of infinite mass.
+    /// Moved as prescribed: it has infinite mass, so that no impact changes its motion.
     Kinematic(PrescribedMotion),
-    /// Moves by its mass properties (in the body's own frame).
+    /// Moved by forces, with these mass properties in the body's own frame.
     Movable(MassProperties),
 }
 
-/// A body: a name, what it is made of, where it is and how it moves.
+/// A body: name, mass, shape, material, initial pose and initial velocity.
 ///
 /// `pose` is that of the body's own origin (a primitive's origin is its centre of mass, a mesh's is the file's);
-/// `velocity` is that of the centre of mass, in the world. A kinematic body has no mass and no velocity of its own choice:
-/// its pose and velocity at any time are those of its [`Body::trajectory`].
+/// `velocity` is that of the centre of mass, in the world. A kinematic body is given neither a mass nor a velocity: its
+/// [`Body::trajectory`] determines its pose and velocity at any time.
 #[derive(Debug, Clone)]
 pub struct Body {
     pub(crate) name: String,
@@ -40,15 +41,16 @@ impl Body {
         Self::with_mass(name.into(), BodyMass::Fixed)
     }
 
-    /// A body whose pose is prescribed over time, whatever acts on it, without a shape. A constant velocity and a sine start
-    /// from [`Body::pose`]; what a table gives is where the body is, and a pose given besides must be that of the table at
-    /// t = 0.
+    /// A kinematic body: its pose is prescribed as a function of time, and no force changes it. It has no shape yet.
+    ///
+    /// A constant velocity and a sine start from the pose given by [`Body::pose`]. A table gives the poses themselves;
+    /// a pose that is given as well must be that of the table at t = 0.
     pub fn kinematic(name: impl Into<String>, motion: PrescribedMotion) -> Self {
         let pose = motion.initial_pose(&Pose::IDENTITY);
         Self { pose, ..Self::with_mass(name.into(), BodyMass::Kinematic(motion)) }
     }
 
-    /// A body that moves, at rest at the world's origin, without a shape.
+    /// A body that forces move, at rest at the world's origin, without a shape.
     pub fn movable(name: impl Into<String>, mass_properties: MassProperties) -> Self {
         Self::with_mass(name.into(), BodyMass::Movable(mass_properties))
     }
@@ -71,8 +73,8 @@ impl Body {
         self
     }
 
-    /// Held at a point of the world (m) that the body then only turns about, as a top or a pendulum does. The velocity of
-    /// the centre of mass follows from the angular velocity and need not be given.
+    /// Held at this point of the world (m), about which it can only turn, as a top or a pendulum does. The angular
+    /// velocity determines the velocity of the centre of mass, which need not be given.
     pub fn pivot(mut self, point: DVec3) -> Self {
         self.pivot = Some(point);
         self
@@ -96,7 +98,7 @@ impl Body {
         self
     }
 
-    /// The point of the world that it is held at, m.
+    /// The point of the world at which the body is held, m.
     pub fn pivot_point(&self) -> Option<DVec3> {
         self.pivot
     }
@@ -106,7 +108,7 @@ impl Body {
         &self.name
     }
 
-    /// Whether no force moves the body: it is immovable or its motion is prescribed.
+    /// Whether no force moves the body: it is fixed or kinematic.
     pub fn is_fixed(&self) -> bool {
         matches!(self.mass, BodyMass::Fixed | BodyMass::Kinematic(_))
     }
@@ -119,7 +121,7 @@ impl Body {
         }
     }
 
-    /// The motion of a kinematic body from its initial pose.
+    /// The motion of a kinematic body with its initial pose: the pose at any time.
     pub fn trajectory(&self) -> Option<Trajectory> {
         self.motion().map(|motion| motion.from_pose(&self.pose))
     }
@@ -137,17 +139,17 @@ impl Body {
         self.geometry.as_ref()
     }
 
-    /// `X_WB` at the start; of a kinematic body that oscillates, the centre of the oscillation.
+    /// `X_WB` at the start; for a kinematic body that oscillates, the centre of the oscillation.
     pub fn initial_pose(&self) -> &Pose {
         &self.pose
     }
 
-    /// Velocity at the start.
+    /// Velocity at the start: of the centre of mass, and angular, world.
     pub fn initial_velocity(&self) -> &Velocity {
         &self.velocity
     }
 
-    /// Checks the numbers of a body, and that what is said of it fits together.
+    /// Checks body number `number`: that its numbers are finite, and that its parts are consistent.
     ///
     /// # Errors
     /// As [`SceneBuilder::build`](super::SceneBuilder::build).
@@ -182,7 +184,7 @@ impl Body {
         }
     }
 
-    /// A kinematic body has no velocity or pivot of its own, and starts where its motion does.
+    /// Checks that a kinematic body has no velocity and no pivot, and that its initial pose is that of its motion.
     fn check_kinematic(&self, motion: &PrescribedMotion) -> Result<(), SceneError> {
         if self.pivot.is_some() {
             return Err(SceneError::KinematicBodyPivots(self.name.clone()));
@@ -193,8 +195,8 @@ impl Body {
         motion.check_start(&self.pose).map_err(|source| SceneError::Motion { body: self.name.clone(), source })
     }
 
-    /// A pivoted body moves about a point that stays: a velocity of its centre of mass, when it is given, must be that of
-    /// the rotation.
+    /// Checks a pivoted body: a velocity of the centre of mass, when it is given, must be the one that the angular
+    /// velocity gives it about the pivot.
     fn check_pivot(&self, pivot: DVec3) -> Result<(), SceneError> {
         if !pivot.is_finite() {
             return Err(SceneError::NotFinite { body: self.name.clone(), quantity: "its pivot" });

@@ -1,4 +1,4 @@
-//! Building and checking a scene.
+//! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
 use super::{Body, DEFAULT_GRAVITY, Force, Method, PairRule, Scene, SceneError, force};
@@ -83,7 +83,7 @@ impl SceneBuilder {
         self
     }
 
-    /// Bodies (by number, in the order added) that do not collide with each other.
+    /// Bodies that do not collide with each other, by their indices in the order in which they were added.
     pub fn no_contact(mut self, bodies: Vec<usize>) -> Self {
         self.scene.no_contact.push(bodies);
         self
@@ -92,8 +92,9 @@ impl SceneBuilder {
     /// The scene.
     ///
     /// # Errors
-    /// When a number is out of range, a name is empty or used twice, or something not yet available is asked for.
-    /// Overlap at the start is found when a simulation is made.
+    /// When a number is out of range, a name is empty or used twice, a body that does not exist is named, or the scene
+    /// asks for something that is not yet available. Bodies that overlap are found later, by
+    /// [`Simulation::new`](crate::Simulation::new).
     pub fn build(self) -> Result<Scene, SceneError> {
         let scene = self.scene;
         positive("duration", scene.duration_s)?;

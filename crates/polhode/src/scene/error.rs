@@ -1,4 +1,4 @@
-//! What can be wrong with a scene.
+//! Errors of a scene: why it is refused.
 
 use super::MotionError;
 use polhode_contact::ShapeError;
@@ -19,15 +19,15 @@ pub enum SceneError {
         /// What is accepted.
         accepted: &'static str,
     },
-    /// Friction is not a number of at least zero.
-    #[error("friction of material {material} is {value}: a number of at least 0 is needed")]
+    /// A coefficient of friction is negative or not finite.
+    #[error("friction of material {material} is {value}: a finite number of at least 0 is needed")]
     Friction {
         /// The material.
         material: String,
         /// The value found.
         value: f64,
     },
-    /// Restitution is outside [0, 1].
+    /// A coefficient of restitution is outside [0, 1].
     #[error("restitution of material {material} is {value}: a number in [0, 1] is needed")]
     Restitution {
         /// The material.
@@ -44,21 +44,23 @@ pub enum SceneError {
         quantity: &'static str,
     },
     /// Two bodies have one name.
-    #[error("two bodies are named {0}: names must differ")]
+    #[error("two bodies are named {0}: give each body a name of its own")]
     DuplicateName(String),
     /// A name is empty.
-    #[error("body number {0} has an empty name")]
+    #[error("body number {0} (counted from 0) has an empty name: give it a name")]
     EmptyName(usize),
     /// A fixed body is given a velocity.
-    #[error("body {0} is fixed and has a velocity: fixed bodies do not move")]
+    #[error("body {0} is fixed and has a velocity: leave the velocity out, or give the body a mass or a motion")]
     FixedBodyMoves(String),
     /// A kinematic body is given a velocity.
-    #[error("body {0} has a prescribed motion and a velocity: its velocity is that of the motion, leave it out")]
+    #[error(
+        "body {0} has a prescribed motion and a velocity: the motion determines its velocity, leave the velocity out"
+    )]
     KinematicBodyHasVelocity(String),
     /// A kinematic body is given a pivot.
-    #[error("body {0} has a prescribed motion and a pivot: its motion is all that moves it, leave the pivot out")]
+    #[error("body {0} has a prescribed motion and a pivot: the motion alone determines its poses, leave the pivot out")]
     KinematicBodyPivots(String),
-    /// A kinematic body is given another pose than its motion has at the start.
+    /// The initial pose of a kinematic body is not that of its motion at t = 0.
     #[error("body {body}: {source}")]
     Motion {
         /// The body.
@@ -66,58 +68,61 @@ pub enum SceneError {
         /// Why.
         source: MotionError,
     },
-    /// A half-space is given to a body that moves.
+    /// A half-space is given to a body that forces move.
     #[error("body {0} is a half-space, which is unbounded: it must be fixed or kinematic")]
     MovingHalfSpace(String),
-    /// A surface of triangles is given to a body that moves.
+    /// A triangle surface is given to a body that forces move.
     #[error(
-        "body {0} is a surface of triangles: it must be fixed or kinematic; a body that moves by forces needs a closed mesh"
+        "body {0} is a triangle surface, which encloses no volume: it must be fixed or kinematic; a body that forces \
+         move needs a closed mesh"
     )]
     MovingSurface(String),
-    /// A group of bodies names one that is not there.
-    #[error("no_contact names body number {0}, which does not exist")]
+    /// A `no_contact` group names a body that does not exist.
+    #[error("no_contact names body number {0} (counted from 0), which does not exist")]
     UnknownBody(usize),
-    /// A force names a body that is not there.
-    #[error("force number {force} names body number {body}, which does not exist")]
+    /// A force names a body that does not exist.
+    #[error("force number {force} names body number {body}, which does not exist (both counted from 0)")]
     ForceOnUnknownBody {
-        /// Which force.
+        /// Index of the force.
         force: usize,
-        /// The body named.
+        /// Index of the body.
         body: usize,
     },
     /// A number of a force is out of range.
-    #[error("force number {force}: {source}")]
+    #[error("force number {force} (counted from 0): {source}")]
     Force {
-        /// Which force.
+        /// Index of the force.
         force: usize,
         /// Why.
         source: FieldError,
     },
-    /// The integrator asked for cannot take a force of the scene.
+    /// The scene's integrator cannot integrate one of its forces.
     #[error(
-        "integrator {integrator} cannot take a force that depends on velocities (drag, damping): use dop853 or rk4"
+        "integrator {integrator} cannot integrate a force that depends on velocities (drag, damping): use dop853 or rk4"
     )]
     IntegratorTakesNoVelocities {
         /// Its name.
         integrator: &'static str,
     },
     /// A fixed body is given a pivot.
-    #[error("body {0} is fixed and has a pivot: fixed bodies do not turn")]
-    FixedBodyPivots(String),
-    /// A pivoted body is given a velocity that moves its pivot.
     #[error(
-        "body {body} has a pivot, but its velocity is off by {difference:e} m/s from that of its rotation about it, \
-         {needed:?}: give that, or leave the velocity out"
+        "body {0} is fixed and has a pivot, about which it cannot turn: leave the pivot out, or give the body a mass"
+    )]
+    FixedBodyPivots(String),
+    /// The velocity of a pivoted body would move its pivot.
+    #[error(
+        "body {body} has a pivot, but its velocity differs by {difference:e} m/s from the one that its angular \
+         velocity gives it about the pivot, {needed:?} m/s: give that one, or leave the velocity out"
     )]
     PivotMoves {
         /// The body.
         body: String,
-        /// How far the velocity is off, m/s.
+        /// Magnitude of the difference, m/s.
         difference: f64,
-        /// The velocity of the centre of mass that the rotation gives, m/s.
+        /// The velocity of the centre of mass that the angular velocity gives, m/s.
         needed: [f64; 3],
     },
-    /// The scene asks for something that is planned but not built.
+    /// The scene asks for something that is designed but not implemented.
     #[error("not yet available: {what}; use {instead}")]
     NotYetAvailable {
         /// What was asked for.
@@ -125,7 +130,7 @@ pub enum SceneError {
         /// What can be used instead.
         instead: String,
     },
-    /// A shape cannot be moved into the body's central frame.
+    /// A shape cannot be expressed in the moving frame of its body.
     #[error("body {body}: {source}")]
     Shape {
         /// The body.
@@ -133,9 +138,10 @@ pub enum SceneError {
         /// Why.
         source: ShapeError,
     },
-    /// Two bodies overlap at the start by more than touch.
+    /// Two bodies overlap at the start by more than counts as touch.
     #[error(
-        "bodies {body_a} and {body_b} overlap by {depth_m:e} m at the start; at most {allowed_m:e} m counts as touch: move them apart"
+        "bodies {body_a} and {body_b} overlap by {depth_m:e} m at the start, and at most {allowed_m:e} m counts as \
+         touch: move them apart, or name both in a no_contact group"
     )]
     InitialOverlap {
         /// One body.
@@ -144,7 +150,7 @@ pub enum SceneError {
         body_b: String,
         /// How deep they overlap, m.
         depth_m: f64,
-        /// What counts as touch, m.
+        /// Largest overlap that counts as touch, m.
         allowed_m: f64,
     },
 }

@@ -1,8 +1,8 @@
 //! Forces on bodies besides uniform gravity and contact.
 //!
-//! A scene names bodies by their number and points in the bodies' own frames; the engine's fields
-//! ([`polhode_dynamics::field`]) are made from them once the bodies' moving frames are known. Springs and loads on an
-//! immovable body are anchored in the world, or do nothing.
+//! A scene names bodies by their indices, and points in the bodies' own frames. The engine makes fields
+//! ([`polhode_dynamics::field`]) from the forces once the moving frames of the bodies are known. A spring that is
+//! fastened to a fixed body is anchored in the world; any other force on a fixed body has no effect.
 
 use super::{Body, Integrator, SceneError};
 use polhode_dynamics::field::{
@@ -13,14 +13,14 @@ use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
 use std::sync::Arc;
 
-/// Where an end of a spring is fastened.
+/// The point at which an end of a spring is fastened.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Attachment {
     /// At a point of the world, m.
     World(DVec3),
     /// At a point of a body.
     Body {
-        /// Its number in the scene.
+        /// Index of the body in the scene.
         body: usize,
         /// `p_BQ`, m, in the body's own frame.
         point: DVec3,
@@ -42,24 +42,24 @@ pub enum Force {
         /// The gravitational constant, m^3/(kg s^2).
         constant: f64,
     },
-    /// A force and a torque on one body, constant or following a signal.
+    /// A force and a torque on one body, constant or varying by a signal.
     Applied {
-        /// Its number in the scene.
+        /// Index of the body in the scene.
         body: usize,
-        /// N.
+        /// Force, N.
         force: DVec3,
-        /// N m.
+        /// Torque, N m.
         torque: DVec3,
-        /// The axes that both are along.
+        /// The axes in which force and torque are given: the world's or the body's.
         frame: Frame,
         /// Where the force acts, `p_BQ`, m, in the body's own frame; the centre of mass when absent.
         point: Option<DVec3>,
-        /// What both are multiplied by.
+        /// Factor of force and torque, as a function of time.
         signal: Signal,
     },
     /// Drag on one body by a medium.
     Drag {
-        /// Its number in the scene.
+        /// Index of the body in the scene.
         body: usize,
         /// Linear or quadratic in the velocity.
         law: DragLaw,
@@ -76,24 +76,24 @@ pub enum Force {
         a: Attachment,
         /// The other end.
         b: Attachment,
-        /// N/m.
+        /// Stiffness, N/m.
         stiffness: f64,
-        /// m.
+        /// Length without force, m.
         rest_length: f64,
-        /// N s/m.
+        /// Damping coefficient, N s/m.
         damping: f64,
     },
-    /// A field of the user's own, over the movable bodies in the order of the scene.
+    /// A field that the program defines, over the movable bodies in the order of the scene.
     Field(Arc<dyn Field>),
 }
 
-/// What a force needs to know of the bodies' moving frames.
+/// What a force needs to know about the moving frames of the bodies.
 pub(crate) trait MovingFrames {
-    /// Place of a body among those that move; nothing for an immovable one.
+    /// Slot of a body: its place among the movable ones; none for a fixed or kinematic body.
     fn movable(&self, body: usize) -> Option<usize>;
-    /// A point of a body's own frame, in its moving frame (origin at the centre of mass or the pivot).
+    /// A point given in a body's own frame, in its moving frame (origin at the centre of mass or the pivot).
     fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3;
-    /// A point of an immovable body's own frame, in the world.
+    /// A point given in a fixed body's own frame, in the world.
     fn in_world(&self, body: usize, point: DVec3) -> DVec3;
 }
 
@@ -142,11 +142,11 @@ impl Force {
         Ok(fields)
     }
 
-    /// Whether the force on a body at rest, among bodies at rest, may change with time.
+    /// Whether the force may change with time while all bodies rest.
     pub(crate) fn changes_with_time(&self) -> bool {
         match self {
             Self::Applied { signal, .. } => !signal.is_constant(),
-            // One that depends on velocities may depend on time too.
+            // A field that depends on velocities may depend on time too.
             Self::Field(field) => field.dependence() != Dependence::Poses,
             Self::PointGravity { .. } | Self::MutualGravity { .. } | Self::Drag { .. } | Self::Spring { .. } => false,
         }
@@ -189,13 +189,13 @@ impl Attachment {
 /// Checks force number `number` against the bodies of its scene.
 ///
 /// # Errors
-/// When it names a body that is not there, or a number is out of range.
+/// When it names a body that does not exist, a number is out of range, or a spring is fastened to a kinematic body.
 pub(super) fn check(number: usize, force: &Force, bodies: &[Body]) -> Result<(), SceneError> {
     if let Some(body) = force.bodies().into_iter().find(|&body| body >= bodies.len()) {
         return Err(SceneError::ForceOnUnknownBody { force: number, body });
     }
     if let (Force::Spring { .. }, Some(body)) = (force, force.kinematic_body(bodies)) {
-        // Its anchor would have to follow the motion, and its potential energy be a function of time.
+        // The anchor would have to follow the motion, and the potential energy would be a function of time.
         return Err(SceneError::NotYetAvailable {
             what: format!("a spring fastened to a kinematic body ({})", body.name()),
             instead: "a spring fastened to the world or to a body that forces move".to_owned(),
@@ -204,10 +204,10 @@ pub(super) fn check(number: usize, force: &Force, bodies: &[Body]) -> Result<(),
     force.fields(&OwnFrames).map(|_| ()).map_err(|source| SceneError::Force { force: number, source })
 }
 
-/// Checks that the integrator asked for takes the forces.
+/// Checks that the integrator which the scene names can integrate its forces.
 ///
 /// # Errors
-/// When one depends on velocities and the integrator splits forces from motion.
+/// When a force depends on velocities and the integrator splits forces from motion.
 pub(super) fn check_integrator(integrator: Option<Integrator>, forces: &[Force]) -> Result<(), SceneError> {
     let fields = forces.iter().filter_map(|force| force.fields(&OwnFrames).ok()).flatten();
     let dependence = fields.map(|field| field.dependence()).max().unwrap_or(Dependence::Poses);
@@ -219,7 +219,7 @@ pub(super) fn check_integrator(integrator: Option<Integrator>, forces: &[Force])
     }
 }
 
-/// Every body moves and every frame is the body's own: enough to check the numbers.
+/// Frames for the check of a force's numbers: every body is movable, and its moving frame is its own.
 struct OwnFrames;
 
 impl MovingFrames for OwnFrames {
@@ -236,7 +236,7 @@ impl MovingFrames for OwnFrames {
     }
 }
 
-/// A field that several scenes share.
+/// A field that several copies of a scene share.
 #[derive(Debug)]
 struct Shared(Arc<dyn Field>);
 

@@ -1,4 +1,4 @@
-//! What a body is bounded by.
+//! The shape of a body: a collision shape, or a solid mesh.
 
 use polhode_contact::Shape;
 use polhode_mesh::SolidMesh;
@@ -6,10 +6,11 @@ use polhode_mesh::SolidMesh;
 /// The boundary of a body, in its own frame.
 #[derive(Debug, Clone)]
 pub enum Geometry {
-    /// A shape that collides.
+    /// A collision shape.
     Shape(Shape),
-    /// A solid mesh that need not be convex. Where it may meet another body it collides: as ground by its surface when it
-    /// is fixed, else by the convex parts of its exact decomposition.
+    /// A solid mesh that need not be convex. If the body may collide, its collision shape is the mesh itself when it is
+    /// convex, the surface of the mesh when no force moves the body, and else the convex parts of its exact
+    /// decomposition.
     Mesh(SolidMesh),
 }
 

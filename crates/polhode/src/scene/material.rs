@@ -1,4 +1,4 @@
-//! Materials and what two of them do to each other.
+//! Materials, and the friction and restitution of a pair of them.
 
 use super::SceneError;
 
@@ -48,7 +48,7 @@ impl Material {
     }
 }
 
-/// What a pair of materials does instead of the default rule.
+/// Friction and restitution of a pair of materials, where they differ from the default rule.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairRule {
     materials: [String; 2],
@@ -57,7 +57,7 @@ pub struct PairRule {
 }
 
 impl PairRule {
-    /// For the materials of these names, in any order; what is `None` keeps the default rule.
+    /// A rule for the materials of these names, in either order; `None` keeps the default rule.
     ///
     /// # Errors
     /// As [`Material::new`].

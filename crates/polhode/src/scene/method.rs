@@ -1,7 +1,7 @@
-//! The method: one tier and the knobs behind it.
+//! The method: a tier, and settings that override its choices.
 //!
-//! A knob that is given is used literally; one that is absent follows the tier. What is not built yet is not a member
-//! here, so that it cannot be asked for.
+//! A setting that is given is used as it is; for one that is absent the tier or the plan chooses. The enumerations here
+//! have only members that are implemented, so that a scene cannot ask for others.
 
 use super::SceneError;
 pub use polhode_contact::BroadPhaseMethod;
@@ -10,23 +10,25 @@ pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, Rotati
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tier {
-    /// The thesis's section 3.5 to the letter: RK4, fixed step, propagation, least-force linear programme. It is kept for
-    /// history and promises nothing of penetration.
+    /// The algorithm of the thesis's section 3.5, unchanged: RK4 at a fixed step, propagation of impulses, linear
+    /// programme of least total force. It is kept for comparison and has no limit of penetration.
     Thesis,
-    /// Fixed steps at the level of velocities with exact complementarity; always gets through.
+    /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
+    /// solution; its error depends on the length of the step.
     Stepped,
-    /// Flight records, error-controlled contact phases, located impacts and force events, exact contact forces.
+    /// Free flight in closed form, constrained motion under error control, located events, exact contact forces.
     Accurate,
 }
 
-/// What happens when bodies hit each other.
+/// The law that determines the impulses of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ImpactLaw {
     /// One contact after the other until none approaches (thesis 3.3).
     Propagation,
     /// All contacts at once after Newton and Moreau (thesis 3.4, end).
     Simultaneous,
-    /// Generalised reflection after Smith et al.: symmetric, and momentum still travels through chains.
+    /// Generalised reflection after Smith et al.: it keeps the symmetry of a scene, and momentum passes through chains
+    /// of bodies.
     Reflection,
 }
 
@@ -50,10 +52,10 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
-/// What happens at crowded events: events of an island that follow each other so closely that time hardly advances.
+/// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Crowding {
-    /// It goes on by time steps at the level of velocities until they thin out.
+    /// It advances the island by time steps at the level of velocities until the events are fewer.
     #[default]
     Step,
     /// The run ends with an error.
@@ -61,7 +63,7 @@ pub enum Crowding {
 }
 
 impl Crowding {
-    /// Whether time steps carry a run on.
+    /// Whether a run advances by time steps at crowded events.
     pub(crate) fn steps(self) -> bool {
         self == Self::Step
     }
@@ -74,7 +76,8 @@ pub struct Method {
     pub tier: Option<Tier>,
     /// Step, s: the fixed step of `thesis` and `stepped`, the upper bound of a step of `accurate`.
     pub step_s: Option<f64>,
-    /// Integrator of bodies that no contact holds; contact phases of `accurate` are integrated by DOP853.
+    /// Integrator of bodies without active contacts. Constrained motion of the tier `accurate` is integrated by DOP853,
+    /// or by RK4 when that is given here.
     pub integrator: Option<Integrator>,
     /// Coordinates of orientation, for `rk4`.
     pub orientation: Option<Orientation>,
@@ -84,24 +87,24 @@ pub struct Method {
     pub impact: Option<ImpactLaw>,
     /// Contact forces.
     pub contact: Option<ContactMethod>,
-    /// How pairs that may touch are found; a choice of time alone, the results are the same bits.
+    /// Broad phase: how pairs that may touch are found. It affects the computing time only; results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
-    /// Local error per step of contact phases, relative to size and speed of each body. Above the default (1e-11) it is also
-    /// the penetration promised, relative to size.
+    /// Local error per step of constrained motion, relative to size and speed of each body. Above the default (1e-11)
+    /// it is also the promised limit of penetration, relative to size.
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,
     /// What happens at crowded events.
     pub crowding: Option<Crowding>,
-    /// Error allowed in a stretch of crowded events for each longest step, relative to the size of each body.
+    /// Error allowed within a stretch of crowded events per [`Method::step_s`], relative to the size of each body.
     pub crowding_tolerance: Option<f64>,
 }
 
 impl Method {
-    /// Checks the numbers and that the knobs fit the tier.
+    /// Checks the numbers, and that the settings are available together.
     ///
     /// # Errors
-    /// When a number is not positive, or two knobs are not yet available together.
+    /// When a number is out of range, or two settings are not yet available together.
     pub fn validate(&self) -> Result<(), SceneError> {
         if let Some(step) = self.step_s {
             super::error::positive("method.step", step)?;
@@ -133,7 +136,7 @@ impl Method {
         if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {
             return refuse(
                 &format!("integrator = \"{}\" with tier = \"stepped\"", integrator.name()),
-                "no integrator: the tier moves bodies by exact drift with a kick",
+                "tier = \"stepped\" without an integrator (it has its own: exact flight with forces as a kick)",
             );
         }
         let representation = self.orientation.is_some() || self.rotation_rate.is_some();

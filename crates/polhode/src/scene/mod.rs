@@ -1,7 +1,19 @@
 //! The scene: everything a simulation starts from.
 //!
-//! A [`Scene`] is plain, validated data. Bodies meet in pairs; what two materials do to each other is combined by the
-//! rule of [`Material::combined`] unless a [`PairRule`] overrides it. The file format lives in polhode-scene.
+//! A [`Scene`] is plain, validated data. Friction and restitution of a pair of bodies follow from their two materials
+//! by the rule of [`Material::combined`], unless a [`PairRule`] overrides it. The file format is in polhode-scene.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
+//! | `body` | [`Body`]: fixed, kinematic or moved by forces |
+//! | `geometry` | [`Geometry`]: the shape of a body |
+//! | `material` | [`Material`], [`PairRule`]: friction and restitution |
+//! | `force` | [`Force`]: forces besides uniform gravity and contact |
+//! | [`motion`] | prescribed motions of kinematic bodies |
+//! | `method` | [`Method`]: the tier and the settings that override its choices |
+//! | `pairs` | how many pairs of bodies may collide |
+//! | `error` | [`SceneError`]: why a scene is refused |
 
 mod body;
 mod builder;
@@ -31,7 +43,7 @@ use polhode_spatial::DVec3;
 /// Standard gravity of the scene format, m/s^2.
 pub const DEFAULT_GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -9.81);
 
-/// Samples or steps of a run at the most.
+/// Largest number of samples, or of steps, of a run.
 const MOST_STEPS: f64 = 1e12;
 
 /// A validated scene.
@@ -74,13 +86,13 @@ impl Scene {
         &self.method
     }
 
-    /// The same scene by another method.
+    /// The same scene with another method.
     pub fn with_method(mut self, method: Method) -> Self {
         self.method = method;
         self
     }
 
-    /// The same scene for another time.
+    /// The same scene with another duration (s).
     ///
     /// # Errors
     /// When the duration is not positive and finite.
@@ -89,7 +101,7 @@ impl Scene {
         Ok(self)
     }
 
-    /// Checks the method, and that a run ends.
+    /// Checks the method, and that the numbers of samples and steps are bounded.
     ///
     /// # Errors
     /// As [`SceneBuilder::build`].
@@ -98,7 +110,7 @@ impl Scene {
         self.check_counts()
     }
 
-    /// A run must end: neither samples nor steps may be more than can be counted down in a lifetime.
+    /// Checks that a run has at most [`MOST_STEPS`] samples and steps, so that it ends.
     fn check_counts(&self) -> Result<(), SceneError> {
         let too_many = |interval: f64| self.duration_s / interval > MOST_STEPS;
         if too_many(self.output_interval_s) {
@@ -112,7 +124,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Checks a body that a program adds.
+    /// Checks body number `number`, which a program adds to a simulation.
     ///
     /// # Errors
     /// As [`SceneBuilder::build`].
@@ -145,11 +157,12 @@ impl Scene {
 
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
-        // Mostly two neighbours do.
+        // Two neighbours in the list mostly may, which is a fast way to the answer.
         (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 
-    /// Whether two bodies may collide: not both out of the reach of forces, both with a shape, and not in one `no_contact` group.
+    /// Whether two bodies may collide: forces move at least one, both have a shape, and no `no_contact` group names
+    /// both.
     pub fn may_collide(&self, a: usize, b: usize) -> bool {
         let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
         a != b

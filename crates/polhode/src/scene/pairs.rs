@@ -1,21 +1,22 @@
-//! What the pairs of bodies that may collide have in common, found without a walk over the pairs.
+//! The number of pairs of bodies that may collide and their largest restitution, without a loop over all pairs.
 //!
-//! Bodies of one material, alike fixed or not, and in the same groups of `no_contact` are alike. Of two materials so many
-//! pairs may collide as there are, less those of two bodies that no force moves and those that share a group.
+//! Bodies form a class when they have the same material and the same `no_contact` groups and are all fixed or all
+//! movable. The number of pairs of two materials is the product of the numbers of their bodies, less the pairs of two
+//! bodies that no force moves, less the pairs that share a group.
 
 use super::Scene;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Pairs of bodies that may collide.
+/// The pairs of bodies that may collide.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct CollidingPairs {
     /// How many there are.
     pub(crate) count: usize,
-    /// Largest coefficient of restitution of any; zero without any.
+    /// Largest coefficient of restitution of a pair; zero if there is no pair.
     pub(crate) largest_restitution: f64,
 }
 
-/// Bodies with a shape that are alike in what decides whether they collide, and how.
+/// What decides whether a body with a shape may collide with another one, and with which restitution.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Class {
     material: usize,
@@ -66,7 +67,7 @@ impl Scene {
     }
 }
 
-/// For every two materials (the smaller number first) the number of pairs of which forces move one.
+/// For every two materials (the smaller index first) the number of pairs of which forces move at least one body.
 fn all_pairs(classes: &[(Class, usize)], materials: usize) -> BTreeMap<(usize, usize), usize> {
     let (mut all, mut fixed) = (vec![0; materials], vec![0; materials]);
     for (class, count) in classes {
@@ -83,7 +84,8 @@ fn all_pairs(classes: &[(Class, usize)], materials: usize) -> BTreeMap<(usize, u
     pairs
 }
 
-/// Pairs of two materials, of which forces move one, that share a group.
+/// Pairs that share a group and of which forces move at least one body: the materials of each two classes, and how many
+/// pairs they have.
 fn pairs_in_groups(classes: &[(Class, usize)]) -> Vec<((usize, usize), usize)> {
     let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (number, (class, _)) in classes.iter().enumerate() {
@@ -104,7 +106,7 @@ fn pairs_in_groups(classes: &[(Class, usize)]) -> Vec<((usize, usize), usize)> {
     sharing.into_iter().filter_map(excluded).collect()
 }
 
-/// Pairs among so many.
+/// Number of pairs of `count` bodies.
 const fn among(count: usize) -> usize {
     count * count.saturating_sub(1) / 2
 }
@@ -118,8 +120,8 @@ mod tests {
     use polhode_mesh::primitives::solid_box;
     use polhode_spatial::{DVec3, Mass, SplitMix64};
 
-    /// Scenes of all kinds of bodies, materials, rules and groups: the count and the restitution are those of a walk over
-    /// all pairs.
+    /// Scenes of all kinds of bodies, materials, rules and groups: the count and the restitution are those of a walk
+    /// over all pairs.
     #[test]
     fn counts_are_those_of_a_walk_over_all_pairs() {
         let mut numbers = SplitMix64::new(7);

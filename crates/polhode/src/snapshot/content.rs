@@ -1,7 +1,7 @@
-//! What a snapshot holds: plain data, from which everything else of a run is computed again.
+//! The content of a snapshot: plain data, from which everything else of a run is computed again.
 //!
-//! Left out are what is a pure function of these data (polynomials of steps, the agenda, mass properties) and buffers. What
-//! a program has changed in a running simulation belongs into [`Content`] too, beside the accounts.
+//! It leaves out buffers and what is a pure function of these data (polynomials of steps, the agenda, mass properties).
+//! It includes what a program has changed in a running simulation.
 
 use super::numbers::{Contact, Kinematics, State, Vector};
 use serde::{Deserialize, Serialize};
@@ -15,22 +15,22 @@ pub(crate) struct Content {
     pub(crate) all_effects: bool,
     /// The present, s.
     pub(crate) t: f64,
-    /// Whether the end of the scene's duration has been passed.
+    /// Whether the end of the scene's duration has been reached.
     pub(crate) ended: bool,
-    /// Force and torque that a program holds on bodies, by number (N, N m).
+    /// Forces and torques that a program applies, by body (N, N m).
     pub(crate) applied: Vec<(usize, [Vector; 2])>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
     pub(crate) integrator: String,
-    /// The plan, where an action of the program has changed it or the facts in it.
+    /// The plan, if an action of the program has changed it or the facts in it.
     pub(crate) plan: Option<Plan>,
     pub(crate) plan_changes: Vec<PlanChange>,
     pub(crate) accounts: Accounts,
     pub(crate) tier: Tier,
 }
 
-/// What actions of a program change in a [`crate::Plan`], beside the integrator.
+/// The parts of a [`crate::Plan`] that actions of a program may change, besides the integrator.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Plan {
     pub(crate) integrator_reason: String,
@@ -53,7 +53,7 @@ pub(crate) struct PlanChange {
     pub(crate) changes: Vec<String>,
 }
 
-/// What has been booked, warned of and told so far.
+/// Ledgers, certificate, warnings and events so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Accounts {
     pub(crate) books: Books,
@@ -69,10 +69,10 @@ pub(crate) struct Accounts {
     pub(crate) last_sample_s: Option<f64>,
 }
 
-/// Both parts of a compensated sum.
+/// A compensated sum: the sum and its compensation.
 pub(crate) type Sum = [f64; 2];
 
-/// [`crate::Ledger`] and what the books keep beside it.
+/// [`crate::Ledger`], with the potential energy at the start.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Books {
     pub(crate) impact: Sum,
@@ -116,7 +116,7 @@ pub(crate) struct Certificate {
     pub(crate) fallbacks: u64,
 }
 
-/// What a run is judged by, so far.
+/// The measures that decide whether a run is degraded, so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measures {
     pub(crate) penetration: Worst,
@@ -126,7 +126,7 @@ pub(crate) struct Measures {
     pub(crate) unsolved: Vec<Warning>,
 }
 
-/// The worst of one quantity.
+/// The largest values of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Worst {
     pub(crate) largest: f64,
@@ -185,7 +185,7 @@ pub(crate) enum EventKind {
     Detach,
 }
 
-/// What the tier goes on from.
+/// The data from which the tier continues.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Tier {
     Accurate(Accurate),
@@ -207,7 +207,7 @@ pub(crate) struct Accurate {
     pub(crate) observed_s: f64,
 }
 
-/// How a body moves, and what is remembered of how it has moved.
+/// How a body moves, and what later steps need of its past motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Track {
     pub(crate) mode: Mode,
@@ -231,7 +231,7 @@ pub(crate) enum Mode {
     Rest,
 }
 
-/// A record of flight.
+/// A flight record.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Flight {
     pub(crate) t0: f64,
@@ -240,16 +240,17 @@ pub(crate) struct Flight {
     pub(crate) rotation: Rotation,
 }
 
-/// How a record of flight turns.
+/// The rotation of a flight record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Rotation {
-    /// Freely.
+    /// Free rotation.
     Free,
-    /// About a principal axis, in planar motion.
+    /// Steady rotation about a principal axis, in planar motion.
     Steady,
 }
 
-/// The pace of one body, or of an island: that of its slowest body (`accurate/pace.rs`).
+/// The counts of steps and events by which stalls and crowded events of a body, or of the slowest body of an island, are
+/// detected (`accurate/pace.rs`).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Pace {
     /// When the present step began: at an event or at the end of a step, s.
@@ -274,7 +275,7 @@ pub(crate) struct Pace {
     pub(crate) has_crowded: bool,
 }
 
-/// Bodies that move together.
+/// An island.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Island {
     pub(crate) bodies: Vec<usize>,
@@ -290,13 +291,13 @@ pub(crate) struct Island {
 /// The present step of an island.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Step {
-    /// With contact forces at every stage, over this time (s): it is repeated from its start.
+    /// A constrained step of this length (s), which is repeated from its start.
     Constrained(f64),
-    /// By an integrator of free motion.
+    /// A step by an integrator of free motion.
     Free(FreeStep),
-    /// By one time step of a crowd to this time (s), with these pairs: it is repeated from its start.
+    /// A time step through crowded events to this time (s), with these pairs; it is repeated from its start.
     Crowd(f64, Vec<(usize, usize)>),
-    /// None, at this time (s).
+    /// No step; the island is at this time (s).
     Waiting(f64),
 }
 
@@ -307,12 +308,12 @@ pub(crate) struct FreeStep {
     pub(crate) end: f64,
     pub(crate) start: Vec<State>,
     pub(crate) present: Vec<State>,
-    /// What the integrator goes on from.
+    /// The variables from which the integrator continues.
     pub(crate) integrator: Vec<f64>,
     pub(crate) own_step_s: f64,
 }
 
-/// A contact that touched when its bodies were last looked at.
+/// A contact that touched at the last detection.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Touch {
     pub(crate) id: Contact,
@@ -321,17 +322,17 @@ pub(crate) struct Touch {
     pub(crate) known: bool,
 }
 
-/// Pairs that may meet.
+/// Pairs that may touch, and the search for their impacts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct NearPairs {
-    /// Lower and upper bounds.
+    /// Lower and upper bounds of the boxes.
     pub(crate) boxes: Vec<Option<[Vector; 2]>>,
     pub(crate) watches: Vec<Watch>,
     pub(crate) partners: Vec<Vec<usize>>,
     pub(crate) flight_end: f64,
 }
 
-/// What is known of a pair that may meet.
+/// What is known of a pair that may touch.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Watch {
     pub(crate) a: usize,
@@ -360,6 +361,6 @@ pub(crate) struct Thesis {
     pub(crate) states: Vec<State>,
     pub(crate) resting: Vec<(Contact, f64)>,
     pub(crate) touching_pairs: usize,
-    /// What the integrator goes on from.
+    /// The variables from which the integrator continues.
     pub(crate) integrator: Vec<f64>,
 }

@@ -1,4 +1,4 @@
-//! The bytes around a snapshot: a magic word, the version of the format, the length and a checksum.
+//! The header before the content of a snapshot: a magic word, the version of the format, the length and a checksum.
 //!
 //! | bytes | holds |
 //! |---|---|
@@ -8,21 +8,21 @@
 //! | 8 | FNV-1a over the magic word, version, length and content |
 //! | rest | the content |
 //!
-//! Each step of FNV-1a is a bijection of the hash, so that no change of a single byte is missed.
+//! Each step of FNV-1a is a bijection of the hash, so that every change of a single byte changes the checksum.
 
 use super::SnapshotError;
 use super::hash::Fnv1a;
 
-/// What a snapshot begins with; the last two bytes tell it from text.
+/// The first bytes of a snapshot; the last two of them do not occur in text.
 const MAGIC: [u8; 8] = *b"polhod\x1a\x00";
 
-/// The version of the content, to be raised with every change of what [`super::content`] holds.
+/// Version of the format. Every change of the types in [`super::content`] raises it.
 pub(super) const VERSION: u32 = 2;
 
-/// Bytes before the content.
+/// Length of the header, bytes.
 const HEADER: usize = 28;
 
-/// The content in its envelope.
+/// The content with its header.
 pub(super) fn wrap(content: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(HEADER + content.len());
     bytes.extend(MAGIC);
@@ -34,10 +34,10 @@ pub(super) fn wrap(content: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The content of an envelope.
+/// The content of bytes with a header.
 ///
 /// # Errors
-/// When the bytes are no whole snapshot of this version.
+/// When the bytes are not a complete snapshot of this version.
 pub(super) fn unwrap(bytes: &[u8]) -> Result<&[u8], SnapshotError> {
     let found = bytes.len() as u64;
     let short = SnapshotError::Length { expected: HEADER as u64, found };

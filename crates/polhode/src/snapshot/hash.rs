@@ -1,12 +1,12 @@
-//! The 64-bit hash FNV-1a, and that of a scene.
+//! The 64-bit hash FNV-1a, and the hash of a scene.
 //!
-//! `h <- (h xor byte) * 1099511628211`. Source: docs/REFERENCES.md, Fowler, Noll and Vo. It tells scenes apart that differ by
-//! accident; it is no protection against one made to have the same hash.
+//! `h <- (h xor byte) * 1099511628211`. Source: docs/REFERENCES.md, Fowler, Noll and Vo. It distinguishes scenes that
+//! differ by accident; it does not protect against a scene that is made to have a given hash.
 
 use crate::Scene;
 use std::fmt::{self, Write};
 
-/// FNV-1a.
+/// A hash FNV-1a in progress.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fnv1a(u64);
 
@@ -17,14 +17,14 @@ impl Default for Fnv1a {
 }
 
 impl Fnv1a {
-    /// Takes bytes in.
+    /// Adds bytes to the hash.
     pub(super) fn add(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
     }
 
-    /// The hash of what has been taken in.
+    /// The hash of all bytes added so far.
     pub(super) const fn value(self) -> u64 {
         self.0
     }
@@ -37,11 +37,11 @@ impl Write for Fnv1a {
     }
 }
 
-/// Hash of everything that a scene says: of its debug text, in which every number stands with all its digits. Of a field of
-/// the user's own it knows what that shows of itself.
+/// Hash of a whole scene: of its debug text, which has every number with all its digits. A field that the program
+/// defines is hashed by its own debug text.
 pub(super) fn of_scene(scene: &Scene) -> u64 {
     let mut hash = Fnv1a::default();
-    // Taking bytes in cannot fail.
+    // Adding bytes to the hash cannot fail.
     let _ = write!(hash, "{scene:?}");
     hash.value()
 }
@@ -50,7 +50,7 @@ pub(super) fn of_scene(scene: &Scene) -> u64 {
 mod tests {
     use super::Fnv1a;
 
-    /// The values that the authors publish.
+    /// Hashes published by the authors.
     #[test]
     fn hashes_are_those_of_fowler_noll_and_vo() {
         for (text, expected) in

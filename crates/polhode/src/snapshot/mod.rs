@@ -1,15 +1,16 @@
-//! A simulation at a time, to be kept: a run that goes on from it has the same bits as one that was never stopped.
+//! Snapshots: a simulation at one time, to be stored. A run that continues from a snapshot has the same bits as one
+//! that was never stopped.
 //!
 //! | module | holds |
 //! |---|---|
-//! | `content` | the plain data that a run goes on from |
-//! | `numbers` | vectors, states and contacts as numbers with their bits |
-//! | `envelope` | the bytes around them: version, length, checksum |
+//! | `content` | the plain data from which a run continues |
+//! | `numbers`, `parts` | vectors, states, contacts and flight records as plain data |
+//! | `envelope` | the header of the bytes: version, length, checksum |
 //! | `hash` | the hash of a scene |
 //! | `error` | why a snapshot is refused |
 //!
-//! The bytes are those of postcard, in which a number keeps its bits. They do not depend on the platform. Another version of
-//! the program may read them, and need not compute the same bits from them.
+//! The bytes are in the format postcard, in which numbers keep their bits. They do not depend on the platform. Another
+//! version of the program that reads them need not compute the same bits from them.
 
 pub(crate) mod content;
 mod envelope;
@@ -24,9 +25,9 @@ use crate::{Effects, Scene};
 use content::Content;
 use serde::{Deserialize, Serialize};
 
-/// A simulation at a time: [`crate::Simulation::snapshot`] takes it, [`crate::Simulation::restore`] goes on from it.
+/// A simulation at one time: [`crate::Simulation::snapshot`] takes it, [`crate::Simulation::restore`] restores it.
 ///
-/// It can be kept as bytes, or by serde as those bytes.
+/// It converts to and from bytes; serde writes it as these bytes.
 ///
 /// ```
 /// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Velocity};
@@ -52,12 +53,12 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// Of a simulation's content.
+    /// The snapshot with this content.
     pub(crate) const fn new(content: Content) -> Self {
         Self { content }
     }
 
-    /// The content, when it is of this scene and was taken with these effects.
+    /// The content, if it is of this scene and these effects.
     ///
     /// # Errors
     /// When it is not.
@@ -78,36 +79,36 @@ impl Snapshot {
         &self.content.scene
     }
 
-    /// Hash of everything that the scene says, its method, duration and output among it.
+    /// Hash of the whole scene, including method, duration and output interval.
     pub fn scene_hash(&self) -> u64 {
         self.content.scene_hash
     }
 
-    /// The effects that the simulation was made with.
+    /// The effects with which the simulation was made.
     pub fn effects(&self) -> Effects {
         if self.content.all_effects { Effects::All } else { Effects::Planned }
     }
 
-    /// When it was taken, s.
+    /// Simulated time of the snapshot, s.
     pub fn time(&self) -> f64 {
         self.content.t
     }
 
-    /// The snapshot as bytes, with their version and a checksum.
+    /// The snapshot as bytes, with a version and a checksum.
     pub fn to_bytes(&self) -> Vec<u8> {
-        // Plain data of known length cannot fail to be written; if they did, nothing would be read back from them.
+        // Writing plain data to memory cannot fail. If it did, the empty content would be refused when it is read.
         envelope::wrap(&postcard::to_stdvec(&self.content).unwrap_or_default())
     }
 
-    /// The snapshot of such bytes.
+    /// The snapshot in these bytes.
     ///
     /// # Errors
-    /// When they are of something else or of another version, or have been cut short or altered.
+    /// When the bytes are not a snapshot, have another version, or are incomplete or altered.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SnapshotError> {
         let content = envelope::unwrap(bytes)?;
         match postcard::take_from_bytes(content) {
             Ok((content, [])) => Ok(Self { content }),
-            Ok(_) => Err(SnapshotError::Unreadable("bytes are left over".to_owned())),
+            Ok(_) => Err(SnapshotError::Unreadable("bytes follow its end".to_owned())),
             Err(error) => Err(SnapshotError::Unreadable(error.to_string())),
         }
     }
@@ -127,7 +128,7 @@ impl TryFrom<Vec<u8>> for Snapshot {
     }
 }
 
-/// Hash of everything that a scene says, as [`Snapshot::scene_hash`].
+/// Hash of a whole scene, as [`Snapshot::scene_hash`].
 pub(crate) fn scene_hash(scene: &Scene) -> u64 {
     hash::of_scene(scene)
 }

@@ -1,4 +1,4 @@
-//! Vectors, states and contacts as plain numbers, with their bits.
+//! Vectors, states and contacts as plain numbers that keep their bits.
 
 use super::SnapshotError;
 use crate::Momentum;
@@ -21,7 +21,7 @@ pub(crate) fn write_states(states: &[BodyState]) -> Vec<State> {
 
 /// One state.
 pub(crate) fn read_state(numbers: &State) -> Result<BodyState, SnapshotError> {
-    BodyState::from_stored(numbers).map_err(|_| SnapshotError::Invalid("an attitude is no rotation"))
+    BodyState::from_stored(numbers).map_err(|_| SnapshotError::Invalid("the attitude of a body is not a rotation"))
 }
 
 /// As many states as there are bodies.

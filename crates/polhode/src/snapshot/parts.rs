@@ -1,4 +1,4 @@
-//! Parts that the snapshots of several tiers have: contacts, and records of flight.
+//! Contacts and flight records as plain data, for the snapshots of several tiers.
 
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
@@ -12,7 +12,7 @@ pub(crate) fn save_contact(id: ContactId) -> Contact {
     Contact { a: id.a, b: id.b, feature: id.feature.into() }
 }
 
-/// The contact of such data.
+/// The identity of a contact from plain data.
 ///
 /// # Errors
 /// When it is not of two bodies that can touch.
@@ -25,7 +25,7 @@ pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, S
     }
 }
 
-/// Contacts with their forces (N) of such data.
+/// Contacts with their forces (N) from plain data.
 ///
 /// # Errors
 /// When one is not of two bodies that can touch.
@@ -33,9 +33,9 @@ pub(crate) fn restored_forces(world: &World, saved: &[(Contact, f64)]) -> Result
     saved.iter().map(|(id, force)| Ok((restored_id(world, id)?, *force))).collect()
 }
 
-/// A record of flight as plain data.
+/// A flight record as plain data.
 pub(crate) fn save_flight(flight: &Flight) -> content::Flight {
-    // A record in free rotation is that of its start; any other is steady.
+    // A record with free rotation equals the one made from its start; any other has steady rotation.
     let free = Flight::new(flight.body(), flight.t0(), flight.start(), flight.gravity());
     content::Flight {
         t0: flight.t0(),
@@ -45,10 +45,10 @@ pub(crate) fn save_flight(flight: &Flight) -> content::Flight {
     }
 }
 
-/// The record of such data, of a body with these mass properties.
+/// The flight record from plain data, of a body with these mass properties.
 ///
 /// # Errors
-/// When its start is no state.
+/// When its start is not a valid state.
 pub(crate) fn restored_flight(rigid: &RigidBody, saved: &content::Flight) -> Result<Flight, SnapshotError> {
     let record = match saved.rotation {
         content::Rotation::Free => Flight::new,

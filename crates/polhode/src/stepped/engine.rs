@@ -1,4 +1,4 @@
-//! A run by fixed time steps, and one step of it.
+//! A run by fixed time steps: one step, and queries at the present.
 
 use super::islands::{Island, IslandSearch, islands};
 use crate::accounting::books::Received;
@@ -24,23 +24,24 @@ use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Impacts that the step of an island is split at, at the most: the first few of a step are struck when they happen, further
-/// ones of a crowd where the last part begins.
+/// Largest number of impacts at which the step of an island is split. The first few impacts of a step are applied at
+/// their times, further ones at the start of the last part of the step.
 const MOST_SPLITS: u32 = 4;
 
-/// A contact that approaches or parts more slowly than gravity moves a body within this many steps is at rest, when
-/// accelerations are asked for.
+/// When accelerations are asked for, a contact counts as resting if its rate of separation is at most the speed that
+/// gravity gives a body in this many steps.
 const RESTING_STEPS: f64 = 2.0;
 
-/// Overlap that may be left after it has been moved out, relative to the size of a body: as far as touch. More is told.
+/// Penetration that may remain after the projection of a step, relative to the size of a body: as much as counts as
+/// touch. More gives a warning.
 const LEFT_RELATIVE: f64 = 1e-11;
 
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
-    /// Of all bodies at the present.
+    /// States of all bodies at the present.
     states: Vec<BodyState>,
-    /// Records of the bodies that have met nothing since their last step in an island.
+    /// Flight records of the bodies in free flight; none for bodies that were in an island in the last step.
     flights: Vec<Option<Box<Flight>>>,
     stepper: TimeStepper,
     search: IslandSearch,
@@ -50,13 +51,13 @@ pub(crate) struct SteppedEngine {
     forces: BTreeMap<ContactId, f64>,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
-    /// Number of the last step that ended on the grid of steps, and whether any step has been made.
+    /// Index of the last step that ended on the grid of multiples of the step, and whether any step has been made.
     grid: u64,
     begun: bool,
 }
 
 impl SteppedEngine {
-    /// Prepares a run: finds what touches, and the forces of what rests.
+    /// Prepares a run: finds touching pairs, and the forces of resting contacts.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -75,7 +76,7 @@ impl SteppedEngine {
         Ok(engine)
     }
 
-    /// Bodies with nothing known of what they touch.
+    /// The engine with these states, before contacts have been searched.
     fn unbegun(core: &Core, states: Vec<BodyState>) -> Self {
         let about = core.accounts.books.ledger.momentum.about;
         Self {
@@ -91,7 +92,7 @@ impl SteppedEngine {
         }
     }
 
-    /// The run of such data.
+    /// The engine of a snapshot.
     ///
     /// # Errors
     /// When the data are not of this scene.
@@ -100,7 +101,7 @@ impl SteppedEngine {
         let bodies = world.bodies.len();
         let states = read_states(&saved.states, bodies)?;
         let mut engine = Self::unbegun(core, states);
-        let refused = SnapshotError::Invalid("it does not say of each body how it moves");
+        let refused = SnapshotError::Invalid("it does not say how each body moves");
         let are_bodies = |list: &Vec<usize>| list.iter().all(|&body| body < bodies);
         let are_pairs = saved.touching.iter().all(|&(a, b)| a < b && b < bodies);
         if saved.flights.len() != bodies || !saved.islands.iter().all(are_bodies) || !are_pairs {
@@ -123,7 +124,7 @@ impl SteppedEngine {
     /// One step to `t_next`.
     ///
     /// # Errors
-    /// When the state is no longer finite or a contact problem is not.
+    /// When the state or a contact problem is no longer finite.
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
         let interval = (core.t, h);
@@ -141,7 +142,8 @@ impl SteppedEngine {
                 && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
             {
                 let name = &core.world.bodies[first].name;
-                let what = format!("bodies about {name} could not be moved out of each other by more than touch");
+                let what =
+                    format!("the projection of the bodies around {name} left a penetration above 1e-11 of their size");
                 core.accounts.warn(core.t, what);
             }
             touching.extend(report.touching.iter().copied());
@@ -156,7 +158,7 @@ impl SteppedEngine {
         Ok(())
     }
 
-    /// Moves all bodies that are in no island along their flights to `t_next`.
+    /// Moves all bodies that are in no island to `t_next` in free flight.
     fn fly(&mut self, core: &mut Core, islands: &[Island], t_next: f64) {
         let mut free = vec![true; self.states.len()];
         for &body in islands.iter().flat_map(|island| &island.bodies) {
@@ -181,7 +183,7 @@ impl SteppedEngine {
         }
     }
 
-    /// The record of a body's flight, made now when there is none.
+    /// The flight record of a body, which is made from its present state when there is none.
     fn flight(&mut self, core: &Core, body: usize) -> Option<&Flight> {
         let rigid = core.world.bodies[body].rigid.as_ref()?;
         let record = if core.world.plane.is_some() { Flight::steady } else { Flight::new };
@@ -190,7 +192,7 @@ impl SteppedEngine {
         Some(self.flights[body].get_or_insert_with(|| Box::new(record(rigid, t, state, acceleration))))
     }
 
-    /// Takes note of what an island's step of `h` did.
+    /// Records the forces and problems of an island's step of length `h` (s).
     fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
         core.accounts.note_time_step(&core.world, &self.states, report);
         for given in &report.impulses {
@@ -198,7 +200,8 @@ impl SteppedEngine {
         }
     }
 
-    /// Reports pairs that have begun or ceased to press on each other; those of the first step were there before.
+    /// Adds an event for every pair that has begun or ceased to touch in this step. The pairs of the first step touched
+    /// at the start and give no events.
     fn report_pairs(&mut self, core: &mut Core, touching: BTreeSet<(usize, usize)>) {
         let before = std::mem::replace(&mut self.touching, touching);
         if !std::mem::replace(&mut self.begun, true) {
@@ -227,7 +230,7 @@ impl SteppedEngine {
         }
     }
 
-    /// Samples before the end of the step, each by a shorter step from the same states.
+    /// Gives the observer the samples within the step, each computed by a shorter step from the same states.
     fn emit_samples_within(
         &mut self,
         core: &mut Core,
@@ -264,7 +267,7 @@ impl SteppedEngine {
         Ok(states)
     }
 
-    /// The contacts of these pairs that touch and neither approach nor part.
+    /// The resting contacts of these pairs: they touch and neither approach nor separate.
     fn resting_touches(&self, core: &Core, pairs: &[(usize, usize)]) -> Vec<Touch> {
         let world = &core.world;
         let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
@@ -275,7 +278,7 @@ impl SteppedEngine {
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).collect()
     }
 
-    /// The forces of contacts (N), and what they add to the accelerations of their bodies.
+    /// The forces of contacts (N), and the accelerations that they give to their bodies.
     fn constrained(&self, core: &Core, bodies: &[usize], contacts: &[Touch]) -> Result<Constrained, ResponseError> {
         let loads = core.world.loads(core.t, &self.states);
         let problem = AccelerationProblem::new(&core.world, core.t, &self.states, bodies, contacts, &loads)?;
@@ -288,10 +291,10 @@ impl SteppedEngine {
     }
 }
 
-/// Forces of contacts, and what they add to the linear and angular accelerations of bodies by number.
+/// Forces of contacts, and the linear and angular accelerations that they give to bodies, by index.
 type Constrained = (Vec<f64>, Vec<(usize, DVec3, DVec3)>);
 
-/// Bodies joined by these contacts, with their contacts.
+/// Groups of bodies that these contacts connect, with their contacts.
 fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
     let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
     let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
@@ -305,7 +308,7 @@ impl Tier for SteppedEngine {
         limit_s: f64,
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
-        // Times are multiples of the step, so that rounding does not add up; a program may cut a step short.
+        // Times are multiples of the step, so that rounding does not accumulate; a program may shorten a step.
         let step = core.settings.step_s;
         while self.grid as f64 * step <= core.t {
             self.grid += 1;
@@ -319,7 +322,7 @@ impl Tier for SteppedEngine {
     }
 
     fn stride(&self, core: &Core) -> f64 {
-        // A step ends where the next one on the grid does, which a sum of steps may miss by a rounding.
+        // The step ends on the grid at the latest, which the present plus one step may miss by a rounding.
         2.0 * core.settings.step_s
     }
 
@@ -387,7 +390,7 @@ impl Tier for SteppedEngine {
     }
 
     fn interrupt(&mut self, _core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
-        // All bodies stand at the present between two steps; what flies is put on a new record.
+        // All states are those of the present between two steps; bodies in free flight get new records.
         for &body in bodies {
             self.flights[body] = None;
         }

@@ -1,23 +1,23 @@
-//! Islands: bodies that may touch within a step, or that forces couple.
+//! Islands of a time step: bodies that may touch within it, or that force fields couple.
 
 use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Still};
 
-/// How much farther than they would go by themselves bodies are taken to go within a step: impulses may double a speed.
+/// Factor by which the swept boxes of a step allow for impulses, which may double a speed (dimensionless).
 const SWEEP_FACTOR: f64 = 2.0;
 
-/// Bodies that are advanced together.
+/// Bodies that one time step advances together.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Island {
-    /// Movable, ascending.
+    /// The movable bodies, ascending.
     pub(super) bodies: Vec<usize>,
-    /// Pairs that may touch, A < B, ascending.
+    /// The pairs of its bodies, and of them with fixed and kinematic ones, that may touch; A < B, ascending.
     pub(super) pairs: Vec<(usize, usize)>,
 }
 
-/// Finds the islands of a step; keeps its memory.
+/// Searches the pairs of a step; it keeps its buffers from step to step.
 #[derive(Debug)]
 pub(super) struct IslandSearch {
     broad_phase: Box<dyn BroadPhase>,
@@ -32,7 +32,7 @@ impl IslandSearch {
         Self { broad_phase, colliders, boxes: Vec::new(), box_pairs: Vec::new() }
     }
 
-    /// A body is removed: it meets nothing any more.
+    /// Leaves a removed body out of further searches.
     pub(super) fn forget(&mut self, body: usize) {
         self.colliders.retain(|&other| other != body);
     }
@@ -63,7 +63,7 @@ impl IslandSearch {
     }
 }
 
-/// The box of a body with what it may go from `t` to `t + h` (s).
+/// The box of a body, enlarged by the distance that it may travel from `t` to `t + h` (s).
 fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let (own, state) = (&world.bodies[body], &states[body]);
     let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
@@ -77,12 +77,12 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64
         Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
         None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
     };
-    // What cannot be bounded may be anywhere.
+    // A motion without bounds gets an unbounded box.
     swept.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
 }
 
-/// The connected parts that pairs and couplings form, ordered by their first bodies. A body that is in no pair, and that no
-/// field acts on, is in none; one that a field acts on is an island by itself.
+/// The islands: connected components of the movable bodies by pairs and couplings, ordered by their first bodies. A
+/// body without a pair is in no island, unless a field acts on it; then it is at least an island of its own.
 pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
     let mut sets = DisjointSets::new(world.bodies.len());
     let mut taken = vec![false; world.bodies.len()];

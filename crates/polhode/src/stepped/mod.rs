@@ -1,10 +1,16 @@
-//! The tier `stepped`: fixed steps at the level of velocities, with exact complementarity at every step.
+//! The tier `stepped`: fixed time steps at the level of velocities, with an exact complementarity problem at every
+//! step.
 //!
-//! Every step finds the pairs whose swept boxes meet, joins them to islands, and advances each island on its own by the time
-//! step after Moreau and Jean (`crate::time_stepping`), split at a few impacts. Bodies that meet nothing and that no force
-//! acts on follow their flight records; kinematic bodies follow their motions exactly. No event is located to rounding and
-//! no step is repeated, so that the tier always gets through; its error falls with the step, and overlap is moved out and
-//! booked.
+//! Every step finds the pairs whose swept boxes overlap, joins their bodies to islands, and advances each island by the
+//! time step of Moreau and Jean (`crate::time_stepping`), split at a few impacts. Bodies in no island are in free
+//! flight; kinematic bodies follow their prescribed motions. Events are not located to rounding and no step is
+//! repeated, so that every step succeeds. The error decreases with the step. Penetration that a step leaves is removed
+//! by a projection and booked.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `engine` | a run, one step of it, and queries at the present |
+//! | `islands` | the islands of a step |
 
 mod engine;
 mod islands;

@@ -1,4 +1,4 @@
-//! A run by the thesis's algorithm, and one step of it.
+//! A run by the thesis's algorithm: one step, and queries at the present.
 
 use super::system::LoadedBodies;
 use crate::accounting::books::Received;
@@ -29,15 +29,15 @@ use polhode_response::{Delassus, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Still};
 use std::sync::Arc;
 
-/// A contact that parts more slowly than gravity makes bodies approach within this many steps is at rest (thesis
-/// 3.5: "a speed of separation that is sufficiently small").
+/// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
+/// steps (thesis 3.5: "a speed of separation that is sufficiently small").
 const RESTING_STEPS: f64 = 1.0;
 
-/// Impulses by propagation stop when every speed of approach is below this fraction of the first ones (thesis 3.3:
+/// Propagation of impulses stops when every speed of approach is below this fraction of the initial ones (thesis 3.3:
 /// "an artificial threshold for the approach velocity").
 const PROPAGATION_THRESHOLD: f64 = 1e-6;
 
-/// The largest number of impulses in one step before the rest is resolved at once.
+/// Largest number of impulses by propagation in one step; beyond it the remaining contacts are resolved at once.
 const PROPAGATION_LIMIT: usize = 20_000;
 
 /// Forces of the resting contacts.
@@ -49,17 +49,17 @@ struct RestingForces {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct ThesisEngine {
-    /// Of all bodies at the present.
+    /// States of all bodies at the present.
     states: Vec<BodyState>,
     integrator: Box<dyn Integrator>,
-    /// What acts during the present step.
+    /// The movable bodies under the forces of the present step.
     loaded: LoadedBodies,
     boxes: Boxes,
-    /// Number of pairs that touched when it was last looked.
+    /// Number of pairs that touched at the last detection.
     touching_pairs: usize,
     /// Forces of the resting contacts in the last step, N.
     resting: Vec<(ContactId, f64)>,
-    /// Which bodies move.
+    /// Which bodies forces move.
     moves: Vec<bool>,
 }
 
@@ -82,7 +82,7 @@ impl ThesisEngine {
         Ok(engine)
     }
 
-    /// The run of such data; the time and the accounts are those of it already.
+    /// The engine of a snapshot. `core` already has the time and the accounts of the snapshot.
     ///
     /// # Errors
     /// When the data are not of this scene.
@@ -128,7 +128,7 @@ impl ThesisEngine {
         Ok(())
     }
 
-    /// Penetrations: every contact point of every pair that touches or overlaps.
+    /// Detects penetrations: every contact point of every pair that touches or overlaps.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -138,7 +138,7 @@ impl ThesisEngine {
         Ok(touches)
     }
 
-    /// Impulses, one contact after the other, until nothing approaches.
+    /// Applies impulses, one contact after the other, until no contact approaches.
     fn apply_impulses(
         &mut self,
         core: &mut Core,
@@ -172,7 +172,7 @@ impl ThesisEngine {
         Ok(())
     }
 
-    /// Contacts at rest and their forces.
+    /// The resting contacts and their forces.
     fn resting_forces(&mut self, core: &mut Core) -> Result<RestingForces, SimulationError> {
         let slow = RESTING_STEPS * core.world.gravity().length() * core.settings.step_s;
         let mut touches = self.detect(core)?;
@@ -190,8 +190,8 @@ impl ThesisEngine {
         Ok(RestingForces { touches, forces })
     }
 
-    /// What gravity, fields and fixed bodies give over the step to `ends`: the forces of contacts are constant, and the
-    /// points they act at move with the bodies' centres.
+    /// Impulse and work of gravity, fields and fixed bodies over the step to `ends`. Contact forces are constant, and
+    /// their points of action move with the centres of mass.
     fn received(
         &self,
         core: &Core,
@@ -205,7 +205,8 @@ impl ThesisEngine {
         let h = t_next - core.t;
         let stage = Ends { t: [core.t, t_next], states: [&self.states, ends] };
         let mut received = free_stage::received(world, stage, &world.movable, about);
-        // Forces that stay the same work along the way of the contact points: their speed in the middle, to second order.
+        // The work of constant forces is along the path of the contact points: to second order, by their speed in the
+        // middle.
         let mut middle = self.states.clone();
         world.prescribe(core.t + 0.5 * h, &mut middle);
         let contacts = resting.touches.iter().zip(&resting.forces);
@@ -225,8 +226,8 @@ impl ThesisEngine {
         received
     }
 
-    /// Integrates the bodies over a step of length `h` under the loads. The integrator goes on from its own variables
-    /// while nothing but itself has changed the states.
+    /// Integrates the bodies over a step of length `h` under the loads. The integrator continues from its own variables
+    /// if only it has changed the states since its last step.
     fn integrate(&mut self, core: &Core, loads: Vec<Wrench>, h: f64) -> Result<(), SimulationError> {
         let loaded = loads.iter().any(|load| *load != Wrench::default());
         let states = core.world.movable_states(&self.states);
@@ -238,7 +239,8 @@ impl ThesisEngine {
         self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t: core.t, source })
     }
 
-    /// Samples before the end of the step that has just been integrated, by a shorter step under the same loads.
+    /// Gives the observer the samples within the step that has just been integrated, computed by a shorter step under
+    /// the same loads.
     fn emit_samples_within(
         &mut self,
         core: &mut Core,
@@ -322,7 +324,7 @@ impl Tier for ThesisEngine {
     }
 
     fn islands(&self, _core: &Core) -> Vec<IslandView> {
-        // Section 3.5 moves all bodies together.
+        // The algorithm of section 3.5 advances all bodies together.
         let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
         let bodies: Vec<BodyId> = moving.map(|(body, _)| BodyId::new(body)).collect();
         if bodies.is_empty() { Vec::new() } else { vec![IslandView { bodies }] }
@@ -388,8 +390,9 @@ fn group_forces(
         ContactMethod::LeastForce => {
             let solution = least_force(&delassus, &b, &SolverSettings::default())?;
             if solution.stage == LeastForceStage::NoForces && b.iter().any(|&b| b < 0.0) {
-                // The certificate needs forces that keep every contact from closing; the exact ones do.
-                let what = "a linear programme of least force was not solved: exact forces were used";
+                // The bound in the certificate needs forces under which no contact closes; the exact ones have this
+                // property.
+                let what = "a linear programme of least total force was not solved, and exact forces were used instead";
                 core.accounts.warn_of_tolerated(core.t, what);
                 exact_forces(core, &assembly, &delassus, &b)?
             } else {
@@ -403,7 +406,7 @@ fn group_forces(
     Ok(forces)
 }
 
-/// Forces of the complementarity problem, and the bound on the error of its accelerations.
+/// Exact forces, from the complementarity problem, and the bound on the error of the accelerations.
 fn exact_forces(
     core: &mut Core,
     assembly: &Assembly,
@@ -414,13 +417,14 @@ fn exact_forces(
     if solution.report.status != SolverStatus::Solved {
         let names = core.world.names_of(assembly.bodies());
         let residual = solution.report.residual;
-        let what = format!("contact forces of {names} were not found: the residual stays at {residual:e}");
+        let what =
+            format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");
         core.accounts.note_unsolved(core.t, what);
     }
     Ok((solution.forces.clone(), solution.report.bound))
 }
 
-/// What the forces add up to on every movable body.
+/// Resultant force and torque of the contact forces on every movable body.
 fn loads(core: &Core, states: &[BodyState], resting: &RestingForces) -> Vec<Wrench> {
     let mut loads = vec![Wrench::default(); core.world.movable.len()];
     for (touch, &force) in resting.touches.iter().zip(&resting.forces) {

@@ -1,9 +1,20 @@
-//! The tier `thesis`: section 3.5 to the letter, with what it does to a stack.
+//! The tier `thesis`: the algorithm of the thesis's section 3.5, unchanged, for comparison.
 //!
-//! Fixed steps. Each: detect penetrations; apply impulses by propagation until nothing approaches; take contacts that
-//! part slowly as resting; find their forces by the linear programme of least total force with the guesses of
-//! vanishing contacts; integrate one step by RK4 with these forces. Nothing is located and nothing is projected, so
-//! bodies sink and vibrate by what they move in a step, and the certificate says by how much the forces are wrong.
+//! Each step has a fixed length and these stages:
+//!
+//! 1. detect penetrations;
+//! 2. apply impulses by propagation until no contact approaches;
+//! 3. take the contacts that separate slowly as resting;
+//! 4. find their forces by the linear programme of least total force, with the thesis's guesses of vanishing contacts;
+//! 5. integrate one step by RK4 under these forces, which stay constant.
+//!
+//! No event is located and nothing is projected. Bodies in a stack therefore penetrate each other and vibrate, by about
+//! the distance that they travel in a step; the certificate bounds the error of the forces.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `engine` | a run, one step of it, and queries at the present |
+//! | `system` | bodies under fields and constant contact forces |
 
 mod engine;
 mod system;

@@ -1,11 +1,12 @@
-//! Bodies under the scene's forces and contact forces that stay the same over a step (thesis, equations 15 and 16).
+//! Bodies under the scene's force fields, and under contact forces that are constant over a step (thesis, equations 15
+//! and 16).
 
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::DVec3;
 use std::sync::Arc;
 
-/// What acts on the movable bodies during a step.
+/// The forces on the movable bodies during a step.
 #[derive(Debug)]
 pub(super) struct LoadedBodies {
     fields: [Box<dyn Field>; 1],
@@ -18,18 +19,18 @@ impl Default for LoadedBodies {
 }
 
 impl LoadedBodies {
-    /// The scene's fields, and a constant load per body, torques about the centres of mass.
+    /// The scene's fields, and a constant load per movable body, with torques about the centres of mass.
     pub(super) fn new(fields: Arc<[Box<dyn Field>]>, loads: Vec<Wrench>) -> Self {
         Self { fields: [Box::new(FieldsAndLoads { fields, loads })] }
     }
 
-    /// The motion under them.
+    /// The motion of `bodies` under gravity and these forces.
     pub(super) fn motion<'a>(&'a self, bodies: &'a [RigidBody], gravity: DVec3) -> FreeMotion<'a> {
         FreeMotion::new(bodies, gravity, &self.fields)
     }
 }
 
-/// The scene's fields and constant loads as one field, which an integrator takes.
+/// The scene's fields and the constant loads as one field for an integrator.
 #[derive(Debug)]
 struct FieldsAndLoads {
     fields: Arc<[Box<dyn Field>]>,

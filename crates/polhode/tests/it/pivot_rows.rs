@@ -66,7 +66,7 @@ fn rows_move_tops_as_the_reduction_does() {
             report.plan.effects.iter().find(|effect| effect.effect == Effect::Joints).unwrap().clone()
         };
         assert_eq!((of(&reduced).decision, of(&report).decision), (Decision::Off, Decision::On));
-        assert!(of(&reduced).fact.contains("turning alone"), "{}", of(&reduced).fact);
+        assert!(of(&reduced).fact.contains("reduced to rotation"), "{}", of(&reduced).fact);
     }
 }
 

@@ -59,7 +59,7 @@ fn start_at_an_attracting_point_names_the_force() {
                 panic!("{tier:?}: {refused:?}");
             };
             assert_eq!((t, body.as_str()), (0.0, "comet"));
-            assert!(force.contains("number 1") && force.contains("point gravity"), "{force}");
+            assert!(force.contains("number 0") && force.contains("point gravity"), "{force}");
         }
     }
 }

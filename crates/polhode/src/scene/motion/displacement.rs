@@ -1,9 +1,9 @@
-//! Where a prescribed motion has moved a body to, and how it goes on.
+//! Displacement of a body by a prescribed motion, with its first and second time derivatives.
 
 use crate::acceleration::Acceleration;
 use polhode_spatial::{DVec3, Rotation, Velocity};
 
-/// Where a motion has moved a body to, and how it goes on.
+/// Displacement of a body's own origin (m) and rotation by a motion at one time, with their derivatives, world.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Displacement {
     pub(super) translation: DVec3,
@@ -15,12 +15,12 @@ pub(super) struct Displacement {
 }
 
 impl Displacement {
-    /// The velocity that it goes on with.
+    /// Linear and angular velocity.
     pub(super) const fn rate(&self) -> Velocity {
         Velocity::new(self.velocity, self.angular_velocity)
     }
 
-    /// Its acceleration.
+    /// Linear and angular acceleration.
     pub(super) const fn acceleration(&self) -> Acceleration {
         Acceleration { linear: self.acceleration, angular: self.angular_acceleration }
     }

@@ -1,21 +1,21 @@
-//! What numbers prescribe a motion, and why others do not.
+//! Limits of the numbers of a prescribed motion, and why a motion is refused.
 
 use polhode_spatial::{DVec3, MotionBounds};
 use thiserror::Error;
 
-/// Largest magnitude of a number, a speed (m/s, rad/s) and an acceleration (m/s^2, rad/s^2) of a prescribed motion: their
-/// products are still numbers.
+/// Largest magnitude of a number, a speed (m/s, rad/s) and an acceleration (m/s^2, rad/s^2) of a prescribed motion.
+/// Products of such numbers do not overflow.
 pub const LARGEST: f64 = 1e100;
 
-/// Largest angle between two samples of a table, rad: half a turn, which may go either way, less the digits that a
-/// quaternion in a file may have lost.
+/// Largest angle between two samples of a table, rad. It is a little less than half a turn, whose sense of rotation is
+/// undetermined: the difference allows for the digits that a quaternion may have lost in a file.
 pub const LARGEST_TURN: f64 = std::f64::consts::PI - 1e-6;
 
 /// Why a motion is refused. Each message names the value and what is accepted.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// A number is NaN, infinite or beyond every size.
+    /// A number is NaN, infinite or larger than [`LARGEST`].
     #[error("{quantity} of a prescribed motion is {value}: a number of at most {LARGEST:e} in magnitude is needed")]
     Number {
         /// What was given.
@@ -23,12 +23,13 @@ pub enum MotionError {
         /// Its value.
         value: f64,
     },
-    /// An oscillation without a frequency.
+    /// The frequency of an oscillation is not positive.
     #[error("the frequency of a sine is {0} Hz: a positive number is needed; a body that stands still is a fixed body")]
     Frequency(f64),
-    /// The numbers give a speed or an acceleration beyond every size.
+    /// A speed or an acceleration of the motion exceeds [`LARGEST`].
     #[error(
-        "a prescribed motion reaches {quantity} of {value:e}: at most {LARGEST:e} is accepted; move less, or more slowly"
+        "a prescribed motion reaches {quantity} of {value:e}: at most {LARGEST:e} is accepted; reduce the \
+         displacement, or allow more time for it"
     )]
     TooFast {
         /// What is too large, with its unit.
@@ -36,15 +37,16 @@ pub enum MotionError {
         /// Its bound.
         value: f64,
     },
-    /// A table says neither where the body is nor how it is turned.
+    /// A table has neither positions nor orientations.
     #[error("a table of a prescribed motion has neither positions nor orientations: give one of them, or both")]
     EmptyTable,
     /// A table of fewer than two samples.
     #[error(
-        "a table of a prescribed motion has {0} samples: two or more are needed; a body that stands still is a fixed body"
+        "a table of a prescribed motion has {0} samples: two or more are needed; a body that stands still is a fixed \
+         body"
     )]
     TooFewSamples(usize),
-    /// There is not one position or orientation for each time.
+    /// The number of positions or orientations is not that of the times.
     #[error("a table of a prescribed motion has {found} {quantity} for {times} times: give one for each time")]
     Count {
         /// What is counted.
@@ -54,7 +56,7 @@ pub enum MotionError {
         /// How many there should be.
         times: usize,
     },
-    /// The times of a table do not rise.
+    /// The times of a table do not increase.
     #[error("times of a prescribed motion must rise: sample {index} has {t} s after {before} s")]
     TimeOrder {
         /// Index of the sample, from 0.
@@ -64,10 +66,12 @@ pub enum MotionError {
         /// The time of the sample before, s.
         before: f64,
     },
-    /// From one sample to the next the body turns by so much that the way is not known.
+    /// Two successive orientations differ by so much that the sense of rotation between them is undetermined.
     #[error(
-        "orientations of a prescribed motion: from the sample before to sample {index} the body turns by {angle} rad, \
-         and at most {LARGEST_TURN} is accepted, for half a turn may go either way: add samples between them"
+        "orientations of a prescribed motion: between sample {before} and sample {index} the body turns by {angle} \
+         rad, and at most {LARGEST_TURN} rad is accepted, because half a turn may go either way: add samples between \
+         them",
+        before = .index.saturating_sub(1)
     )]
     Turn {
         /// Index of the sample, from 0.
@@ -75,10 +79,10 @@ pub enum MotionError {
         /// The angle, rad.
         angle: f64,
     },
-    /// The pose given for the start is not the one that the motion has there.
+    /// The initial pose given for the body is not that of the motion at t = 0.
     #[error(
-        "the {quantity} given differs by {difference:.2e} {unit} from that of the table at t = 0, {needed:?}: \
-         give that, or leave it out"
+        "the {quantity} given differs by {difference:.2e} {unit} from that of the table at t = 0, {needed:?}: give \
+         that {quantity}, or leave it out"
     )]
     Start {
         /// What differs: the position or the orientation.
@@ -92,13 +96,13 @@ pub enum MotionError {
     },
 }
 
-/// `value`, when it is of a size that products of can be formed.
+/// `value`, when its magnitude is at most [`LARGEST`].
 pub(super) fn number(quantity: &'static str, value: f64) -> Result<f64, MotionError> {
     // Written so that NaN is refused.
     if value.abs() <= LARGEST { Ok(value) } else { Err(MotionError::Number { quantity, value }) }
 }
 
-/// `vector`, when its components are such numbers.
+/// `vector`, when the magnitude of each component is at most [`LARGEST`].
 pub(super) fn vector(quantity: &'static str, vector: DVec3) -> Result<DVec3, MotionError> {
     for component in vector.to_array() {
         number(quantity, component)?;
@@ -106,7 +110,7 @@ pub(super) fn vector(quantity: &'static str, vector: DVec3) -> Result<DVec3, Mot
     Ok(vector)
 }
 
-/// Checks that speeds and accelerations are numbers that can be calculated with.
+/// Checks that speeds and accelerations are at most [`LARGEST`].
 pub(super) fn within_reach(bounds: &MotionBounds) -> Result<(), MotionError> {
     let quantities = [
         ("a speed in m/s", bounds.speed),

@@ -1,29 +1,29 @@
 //! Prescribed motion: the pose and velocity of a kinematic body as functions of time.
 //!
-//! No force changes such a motion: a shaker, a turntable, a pusher, a lift. Position is that of the body's own origin,
-//! which is also the point that it turns about; velocities and accelerations are those of that origin, in the world. With the
-//! initial pose `(R0, p0)` and time t in s from the start of the run:
+//! No force changes such a motion: examples are a shaker, a turntable, a pusher, a lift. Position, velocity and
+//! acceleration are those of the body's own origin, in the world; the body turns about that origin. With the initial
+//! pose `(R0, p0)` and the time t in s from the start of the run:
 //!
 //! | kind | pose at t |
 //! |---|---|
 //! | constant velocity v, w | `p = p0 + v t`, `R = exp(w t) R0`: w is constant in the world |
-//! | sine | `p = p0 + A s`, `R = exp(B s) R0` with `s = sin(2 pi f t + phase)`: the initial pose is the centre of the oscillation, and the pose at t = 0 is the one moved by `sin(phase)` |
-//! | table | samples joined by a curve whose velocity and acceleration are continuous ([`MotionTable`]); before the first and after the last sample the body stands still |
+//! | sine | `p = p0 + A s`, `R = exp(B s) R0` with `s = sin(2 pi f t + phase)`: the initial pose is the centre of the oscillation; the pose at t = 0 differs from it by `s = sin(phase)` |
+//! | table | a curve through samples, with continuous velocity and acceleration ([`MotionTable`]); before the first and after the last sample the body stands still |
 //!
-//! A constant velocity moves the body itself. A conveyor whose belt runs while its frame stands acts by friction alone:
-//! without friction a belt is a fixed body.
+//! A constant velocity moves the body itself. A conveyor belt, whose surface moves while its shape stays in place, acts
+//! on bodies by friction alone; without friction it is a fixed body.
 //!
 //! | module | holds |
 //! |---|---|
-//! | `displacement` | where a motion has moved a body to |
-//! | `error` | what numbers are accepted, and [`MotionError`] |
+//! | `displacement` | displacement by a motion, with its time derivatives |
+//! | `error` | limits of the numbers, and [`MotionError`] |
 //! | `polynomial` | polynomials of degree five, their bounds, and the clamped cubic spline |
 //! | `sine` | oscillation |
 //! | `table` | [`MotionTable`]: motion through samples |
-//! | `turning` | angular velocity and acceleration of rotations that are given by rotation vectors |
+//! | `turning` | angular velocity and acceleration of a rotation given by its rotation vector |
 //!
-//! **Limits.** No number, speed or acceleration may exceed [`LARGEST`]. Far from t = 0 the pose is as accurate as the
-//! time is a number: a time of 1e6 s is known to 1e-10 s.
+//! **Limits.** No number, speed or acceleration may exceed [`LARGEST`]. Far from t = 0 the rounding of the time limits
+//! the accuracy of the pose: a time of 1e6 s is rounded to 1e-10 s.
 
 mod displacement;
 mod error;
@@ -41,14 +41,15 @@ use sine::Sine;
 use std::sync::Arc;
 use table::Spline;
 
-/// How far a pose given for the start may be from that of a table at t = 0: in rad, and relative to the largest coordinate.
-/// The digits that a file may have lost.
+/// Largest difference between a given initial pose and that of a table at t = 0: in rad for the orientation, relative
+/// to the largest coordinate for the position. It allows for digits that a file has lost.
 const START_TOLERANCE: f64 = 1e-6;
 
-/// Factor that covers the rounding of a bound's own evaluation: a handful of operations, each good to 1.1e-16 relative.
+/// Factor that covers the rounding in the evaluation of a bound: a few operations, each with a relative error of
+/// 1.1e-16.
 const ROUNDING: f64 = 1.0 + 16.0 * f64::EPSILON;
 
-/// How a kinematic body moves, from its initial pose.
+/// A prescribed motion, relative to the initial pose of a kinematic body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PrescribedMotion(Kind);
 
@@ -60,7 +61,7 @@ enum Kind {
 }
 
 impl PrescribedMotion {
-    /// With this velocity of the body's own origin and this angular velocity, both constant in the world.
+    /// A motion with this velocity of the body's own origin and this angular velocity, both constant in the world.
     ///
     /// # Errors
     /// When a component is not finite or exceeds [`LARGEST`].
@@ -70,9 +71,9 @@ impl PrescribedMotion {
         Ok(Self(Kind::Constant(velocity)))
     }
 
-    /// An oscillation about the initial pose: with `s = sin(2 pi frequency_hz t + phase)` the body's own origin is moved by
-    /// `amplitude s` (m, world) and the body turned about it by the rotation vector `rotation s` (rad, world: axis times
-    /// largest angle).
+    /// An oscillation about the initial pose. With `s = sin(2 pi frequency_hz t + phase)` it displaces the body's own
+    /// origin by `amplitude s` (m, world) and turns the body about that origin by the rotation vector `rotation s`
+    /// (rad, world), where `rotation` is the axis times the largest angle.
     ///
     /// # Errors
     /// When a number is not finite, the frequency is not positive, or a number, the largest speed or the largest
@@ -81,23 +82,23 @@ impl PrescribedMotion {
         Sine::new(amplitude, rotation, frequency_hz, phase).map(|sine| Self(Kind::Sine(sine)))
     }
 
-    /// A motion through samples, which stands still before the first and after the last one.
+    /// A motion through samples. Before the first and after the last sample the body stands still.
     ///
     /// # Errors
-    /// When there are fewer than two samples, positions or orientations are not one for each time, both are absent, a
-    /// time is not above the one before, the body turns by more than [`LARGEST_TURN`] from one sample to the next, or a
+    /// When there are fewer than two samples, there is not one position or orientation for each time, both are absent,
+    /// the times do not increase, the body turns by more than [`LARGEST_TURN`] from one sample to the next, or a
     /// number, a speed or an acceleration is not finite or exceeds [`LARGEST`].
     pub fn table(table: &MotionTable) -> Result<Self, MotionError> {
         Spline::new(table).map(|spline| Self(Kind::Table(Arc::new(spline))))
     }
 
-    /// The motion of a body with this initial pose. What a table gives does not depend on it.
+    /// The motion of a body with this initial pose. Positions and orientations of a table do not depend on it.
     pub fn from_pose(&self, initial: &Pose) -> Trajectory {
         Trajectory { motion: self.clone(), initial: *initial }
     }
 
-    /// The first time strictly between `from` and `to` (s, in either order), on the way from one to the other, at which the
-    /// motion is not smooth: a sample of a table, where its third derivatives jump. The other motions are smooth.
+    /// The first time on the way from `from` to `to` (s, in either order), strictly between them, at which the motion
+    /// is not smooth: a sample of a table, where the third derivatives jump. The other motions are smooth.
     pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         match &self.0 {
             Kind::Constant(_) | Kind::Sine(_) => None,
@@ -105,7 +106,8 @@ impl PrescribedMotion {
         }
     }
 
-    /// The initial pose of a body for which `given` is asked: what a table gives comes from the table at t = 0.
+    /// The initial pose of a body that is given the pose `given`: positions and orientations of a table at t = 0
+    /// replace it.
     pub fn initial_pose(&self, given: &Pose) -> Pose {
         match &self.0 {
             Kind::Constant(_) | Kind::Sine(_) => *given,
@@ -113,7 +115,7 @@ impl PrescribedMotion {
         }
     }
 
-    /// Checks that a pose given for the start is the one that a table has there.
+    /// Checks that the initial pose given for a body is that of the table at t = 0.
     ///
     /// # Errors
     /// When it is not.
@@ -142,7 +144,7 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// The motion that it follows.
+    /// The prescribed motion.
     pub const fn motion(&self) -> &PrescribedMotion {
         &self.motion
     }
@@ -161,7 +163,7 @@ impl Trajectory {
         self.motion.corner_between(from, to)
     }
 
-    /// The initial pose moved.
+    /// The initial pose, displaced and then turned about its origin.
     fn moved(&self, translation: DVec3, rotation: Rotation) -> Pose {
         Pose::new(rotation * self.initial.rotation, self.initial.translation + translation)
     }

@@ -1,16 +1,18 @@
-//! Polynomials of degree five with vector coefficients, and bounds of their derivatives over an interval.
+//! Polynomials of degree five with vector coefficients, bounds of their derivatives over an interval, and the clamped
+//! cubic spline.
 //!
-//! About the middle m of an interval of half width r, `y = sum c_k s^k` with `|s| <= r`; then `|y'| <= sum k |c_k| r^(k-1)`
-//! and `|y''| <= sum k (k-1) |c_k| r^(k-2)`. The bounds shrink to the true values as the interval does.
+//! About the middle m of an interval of half width r, `y = sum c_k s^k` with `|s| <= r`; then
+//! `|y'| <= sum k |c_k| r^(k-1)` and `|y''| <= sum k (k-1) |c_k| r^(k-2)`. The bounds shrink to the true values as the
+//! interval does.
 
 use polhode_spatial::DVec3;
 
 /// Coefficients of a polynomial of degree five.
 const COEFFICIENTS: usize = 6;
 
-/// Rounding error of a coefficient about another place, relative to the sum of all coefficients: fifteen additions, of
-/// numbers that they make at most 2^5 times as large, and as much again for evaluating it; below 2^5 * 2^5 * 2^-53, taken
-/// with a margin of two.
+/// Bound on the rounding error of a coefficient after a shift of the argument, and of the evaluation, relative to the
+/// sum of all coefficients. The shift takes fifteen additions of numbers that grow by at most 2^5, the evaluation as
+/// many: the error is below 2^5 * 2^5 * 2^-53, taken with a margin of two.
 const ROUNDING: f64 = 1.0 / (1u64 << 42) as f64;
 
 /// `sum c_k x^k`, for x from 0 to 1.
@@ -37,7 +39,7 @@ pub(super) struct Rates {
 }
 
 impl Quintic {
-    /// From zero, with these derivatives, to `end`.
+    /// The polynomial with value zero and these derivatives at x = 0, and the value and derivatives `end` at x = 1.
     pub(super) fn between(first: DVec3, second: DVec3, end: &Jet) -> Self {
         let (y, u0, a0, u1, a1) = (end.value, first, second, end.first, end.second);
         Self([
@@ -70,7 +72,7 @@ impl Quintic {
         let sizes = c.map(DVec3::length);
         let first = (1..COEFFICIENTS).rev().fold(0.0, |sum, k| sum * radius + k as f64 * sizes[k]);
         let second = (2..COEFFICIENTS).rev().fold(0.0, |sum, k| sum * radius + (k * (k - 1)) as f64 * sizes[k]);
-        // Coefficients of y x y': what is parallel cancels in them.
+        // Coefficients of y x y', in which parallel parts cancel.
         let mut aside = [DVec3::ZERO; 2 * COEFFICIENTS - 2];
         for (i, a) in c.iter().enumerate() {
             for (k, b) in c.iter().enumerate().skip(1) {
@@ -81,7 +83,7 @@ impl Quintic {
         Rates { first: first + slack, second: second + slack, aside: aside + slack * path }
     }
 
-    /// Coefficients in powers of the distance from `m`.
+    /// Coefficients in powers of `x - m`.
     fn about(&self, m: f64) -> [DVec3; COEFFICIENTS] {
         let mut c = self.0;
         for low in 0..COEFFICIENTS - 1 {
@@ -94,12 +96,13 @@ impl Quintic {
     }
 }
 
-/// Rates of the clamped cubic spline through values whose differences are `steps`, and their rates: of each knot `(y', y'')`,
-/// with `y' = 0` at both ends, and `y''` set to zero there. `spacings` and `steps` are of one length, at least one.
+/// Rates of the clamped cubic spline through values whose differences are `steps`, and their rates: of each knot
+/// `(y', y'')`, with `y' = 0` at both ends, and `y''` set to zero there. `spacings` and `steps` are of one length, at
+/// least one.
 ///
 /// `l m_(k-1) + 2 m_k + (1 - l) m_(k+1) = 3 (l s_(k-1) + (1 - l) s_k)` with `l = h_k/(h_(k-1) + h_k)` and the slopes
-/// `s_k = step_k/h_k`; the matrix is dominated by its diagonal, and elimination needs no pivots. Source: docs/REFERENCES.md,
-/// de Boor 1978, chapter IV.
+/// `s_k = step_k/h_k`; the matrix is dominated by its diagonal, and elimination needs no pivots. Source:
+/// docs/REFERENCES.md, de Boor 1978, chapter IV.
 pub(super) fn knot_rates(spacings: &[f64], steps: &[DVec3]) -> Vec<(DVec3, DVec3)> {
     let slopes: Vec<DVec3> = spacings.iter().zip(steps).map(|(&h, &step)| step / h).collect();
     let count = slopes.len();

@@ -1,15 +1,15 @@
 //! Oscillation about the initial pose.
 //!
-//! With `s(t) = sin(2 pi f t + phase)` the body's origin is moved by `A s(t)` and the body turned by the rotation vector
-//! `B s(t)`, both in the world; `f` in Hz, `A` in m, `B` in rad.
+//! With `s(t) = sin(2 pi f t + phase)` the body's own origin is displaced by `A s(t)`, and the body is turned by the
+//! rotation vector `B s(t)`, both in the world; `f` in Hz, `A` in m, `B` in rad.
 
 use super::displacement::Displacement;
 use super::error::{MotionError, number, vector, within_reach};
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
 use std::f64::consts::TAU;
 
-/// Rounding of an argument of the sine and of a bound's evaluation, relative to the argument: a few operations, each good
-/// to 1.1e-16.
+/// Rounding error of the argument of the sine, and of the evaluation of a bound, relative to the argument: a few
+/// operations, each with a relative error of 1.1e-16.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// An oscillation.
@@ -34,7 +34,7 @@ impl Sine {
         Ok(sine)
     }
 
-    /// Bounds of all times.
+    /// Bounds over all times.
     fn peak(&self) -> MotionBounds {
         let (length, angle) = (self.amplitude.length(), self.rotation.length());
         MotionBounds {

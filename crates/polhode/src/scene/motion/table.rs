@@ -1,26 +1,27 @@
-//! Motion through samples.
+//! Motion through samples: a spline of positions and orientations.
 //!
-//! **Position.** Between two samples a polynomial of degree five with the positions, velocities and accelerations of its
-//! ends. Those of the inner samples are those of the clamped cubic spline (velocity zero at both ends), so that away from
-//! the ends the path is that spline; at the first and the last sample both are zero.
+//! **Position.** Between two samples the position is a polynomial of degree five, determined by position, velocity and
+//! acceleration at both ends. At inner samples velocity and acceleration are those of the clamped cubic spline
+//! (velocity zero at both ends), so that away from the ends the path is that spline. At the first and the last sample
+//! both are zero.
 //!
-//! **Orientation.** The same for rotation vectors: between samples k and k + 1 `R(t) = exp(theta(t)) R_k`, theta of degree
-//! five from zero to the rotation vector `phi_k` of `R_(k+1) R_k^-1`, with the angular velocity and acceleration of both ends
-//! ([`super::turning`]). Those come from the clamped cubic spline whose steps are
-//! `phi_k + h_k^2 (w_k x w_(k+1))/12`, the integral of the angular velocity but for terms of order h^5 (the commutator of
-//! Magnus' expansion), with w from a first spline through the `phi_k` themselves. About one axis this is the spline of
-//! the angle, over any number of turns. The interpolation does not depend on the frames of world and body.
+//! **Orientation.** The same for rotation vectors: between samples k and k + 1 `R(t) = exp(theta(t)) R_k`, theta of
+//! degree five from zero to the rotation vector `phi_k` of `R_(k+1) R_k^-1`, with the angular velocity and acceleration
+//! of both ends ([`super::turning`]). Those come from the clamped cubic spline whose steps are
+//! `phi_k + h_k^2 (w_k x w_(k+1))/12`, the integral of the angular velocity but for terms of order h^5 (the commutator
+//! of Magnus' expansion), with w from a first spline through the `phi_k` themselves. About one axis this is the spline
+//! of the angle, over any number of turns. The interpolation does not depend on the frames of world and body.
 //!
-//! Pose, velocity and acceleration are continuous at all times, before the first and after the last sample too, where
-//! the body stands still. At samples third derivatives jump. Against a smooth motion that starts and ends without velocity
-//! and acceleration the error of pose is of order h^4.
+//! Pose, velocity and acceleration are continuous at all times. Before the first and after the last sample the body
+//! stands still. At samples the third derivatives jump. For samples of a smooth motion that starts and ends with zero
+//! velocity and acceleration the error of the pose is of order h^4.
 //!
-//! **Limits.** From one sample to the next the body turns by less than half a turn: a table of quaternions cannot tell
-//! more, and one of rotation vectors must not change by more from sample to sample. Like every spline of its kind it
-//! overshoots where a short, fast stretch follows a long one.
+//! **Limits.** From one sample to the next the body may turn by less than half a turn: quaternions do not determine
+//! more, and rotation vectors must not change by more. Like every cubic spline it overshoots where samples that are
+//! close in time and far in position follow others that are not.
 //!
-//! Sources: docs/REFERENCES.md, de Boor 1978; Park and Ravani 1997 for splines of rotations in rotation vectors from sample
-//! to sample.
+//! Sources: docs/REFERENCES.md, de Boor 1978; Park and Ravani 1997 for splines of rotations in rotation vectors from
+//! sample to sample.
 
 use super::displacement::Displacement;
 use super::error::{LARGEST_TURN, MotionError, number, vector, within_reach};
@@ -28,12 +29,12 @@ use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
 
-/// SampledOrientations of a table.
+/// The orientations of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SampledOrientations {
     /// Rotations of the body's axes into the world's.
     Rotations(Vec<Rotation>),
-    /// The same as rotation vectors, rad. Where turns are counted they go on: half a turn, a turn, one and a half.
+    /// The same as rotation vectors, rad. Their lengths may exceed a turn, so that a table can count turns.
     RotationVectors(Vec<DVec3>),
 }
 
@@ -45,7 +46,7 @@ impl SampledOrientations {
         }
     }
 
-    /// The rotations, when none is too far from the one before.
+    /// The rotations, when no two successive ones differ by more than [`LARGEST_TURN`].
     fn checked(&self) -> Result<Vec<Rotation>, MotionError> {
         let too_far = |angles: &mut dyn Iterator<Item = f64>| {
             // Written so that NaN is refused.
@@ -73,15 +74,15 @@ impl SampledOrientations {
     }
 }
 
-/// Samples of a motion: where the body's own origin is and how the body is turned, in the world, at times that rise. What
-/// is absent stays as in the body's initial pose.
+/// Samples of a motion at increasing times: positions of the body's own origin and orientations, in the world. What is
+/// absent stays as in the body's initial pose.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionTable {
-    /// s; two or more, each above the one before.
+    /// Times, s; two or more, increasing.
     pub times_s: Vec<f64>,
-    /// m; one for each time.
+    /// Positions of the body's own origin, m; one for each time.
     pub positions_m: Option<Vec<DVec3>>,
-    /// One for each time.
+    /// Orientations; one for each time.
     pub orientations: Option<SampledOrientations>,
 }
 
@@ -92,7 +93,7 @@ struct Path {
     between: Vec<Quintic>,
 }
 
-/// SampledOrientations and the polynomials of the rotation vectors between them.
+/// Orientations and the polynomials of the rotation vectors between them.
 #[derive(Debug, Clone, PartialEq)]
 struct Turns {
     knots: Vec<Rotation>,
@@ -107,11 +108,11 @@ pub(super) struct Spline {
     turns: Option<Turns>,
 }
 
-/// Where among the samples a time lies.
+/// The place of a time among the samples.
 enum Place {
-    /// At a sample, standing.
+    /// Before the first or after the last sample: at this sample, standing still.
     Standing(usize),
-    /// This part of the way from a sample to the next.
+    /// Between this sample and the next one, after this fraction of the time between them.
     Between(usize, f64),
 }
 
@@ -156,7 +157,8 @@ impl Spline {
         self.times[k + 1] - self.times[k]
     }
 
-    /// Where the body is, absolutely, in what the table gives.
+    /// Position and orientation at `t` (s), not relative to the initial pose; zero and the identity where the table has
+    /// none.
     pub(super) fn at(&self, t: f64) -> Displacement {
         let mut at = Displacement::default();
         match self.place(t) {
@@ -199,11 +201,11 @@ impl Spline {
             let at = |t: f64| (t.clamp(start, end) - start) / (end - start);
             bounds = larger(&bounds, &self.bounds_between(k, at(from), at(to)));
         }
-        // Times that are none are bounded by nothing.
+        // There is no bound for a time that is not a number.
         if t0.is_nan() || t1.is_nan() { infinite() } else { bounds }
     }
 
-    /// Bounds over a part of the way from one sample to the next.
+    /// Bounds between sample `k` and the next one, from the fraction `x0` of the time between them to `x1`.
     fn bounds_between(&self, k: usize, x0: f64, x1: f64) -> MotionBounds {
         let h = self.spacing(k);
         let mut bounds = MotionBounds::default();
@@ -289,7 +291,7 @@ fn checked_times(times: &[f64]) -> Result<Vec<f64>, MotionError> {
 }
 
 fn larger(a: &MotionBounds, b: &MotionBounds) -> MotionBounds {
-    // The larger of a number and NaN would be the number; a bound that is none must not be lost.
+    // f64::max of a number and NaN is the number; a bound that is NaN must be kept.
     let most = |a: f64, b: f64| if a >= b { a } else { b };
     MotionBounds {
         speed: most(a.speed, b.speed),

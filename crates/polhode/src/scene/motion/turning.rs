@@ -1,27 +1,28 @@
-//! Rates of rotations that are given by rotation vectors.
+//! Angular velocity and acceleration of a rotation that is given by its rotation vector.
 //!
-//! Of `R(t) = exp(theta(t))` the angular velocity in the world is `w = J theta'`, with the left Jacobian
-//! `J u = u + f theta x u + g theta x (theta x u)`, `f = (1 - cos a)/a^2`, `g = (a - sin a)/a^3`, `a = |theta|`, and the
-//! angular acceleration `w' = J theta'' + J' theta'`. Source: docs/REFERENCES.md, Sola et al. 2018, appendix B.
+//! The rotation `R(t) = exp(theta(t))` has in the world the angular velocity `w = J theta'`, with the left Jacobian
+//! `J u = u + f theta x u + g theta x (theta x u)`, `f = (1 - cos a)/a^2`, `g = (a - sin a)/a^3`, `a = |theta|`, and
+//! the angular acceleration `w' = J theta'' + J' theta'`. Source: docs/REFERENCES.md, Sola et al. 2018, appendix B.
 //!
-//! `J` is the mean of the rotations `exp(s theta)`, s from 0 to 1, so `|J u| <= |u|`; and `|J' u| <= |u| |theta x u|/2` for
-//! `u = theta'`, from `J' u = integral of s (J(s theta) u) x (exp(s theta) u)`, both factors of which differ from u by at
-//! most `s |theta x u|/2` and `s |theta x u|`, so that the product is at most `3 s |u| |theta x u|/2`.
+//! `J` is the mean of the rotations `exp(s theta)`, s from 0 to 1, so `|J u| <= |u|`; and `|J' u| <= |u| |theta x u|/2`
+//! for `u = theta'`, from `J' u = integral of s (J(s theta) u) x (exp(s theta) u)`, both factors of which differ from u
+//! by at most `s |theta x u|/2` and `s |theta x u|`, so that the product is at most `3 s |u| |theta x u|/2`.
 
 use super::polynomial::Jet;
 use polhode_spatial::DVec3;
 
-/// Below this angle (rad) the functions are summed as power series; above it their closed forms cancel at most two digits.
+/// Below this angle (rad) the functions are summed as power series; above it their closed forms lose at most two digits
+/// by cancellation.
 const SERIES_ANGLE: f64 = 1.0;
 
 /// Terms of a series: the first one left out is below 1/22!.
 const TERMS: u32 = 10;
 
-/// Rounding of an angular velocity relative to the rate of its rotation vector: the closed forms lose two digits, and a
-/// few dozen operations are good to 1.1e-16 each.
+/// Rounding error of an angular velocity relative to the rate of its rotation vector: the closed forms lose two digits,
+/// and a few dozen operations have an error of 1.1e-16 each.
 pub(super) const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
-/// `f`, `g`, and their derivatives by the angle over the angle.
+/// `f` and `g`, and their derivatives by the angle, divided by the angle.
 struct Functions {
     f: f64,
     g: f64,
@@ -76,7 +77,8 @@ pub(super) fn rates(theta: &Jet) -> (DVec3, DVec3) {
     (velocity, acceleration)
 }
 
-/// The rotation vector `theta` (at most half a turn) with the derivatives that give this angular velocity and acceleration.
+/// The rotation vector `theta` (at most half a turn) with the derivatives that give this angular velocity and
+/// acceleration.
 pub(super) fn jet(theta: DVec3, velocity: DVec3, acceleration: DVec3) -> Jet {
     let angle = theta.length();
     let functions = Functions::at(angle);

@@ -1,35 +1,36 @@
-//! Which fields act on which bodies, so that what concerns a few bodies need not ask all fields.
+//! Which fields act on which bodies, so that a query about a few bodies does not evaluate all fields.
 
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Field, Wrench};
 use std::cell::RefCell;
 
-/// Buffers of all movable bodies, of which a query for a few touches those few: no part of the state.
+/// Buffers for the states and wrenches of all movable bodies; a query about a few bodies writes only their entries.
+/// They are no part of the state.
 #[derive(Debug, Default)]
 pub(crate) struct FieldBuffers(pub(crate) RefCell<(Vec<BodyState>, Vec<Wrench>)>);
 
 impl Clone for FieldBuffers {
-    /// New ones.
+    /// Empty buffers.
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
-/// The fields of a world by the bodies that they name.
+/// The fields by the bodies that they name. Bodies are given by their slots.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FieldIndex {
     /// For each movable body the fields that name it, ascending.
     named: Vec<Vec<usize>>,
     /// For each field the movable bodies that it names.
     names: Vec<Vec<usize>>,
-    /// Fields that name no bodies and must be asked of each.
+    /// Fields that do not name their bodies, so that each must be asked.
     unnamed: Vec<usize>,
-    /// For each movable body the couplings that it is in, ascending.
+    /// For each movable body its couplings, ascending.
     couplings: Vec<Vec<usize>>,
 }
 
 impl FieldIndex {
-    /// Of fields over this many movable bodies.
+    /// The index of these fields over `movable` bodies.
     pub(crate) fn new(fields: &[Box<dyn Field>], movable: usize) -> Self {
         let mut index =
             Self { named: vec![Vec::new(); movable], couplings: vec![Vec::new(); movable], ..Self::default() };
@@ -49,7 +50,7 @@ impl FieldIndex {
         index
     }
 
-    /// Takes note that coupling `number` is one of these movable bodies.
+    /// Enters a coupling of these movable bodies.
     pub(crate) fn couple(&mut self, number: usize, slots: &[usize]) {
         for &slot in slots {
             if let Some(couplings) = self.couplings.get_mut(slot) {
@@ -58,14 +59,14 @@ impl FieldIndex {
         }
     }
 
-    /// Whether a field acts on the movable body of this place.
+    /// Whether a field acts on the movable body of this slot.
     pub(crate) fn acts_on(&self, fields: &[Box<dyn Field>], slot: usize) -> bool {
         let named = self.named.get(slot).is_some_and(|named| !named.is_empty());
         named || self.unnamed.iter().any(|&number| fields[number].acts_on(slot))
     }
 
-    /// The fields that act on any of these movable bodies, ascending, and all bodies that these fields or the caller names;
-    /// nothing when a field names no bodies, so that all must be asked.
+    /// The fields that act on any of these movable bodies, ascending, and the slots of all bodies whose states those
+    /// fields read, with `slots` among them. Nothing when a field does not name its bodies.
     pub(crate) fn acting_on(&self, slots: &[usize]) -> Option<(Vec<usize>, Vec<usize>)> {
         if !self.unnamed.is_empty() {
             return None;
@@ -79,13 +80,13 @@ impl FieldIndex {
         Some((fields, read))
     }
 
-    /// Couplings of the movable body of this place.
+    /// Couplings of the movable body of this slot.
     pub(crate) fn couplings_of(&self, slot: usize) -> &[usize] {
         self.couplings.get(slot).map_or(&[], Vec::as_slice)
     }
 }
 
-/// Places of the movable bodies, of so many, that a field acts on, ascending.
+/// Slots of the bodies that a field acts on, ascending, among `movable` bodies.
 pub(crate) fn acted_on(field: &dyn Field, movable: usize) -> Vec<usize> {
     field.bodies().map_or_else(
         || (0..movable).filter(|&slot| field.acts_on(slot)).collect(),

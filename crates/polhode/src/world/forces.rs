@@ -1,0 +1,274 @@
+//! Forces on the bodies besides contact: the fields of the scene, and what a program applies.
+//!
+//! Fields act on the movable bodies in their order. A *slot* is the place of a body in that order
+//! ([`World::slot`]).
+
+use super::field_index::{FieldIndex, acted_on};
+use super::model::World;
+use crate::scene::SceneError;
+use crate::snapshot::SnapshotError;
+use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, FieldError, Frame, Wrench};
+use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
+use polhode_spatial::{DVec3, Pose};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+impl World {
+    /// Makes fields over the movable bodies from the forces of the scene and those that a program applies.
+    ///
+    /// # Errors
+    /// When a number of a force is out of range.
+    pub(super) fn make_fields(&mut self) -> Result<(), SceneError> {
+        let mut fields: Vec<Box<dyn Field>> = Vec::new();
+        self.driven.clear();
+        self.couplings.clear();
+        for (number, force) in self.scene.forces().iter().enumerate() {
+            let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
+            if force.changes_with_time() {
+                let slots = made.iter().flat_map(|field| acted_on(&**field, self.movable.len()));
+                self.driven.extend(slots.map(|slot| self.movable[slot]));
+            }
+            fields.extend(made);
+        }
+        for (&body, wrench) in &self.applied {
+            let force = self.scene.forces().len();
+            let made = applied_fields(self.slot(body), wrench);
+            fields.extend(made.map_err(|source| SceneError::Force { force, source })?);
+        }
+        self.driven.sort_unstable();
+        self.driven.dedup();
+        self.field_index = FieldIndex::new(&fields, self.movable.len());
+        for field in fields.iter().filter(|field| field.couples()) {
+            let together = acted_on(&**field, self.movable.len());
+            if together.len() > 1 {
+                self.field_index.couple(self.couplings.len(), &together);
+                self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
+            }
+        }
+        self.fields = Arc::from(fields);
+        self.is_loaded_at_all = self.free_motion().has_loads();
+        Ok(())
+    }
+
+    /// Sets the force (N) and torque (N m) that a program applies to a body, world, until it sets them again.
+    ///
+    /// # Errors
+    /// When they are not finite; nothing has changed then.
+    pub(crate) fn set_applied(&mut self, body: usize, wrench: Wrench) -> Result<(), SceneError> {
+        let before = self.applied.clone();
+        if wrench == Wrench::default() {
+            self.applied.remove(&body);
+        } else {
+            self.applied.insert(body, wrench);
+        }
+        let made = self.make_fields();
+        if made.is_err() {
+            self.applied = before;
+            self.make_fields()?;
+        }
+        made
+    }
+
+    /// The forces and torques (N, N m) that a program applies, by body, as plain numbers.
+    pub(crate) fn applied(&self) -> Vec<(usize, [[f64; 3]; 2])> {
+        let numbers = |(&body, wrench): (&usize, &Wrench)| (body, [wrench.force.to_array(), wrench.torque.to_array()]);
+        self.applied.iter().map(numbers).collect()
+    }
+
+    /// Replaces all forces and torques that a program applies.
+    ///
+    /// # Errors
+    /// When one is not finite or its body does not exist.
+    pub(crate) fn replace_applied(&mut self, applied: &[(usize, [[f64; 3]; 2])]) -> Result<(), SnapshotError> {
+        let refused =
+            SnapshotError::Invalid("a force applied by the program is not finite, or its body does not exist");
+        if applied.iter().any(|&(body, _)| body >= self.bodies.len()) {
+            return Err(refused);
+        }
+        let wrench = |[force, torque]: [[f64; 3]; 2]| Wrench { force: force.into(), torque: torque.into() };
+        self.applied = applied.iter().map(|&(body, numbers)| (body, wrench(numbers))).collect();
+        self.make_fields().map_err(|_| refused)
+    }
+
+    /// The motion of all movable bodies without contact.
+    pub(crate) fn free_motion(&self) -> FreeMotion<'_> {
+        FreeMotion::new(&self.rigid, self.gravity(), &self.fields)
+    }
+
+    /// The force fields, shared.
+    pub(crate) fn shared_fields(&self) -> Arc<[Box<dyn Field>]> {
+        Arc::clone(&self.fields)
+    }
+
+    /// Whether anything but uniform gravity on its centre of mass can act on a body between contacts: a field, gravity
+    /// about a pivot, or the constraint rows of a pivot.
+    pub(crate) fn is_loaded(&self, body: usize) -> bool {
+        let swings = FreeMotion::new(&self.rigid, self.gravity(), &[]);
+        self.is_held_by_rows(body)
+            || self
+                .slot(body)
+                .is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
+    }
+
+    /// Whether fields act on a body, but none exerts a torque.
+    pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
+        let motion = self.free_motion();
+        !self.is_held_by_rows(body)
+            && self.is_loaded(body)
+            && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
+    }
+
+    /// Number of the movable bodies of which [`World::is_loaded`] is true.
+    pub(crate) fn loaded_count(&self) -> usize {
+        self.movable.iter().filter(|&&body| self.is_loaded(body)).count()
+    }
+
+    /// Whether anything but uniform gravity acts on bodies between contacts.
+    pub(crate) fn has_loads(&self) -> bool {
+        self.has_rows() || self.free_motion().has_loads()
+    }
+
+    /// Wrenches of the fields and of gravity about pivots on all bodies.
+    pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
+        if !self.is_loaded_at_all {
+            return Loads::default();
+        }
+        let motion = self.free_motion();
+        let mut wrenches = vec![Wrench::default(); self.movable.len()];
+        motion.wrenches(t, &self.movable_states(states), &mut wrenches);
+        Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
+    }
+
+    /// As [`World::loads`], for these bodies alone. If every field names the bodies that it acts on, only the fields
+    /// that act on these bodies are evaluated.
+    pub(crate) fn loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let motion = self.free_motion();
+        let swing = |slot: usize, wrench: &mut Wrench| {
+            motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
+        };
+        self.field_wrenches_on(t, states, bodies, |_| true, swing).unwrap_or_else(|| self.loads(t, states))
+    }
+
+    /// Wrenches of the fields of one account on these bodies, torques about the centres of mass.
+    pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
+        let of_account = |field: &dyn Field| field.account() == account;
+        self.field_wrenches_on(t, states, bodies, of_account, |_, _| ()).unwrap_or_else(|| {
+            let mut wrenches = vec![Wrench::default(); self.movable.len()];
+            self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
+            Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
+        })
+    }
+
+    /// Wrenches of the `chosen` fields on these bodies, each completed by `finish` with its slot; nothing when a field
+    /// does not name its bodies.
+    fn field_wrenches_on(
+        &self,
+        t: f64,
+        states: &[BodyState],
+        bodies: &[usize],
+        chosen: impl Fn(&dyn Field) -> bool,
+        finish: impl Fn(usize, &mut Wrench),
+    ) -> Option<Loads> {
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
+        let (fields, read) = self.field_index.acting_on(&slots)?;
+        let (mut buffers, mut none) = (self.field_buffers.0.try_borrow_mut(), Default::default());
+        let (own, wrenches) = buffers.as_deref_mut().unwrap_or(&mut none);
+        own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
+        wrenches.resize(self.movable.len(), Wrench::default());
+        for slot in read {
+            own[slot] = states[self.movable[slot]];
+            wrenches[slot] = Wrench::default();
+        }
+        for field in fields.iter().map(|&number| &*self.fields[number]).filter(|field| chosen(*field)) {
+            field.add_wrenches(t, &self.rigid, own, wrenches);
+        }
+        let load = |slot: usize| {
+            let mut wrench = wrenches[slot];
+            finish(slot, &mut wrench);
+            (self.movable[slot], wrench)
+        };
+        Some(Loads::Of(slots.into_iter().map(load).collect()))
+    }
+
+    /// Whether a field couples the motion of a body to that of other bodies.
+    pub(crate) fn is_coupled(&self, body: usize) -> bool {
+        self.couplings_of(body).next().is_some()
+    }
+
+    /// The couplings of a body: for each field that couples it to others, all bodies of that field.
+    pub(crate) fn couplings_of(&self, body: usize) -> impl Iterator<Item = &Vec<usize>> {
+        let numbers = self.slot(body).map_or(&[][..], |slot| self.field_index.couplings_of(slot));
+        numbers.iter().map(|&number| &self.couplings[number])
+    }
+
+    /// The couplings of these bodies, each once.
+    pub(crate) fn couplings_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Vec<usize>> {
+        let slots = bodies.iter().filter_map(|&body| self.slot(body));
+        let numbers: BTreeSet<usize> = slots.flat_map(|slot| self.field_index.couplings_of(slot)).copied().collect();
+        numbers.into_iter().map(|number| &self.couplings[number])
+    }
+
+    /// Whether fields couple bodies in a scene with bodies that may collide.
+    pub(crate) fn any_coupled_may_collide(&self) -> bool {
+        self.collides && !self.couplings.is_empty()
+    }
+
+    /// Whether a force on the body changes with time even while all bodies rest.
+    pub(crate) fn is_driven(&self, body: usize) -> bool {
+        self.driven.binary_search(&body).is_ok()
+    }
+
+    /// Whether any force field acts.
+    pub(crate) fn has_fields(&self) -> bool {
+        !self.fields.is_empty()
+    }
+
+    /// Whether any force field's work belongs to this account.
+    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
+        self.fields.iter().any(|field| field.account() == account)
+    }
+
+    /// Acceleration of the origin of a body's moving frame by gravity, m/s^2: zero if that origin is a pivot.
+    pub(crate) fn free_acceleration(&self, body: usize) -> DVec3 {
+        let held = self.bodies[body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
+        if held { DVec3::ZERO } else { self.gravity() }
+    }
+}
+
+/// The fields of a force and a torque (world) on the movable body of this slot; no fields when there is no slot.
+fn applied_fields(slot: Option<usize>, wrench: &Wrench) -> Result<Vec<Box<dyn Field>>, FieldError> {
+    let Some(slot) = slot else { return Ok(Vec::new()) };
+    let force = AppliedForce::new(slot, wrench.force, Frame::World)?;
+    let torque = AppliedTorque::new(slot, wrench.torque, Frame::World)?;
+    let mut fields: Vec<Box<dyn Field>> = Vec::new();
+    if wrench.force != DVec3::ZERO {
+        fields.push(Box::new(force));
+    }
+    if wrench.torque != DVec3::ZERO {
+        fields.push(Box::new(torque));
+    }
+    Ok(fields)
+}
+
+/// Wrenches of the fields on all bodies at one instant; torques about the origins of the moving frames.
+#[derive(Debug, Clone, Default)]
+pub(crate) enum Loads {
+    /// No body has one.
+    #[default]
+    None,
+    /// By body, ascending; the others have none.
+    Of(Vec<(usize, Wrench)>),
+}
+
+impl Loads {
+    /// The wrench on one body.
+    pub(crate) fn of(&self, body: usize) -> Wrench {
+        match self {
+            Self::None => Wrench::default(),
+            Self::Of(loads) => {
+                let place = loads.binary_search_by_key(&body, |(loaded, _)| *loaded);
+                place.map_or_else(|_| Wrench::default(), |place| loads[place].1)
+            }
+        }
+    }
+}

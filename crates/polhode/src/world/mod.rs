@@ -1,0 +1,24 @@
+//! The scene as the engine sees it: bodies in their moving frames, and the forces on them.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `model` | `World`: all bodies and the scene they come from; bodies added and removed |
+//! | `body` | `WorldBody`: one body in its moving frame |
+//! | `forces` | force fields, and the forces that a program applies |
+//! | `field_index` | which fields act on which bodies |
+//! | `energy` | energies, and the centre of mass at the start |
+//! | `tolerances` | the distances that count as touch, overlap and rounding |
+//! | `reported` | bodies as samples and reports show them |
+
+mod body;
+mod energy;
+mod field_index;
+mod forces;
+mod model;
+mod reported;
+mod tolerances;
+
+pub(crate) use body::WorldBody;
+pub(crate) use forces::Loads;
+pub(crate) use model::World;
+pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};

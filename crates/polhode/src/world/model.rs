@@ -1,0 +1,211 @@
+//! The model that the engine computes with: all bodies of a scene, in their moving frames.
+//!
+//! The moving frame C of a body has the axes of the body. Its origin is the centre of mass (thesis 3.2: "we can offset
+//! all the values so that the origin is forced to coincide with the centre of mass"), or the pivot of a body whose
+//! motion is reduced to rotation about it (`pivots.rs`). Shapes are transformed into the moving frame once, here;
+//! `reported.rs` transforms results back.
+
+use super::body::WorldBody;
+use super::field_index::{FieldBuffers, FieldIndex};
+use crate::collision::narrow_phase::NarrowPhase;
+use crate::pivot_form::PivotRows;
+use crate::plane_of_motion::PlaneOfMotion;
+use crate::scene::{Body, MovingFrames, Scene, SceneError};
+use polhode_dynamics::field::{Field, Wrench};
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// All bodies of a scene, the scene, and what acts on the bodies.
+#[derive(Debug, Clone)]
+pub(crate) struct World {
+    pub(crate) scene: Scene,
+    pub(crate) bodies: Vec<WorldBody>,
+    /// Indices of the bodies that forces move, ascending; a *slot* is a place in this list.
+    pub(crate) movable: Vec<usize>,
+    /// Indices of the kinematic bodies, ascending.
+    pub(crate) prescribed: Vec<usize>,
+    /// Mass properties of the movable bodies, by slot.
+    pub(super) rigid: Arc<[RigidBody]>,
+    /// Bodies that constraint rows hold at their pivots, ascending.
+    pub(crate) held_by_rows: Vec<usize>,
+    /// For which pivoted bodies there are such rows.
+    pub(crate) pivot_rows: PivotRows,
+    /// Force fields over the movable bodies.
+    pub(super) fields: Arc<[Box<dyn Field>]>,
+    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
+    pub(super) is_loaded_at_all: bool,
+    /// Bodies with a force that changes with time even while they rest, ascending.
+    pub(crate) driven: Vec<usize>,
+    /// For each field that couples bodies (a spring, mutual gravity): the bodies that it couples.
+    pub(crate) couplings: Vec<Vec<usize>>,
+    pub(super) field_index: FieldIndex,
+    pub(super) field_buffers: FieldBuffers,
+    pub(crate) narrow_phase: NarrowPhase,
+    /// Whether any two bodies may collide.
+    pub(super) collides: bool,
+    /// Force and torque (N, N m, world) that a program applies, by body.
+    pub(super) applied: BTreeMap<usize, Wrench>,
+    /// Potential energy of the fields at the start, J.
+    pub(super) initial_field_potential: f64,
+    /// The plane of the motion, when the motion is planar.
+    pub(crate) plane: Option<PlaneOfMotion>,
+}
+
+impl World {
+    /// The model of a scene, and the states of its bodies at t = 0.
+    ///
+    /// # Errors
+    /// When a shape cannot be expressed in the moving frame of its body, or a force is not valid.
+    pub(crate) fn new(scene: &Scene, pivot_rows: PivotRows) -> Result<(Self, Vec<BodyState>), SceneError> {
+        let may_collide = |a: usize| (0..scene.bodies().len()).any(|b| scene.may_collide(a, b));
+        let bodies = scene.bodies().iter().enumerate().map(|(index, body)| {
+            let form = pivot_rows.form(body, || may_collide(index));
+            WorldBody::new(body, form, || may_collide(index))
+        });
+        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let held_by_rows = (0..bodies.len()).filter(|&body| bodies[body].held.is_some()).collect();
+        let states: Vec<_> =
+            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
+        let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
+        let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
+        let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
+        let mut world = Self {
+            scene: scene.clone(),
+            bodies,
+            movable,
+            prescribed,
+            rigid,
+            held_by_rows,
+            pivot_rows,
+            fields: Arc::from(Vec::new()),
+            is_loaded_at_all: false,
+            driven: Vec::new(),
+            couplings: Vec::new(),
+            field_index: FieldIndex::default(),
+            field_buffers: FieldBuffers::default(),
+            narrow_phase: NarrowPhase::default(),
+            collides: scene.any_may_collide(),
+            applied: BTreeMap::new(),
+            initial_field_potential: 0.0,
+            plane: None,
+        };
+        world.make_fields()?;
+        world.initial_field_potential = world.field_potential(&states);
+        Ok((world, states))
+    }
+
+    /// Recomputes what depends on the moving frames of the bodies.
+    ///
+    /// # Errors
+    /// When a force cannot be made into a field.
+    pub(crate) fn recompute_from_frames(&mut self) -> Result<(), SceneError> {
+        self.rigid = self.movable.iter().filter_map(|&body| self.bodies[body].rigid).collect();
+        self.make_fields()
+    }
+
+    /// Adds a body, which has passed the checks of a scene, at `t` (s). Returns its index and state.
+    ///
+    /// # Errors
+    /// When its shape cannot be expressed in its moving frame; nothing has changed then.
+    pub(crate) fn add_body(&mut self, body: Body, t: f64) -> Result<(usize, BodyState), SceneError> {
+        let number = self.bodies.len();
+        let form = self.pivot_rows.form(&body, || body.shape().is_some());
+        let added = WorldBody::new(&body, form, || true)?;
+        let state = added.state_at(&body, t);
+        if added.trajectory.is_some() {
+            self.prescribed.push(number);
+        }
+        if added.held.is_some() {
+            self.held_by_rows.push(number);
+        }
+        if let Some(rigid) = added.rigid {
+            self.movable.push(number);
+            self.rigid = self.rigid.iter().copied().chain([rigid]).collect();
+        }
+        self.bodies.push(added);
+        self.scene.bodies.push(body);
+        self.collides = self.scene.any_may_collide();
+        self.make_fields()?;
+        Ok((number, state))
+    }
+
+    /// Removes a body. Its index is not given to another body.
+    ///
+    /// # Errors
+    /// When the fields of the remaining bodies cannot be made.
+    pub(crate) fn remove_body(&mut self, body: usize) -> Result<(), SceneError> {
+        self.bodies[body].removed = true;
+        self.bodies[body].shape = None;
+        self.narrow_phase.forget(body);
+        self.bodies[body].trajectory = None;
+        self.bodies[body].held = None;
+        self.held_by_rows.retain(|&other| other != body);
+        self.prescribed.retain(|&other| other != body);
+        self.scene.bodies[body].geometry = None;
+        self.applied.remove(&body);
+        self.make_fields()
+    }
+
+    /// Mass properties of the movable bodies, shared.
+    pub(crate) fn shared_rigid(&self) -> Arc<[RigidBody]> {
+        Arc::clone(&self.rigid)
+    }
+
+    /// States of the movable bodies, by slot.
+    pub(crate) fn movable_states(&self, states: &[BodyState]) -> Vec<BodyState> {
+        self.movable.iter().map(|&body| states[body]).collect()
+    }
+
+    /// Whether any two bodies may collide.
+    pub(crate) fn may_collide_at_all(&self) -> bool {
+        self.collides
+    }
+
+    /// Whether the momentum ledger counts the momentum of a body. A fixed or kinematic body has none, and a body
+    /// reduced to rotation about its pivot passes its momentum on to the world.
+    pub(crate) fn carries_momentum(&self, body: usize) -> bool {
+        let body = &self.bodies[body];
+        !body.removed && body.rigid.as_ref().is_some_and(|rigid| !rigid.is_pivoted())
+    }
+
+    /// Slot of a body: its place among the movable ones.
+    pub(crate) fn slot(&self, body: usize) -> Option<usize> {
+        self.movable.binary_search(&body).ok()
+    }
+
+    /// Confines the motion to a plane, if one is given.
+    pub(crate) fn confine_to_plane(&mut self, plane: Option<PlaneOfMotion>, states: &mut [BodyState]) {
+        self.plane = plane;
+        for body in 0..states.len() {
+            self.keep_in_plane(body, &mut states[body]);
+        }
+    }
+
+    /// Removes from the state of a movable body what rounding has put outside the plane of a planar motion.
+    pub(crate) fn keep_in_plane(&self, body: usize, state: &mut BodyState) {
+        if let Some(plane) = self.plane.filter(|_| self.bodies[body].moves()) {
+            plane.project_state(state);
+        }
+    }
+
+    /// Acceleration of gravity, m/s^2.
+    pub(crate) fn gravity(&self) -> DVec3 {
+        self.scene.gravity()
+    }
+}
+
+impl MovingFrames for World {
+    fn movable(&self, body: usize) -> Option<usize> {
+        self.slot(body)
+    }
+
+    fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3 {
+        point - self.bodies[body].origin
+    }
+
+    fn in_world(&self, body: usize, point: DVec3) -> DVec3 {
+        self.scene.bodies()[body].initial_pose().transform_point(point)
+    }
+}

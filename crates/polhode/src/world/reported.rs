@@ -1,0 +1,54 @@
+//! Bodies as they are reported: poses of their own origins, velocities and accelerations of their centres of mass.
+
+use super::model::World;
+use crate::Acceleration;
+use crate::body_sample::BodySample;
+use crate::prescribed_state;
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_spatial::{DVec3, Pose, Velocity};
+
+impl World {
+    /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
+    /// body, which has none, that of its own origin.
+    pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
+        let body = &self.bodies[index];
+        let velocity = match (&body.rigid, &body.trajectory) {
+            (Some(rigid), _) => rigid.center_of_mass_velocity(state),
+            (None, Some(_)) => prescribed_state::velocity_of(state),
+            (None, None) => Velocity::ZERO,
+        };
+        BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
+    }
+
+    /// As [`World::sample`], of a movable body with its mass properties `rigid`.
+    pub(crate) fn sample_of(&self, index: usize, rigid: &RigidBody, state: &BodyState) -> BodySample {
+        let pose = state.pose * Pose::from_translation(-self.bodies[index].origin);
+        BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
+    }
+
+    /// A body's acceleration as it is reported: that of the centre of mass, computed from that of the origin of the
+    /// moving frame.
+    pub(crate) fn reported_acceleration(
+        &self,
+        body: usize,
+        state: &BodyState,
+        linear: DVec3,
+        angular: DVec3,
+    ) -> Acceleration {
+        let Some(rigid) = &self.bodies[body].rigid else { return Acceleration { linear, angular } };
+        let arm = state.pose.rotation.rotate(rigid.arm());
+        let w = rigid.angular_velocity(state);
+        Acceleration { linear: linear + angular.cross(arm) + w.cross(w.cross(arm)), angular }
+    }
+
+    /// The pose of a body's moving frame from that of its own origin.
+    pub(crate) fn moving_pose(&self, body: usize, pose: Pose) -> Pose {
+        pose * Pose::from_translation(self.bodies[body].origin)
+    }
+
+    /// Names of all bodies and their states as they are reported.
+    pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<(String, BodySample)> {
+        let named = self.bodies.iter().zip(states).enumerate();
+        named.map(|(index, (body, state))| (body.name.clone(), self.sample(index, state))).collect()
+    }
+}

@@ -1,0 +1,60 @@
+//! The distances that decide whether two bodies touch or overlap: each relative to the size of the pair, with an
+//! allowance for the rounding of their poses.
+
+use super::model::World;
+use polhode_dynamics::BodyState;
+
+/// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
+/// struck together (docs/NOTATION.md, "touch").
+pub(crate) const TOUCH_RELATIVE: f64 = 1e-11;
+
+/// Overlap at the start that counts as touch and is removed by a projection, relative to the size of the smaller body.
+pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;
+
+/// Displacement of a surface by the rounding of its pose, in units in the last place of the largest coordinate.
+const ROUNDING_ULPS: f64 = 8.0;
+
+/// Allowance for rounding in the penetration that a tier promises, in units in the last place of the largest
+/// coordinate.
+const PENETRATION_ULPS: f64 = 4.0;
+
+impl World {
+    /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
+    /// not count.
+    pub(crate) fn pair_size(&self, a: usize, b: usize) -> f64 {
+        let (size_a, size_b) = (self.bodies[a].size, self.bodies[b].size);
+        if size_a == 0.0 {
+            size_b
+        } else if size_b == 0.0 {
+            size_a
+        } else {
+            size_a.min(size_b)
+        }
+    }
+
+    /// Distance within which two bodies touch, m.
+    pub(crate) fn touch_distance(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        TOUCH_RELATIVE * self.pair_size(a, b) + self.rounding(states, a, b)
+    }
+
+    /// Largest displacement of two surfaces by the rounding of their poses, m.
+    pub(crate) fn rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        ROUNDING_ULPS * self.ulp(states, a, b)
+    }
+
+    /// Allowance for rounding in the penetration of a pair that a tier promises, m.
+    pub(crate) fn penetration_rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        PENETRATION_ULPS * self.ulp(states, a, b)
+    }
+
+    /// Unit in the last place of the largest coordinate of two bodies, m.
+    fn ulp(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
+        let coordinate = |i: usize| {
+            let body = &self.bodies[i];
+            // A half-space has no size. Its plane may be far from its origin, and only the other body's coordinates
+            // count.
+            if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
+        };
+        f64::EPSILON * coordinate(a).max(coordinate(b))
+    }
+}
