@@ -17,7 +17,7 @@
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
-//! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
+//! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
 //!
 //! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
@@ -47,8 +47,8 @@ pub mod narrow_phase;
 pub mod query;
 pub mod shape;
 
-pub use bounding::aabb::{Aabb, AabbError, aabb_of, swept_aabb};
-pub use bounding::{BoundingSphere, OrientedBox};
+pub use bounding::aabb::{Aabb, AabbError};
+pub use bounding::around_shape::{aabb_of, swept_aabb};
 pub use broad_phase::{BroadPhase, BroadPhaseError, BroadPhaseMethod, Bvh, UnknownBroadPhase};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis, TangentialKinematics};
 pub use feature::{ContactFeature, Side, SurfaceFeature};

@@ -5,7 +5,7 @@ use super::feature::{FeatureKind, QueryFeature};
 use super::pieces::{box_distance, offer_nearest};
 use super::signed_distance::signed_distance;
 use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -47,7 +47,7 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
     }
     let local = pose.inverse_transform_point(point);
     let mut best: Option<SurfacePoint> = None;
-    let here = Bounds { min: local, max: local };
+    let here = Aabb { min: local, max: local };
     offer_nearest(shape, &Pose::IDENTITY, f64::INFINITY, &|bounds| box_distance(bounds, &here), &mut |element| {
         let found = signed_distance(&element.core, local);
         let distance = found.distance - element.radius;

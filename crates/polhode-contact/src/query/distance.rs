@@ -11,7 +11,7 @@ use super::polytopes;
 use super::signed_distance::{signed, signed_distance};
 use super::sweep::{along_circle, along_segment};
 use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -92,10 +92,10 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
 }
 
 /// Lower bound of the distance of a shape from what is in a box of a frame, m.
-fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Bounds) -> f64 {
+fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Aabb) -> f64 {
     // A half-space has no box, and nothing can be left out that it may be deeper in.
     let around = match shape {
-        Shape::HalfSpace(_) => Bounds::ALL,
+        Shape::HalfSpace(_) => Aabb::UNBOUNDED,
         _ => shape.bounds_at(&frame.relative(pose)),
     };
     move |bounds| box_distance(bounds, &around)

@@ -3,7 +3,7 @@
 //! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
 
 use super::feature::{FeatureKind, QueryFeature};
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
 use crate::{Cone, Cylinder, HalfSpace, Torus};
@@ -50,9 +50,9 @@ impl<'a> Element<'a> {
     }
 
     /// A box around the element in a frame, m.
-    pub(crate) fn bounds_in(&self, frame: &Pose) -> Bounds {
+    pub(crate) fn bounds_in(&self, frame: &Pose) -> Aabb {
         let center = frame.inverse_transform_point(self.ball.0);
-        Bounds { min: center, max: center }.inflated(self.ball.1 + self.radius)
+        Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
     }
 
     /// Least distance that another element can have, m.

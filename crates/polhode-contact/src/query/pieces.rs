@@ -2,7 +2,7 @@
 
 use super::element::{Core, Element};
 use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::shape::TriangleMesh;
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -49,7 +49,7 @@ pub(crate) fn offer_nearest<'a>(
     shape: &'a Shape,
     pose: &Pose,
     start: f64,
-    bound: &impl Fn(&Bounds) -> f64,
+    bound: &impl Fn(&Aabb) -> f64,
     measure: &mut impl FnMut(&Element<'a>) -> f64,
 ) {
     match shape {
@@ -72,16 +72,16 @@ pub(crate) fn offer_nearest<'a>(
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Lower bound of the distance of a box from another, m.
-pub(crate) fn box_distance(bounds: &Bounds, other: &Bounds) -> f64 {
+pub(crate) fn box_distance(bounds: &Aabb, other: &Aabb) -> f64 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
     bounds.distance(other) * (1.0 - ROUNDING) - ROUNDING * largest
 }
 
 /// Where a ray enters a box, m, at the earliest; nothing for a miss.
-pub(crate) fn entered(bounds: &Bounds, origin: DVec3, direction: DVec3) -> Option<f64> {
+pub(crate) fn entered(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
     // What is in the box is met to the rounding of its distance from the origin.
     let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
-    let bounds = bounds.inflated(ROUNDING * farthest);
+    let bounds = bounds.widened(ROUNDING * farthest);
     let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);
     for axis in 0..3 {
         let (from, rate) = (origin[axis], direction[axis]);

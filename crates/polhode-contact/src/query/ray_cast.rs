@@ -13,7 +13,7 @@ use super::feature::{FeatureKind, QueryFeature};
 use super::pieces::{entered, offer_nearest};
 use super::quartic::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::across;
 use crate::shape::triangle::area_vector;
@@ -94,7 +94,7 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
         direction: pose.rotation.inverse_rotate(ray.direction),
     };
     let mut best: Option<(f64, Met, u32)> = None;
-    let bound = |bounds: &Bounds| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
+    let bound = |bounds: &Aabb| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
     // A box that the ray misses lies beyond every number.
     let reach = max_distance.min(f64::MAX);
     offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |element| {
