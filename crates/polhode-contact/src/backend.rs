@@ -97,3 +97,9 @@ impl AabbTree {
         self.tree.traverse_bvtt_single_tree::<false>(&mut self.workspace, visit);
     }
 }
+
+impl std::fmt::Debug for AabbTree {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("AabbTree").field("leaves", &self.leaves).finish_non_exhaustive()
+    }
+}
