@@ -1,6 +1,6 @@
 //! Euclidean distance of two shapes, with the closest points.
 
-use super::curved::{apart, by_expansion};
+use super::curved::{apart, overlapping};
 use super::element::{Core, Element};
 use super::error::QueryError;
 use super::feature::{FeatureKind, QueryFeature};
@@ -219,10 +219,10 @@ fn of_segment(segment: &Element<'_>, b: &Element<'_>) -> Found {
     let Core::Segment(ends) = segment.core else { return of_curved(segment, b) };
     let ends = ends.map(|e| segment.pose.transform_point(e));
     let (place, near) = along_segment(ends, &|p| signed(p, b));
-    if near.distance > 0.0 { of_point(place, b) } else { by_expansion(segment, b) }
+    if near.distance > 0.0 { of_point(place, b) } else { overlapping(segment, b) }
 }
 
 /// Two convex cores of which one is curved.
 fn of_curved(a: &Element<'_>, b: &Element<'_>) -> Found {
-    apart(a, b).unwrap_or_else(|| by_expansion(a, b))
+    apart(a, b).unwrap_or_else(|| overlapping(a, b))
 }

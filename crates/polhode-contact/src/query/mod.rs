@@ -16,7 +16,6 @@ pub mod closest_point;
 mod curved;
 pub mod distance;
 mod element;
-mod epa;
 mod error;
 mod feature;
 mod found;

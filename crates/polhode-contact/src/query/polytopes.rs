@@ -12,7 +12,7 @@ use super::found::{EQUAL_ULPS, Found};
 use super::nearest_pair::nearest_pair;
 use super::penetration::by_all_axes;
 use super::spanned_feature::spanned_feature;
-use crate::query::gjk::{Gjk, GjkStatus, gjk};
+use crate::query::gjk::{Gjk, gjk};
 use crate::query::simplex::{Difference, Simplex};
 use crate::shape::support::unit;
 use glam::DVec3;
@@ -27,7 +27,7 @@ const DIRECTION_ULPS: f64 = 2.0;
 pub(crate) fn distance(a: &Element<'_>, b: &Element<'_>) -> Found {
     let support = |direction: DVec3| (a.support(direction), b.support(-direction));
     let walk = gjk(&support, a.ball.0 - b.ball.0);
-    if walk.status == GjkStatus::Touching {
+    if walk.touching {
         return by_all_axes(a, b);
     }
     let extent = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
