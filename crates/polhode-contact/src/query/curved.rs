@@ -2,17 +2,14 @@
 //!
 //! Apart, GJK finds the nearest places. It stops when its bounds have met to rounding; its points and normal are then good to
 //! the square root of that. They are projected in closed form onto one body and the other in turn, which makes them good to
-//! rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase ([`between`]) has the depth: it goes
+//! rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase ([`best_axis`]) has the depth: it goes
 //! over all pairs of elements. The places are those that are nearest once A has been moved out along it.
 
-use super::element::{Core, Element};
+use super::element::Element;
 use super::found::{EQUAL_ULPS, Found};
+use super::penetration::best_axis;
 use super::signed_distance::{signed, signed_distance};
-use crate::narrow_phase::axis::gap::between;
 use crate::query::gjk::gjk;
-use crate::shape::topology::flat_triangle;
-use crate::shape::triangle::area_vector;
-use crate::{Capsule, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -86,23 +83,6 @@ pub(crate) fn overlapping(a: &Element<'_>, b: &Element<'_>) -> Found {
         (normal, least) = (between.normal, along);
     }
     around(a, b, -least, normal, middle)
-}
-
-/// The axis along which the narrow phase separates two cores best.
-fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
-    let shape = |core: &Core<'_>| match core {
-        Core::Polyhedron(polyhedron) => Some(Shape::Convex((*polyhedron).clone())),
-        Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
-        Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
-        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
-        Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
-        Core::Triangle(corners) => {
-            let normal = area_vector(*corners).try_normalize()?;
-            Some(Shape::Convex(flat_triangle(*corners, normal)))
-        }
-        _ => None,
-    };
-    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// Points around the middle of two places.

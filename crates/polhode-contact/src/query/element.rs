@@ -6,9 +6,12 @@ use super::feature::{FeatureKind, QueryFeature};
 use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
+use crate::shape::topology::flat_triangle;
+use crate::shape::triangle::area_vector;
 use crate::{Cone, Cylinder, HalfSpace, Torus};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use std::borrow::Cow;
 
 /// A core in its shape's frame.
 #[derive(Debug, Clone, Copy)]
@@ -89,6 +92,18 @@ impl Core<'_> {
             Self::Triangle(corners) => corners,
             Self::Polyhedron(p) => &p.vertices,
             Self::Cylinder(_) | Self::Cone(_) | Self::Circle(_) | Self::HalfSpace(_) => &[],
+        }
+    }
+
+    /// A polyhedron, or a triangle as one without thickness.
+    pub(crate) fn polyhedron(&self) -> Option<Cow<'_, ConvexPolyhedron>> {
+        match self {
+            Self::Polyhedron(polyhedron) => Some(Cow::Borrowed(polyhedron)),
+            Self::Triangle(corners) => {
+                let normal = area_vector(*corners).try_normalize()?;
+                Some(Cow::Owned(flat_triangle(*corners, normal)))
+            }
+            _ => None,
         }
     }
 

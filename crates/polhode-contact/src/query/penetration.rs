@@ -6,8 +6,10 @@ use super::found::Found;
 use super::spanned_feature::spanned_feature;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::axis::gap::between;
 use crate::query::gjk::gjk;
 use crate::shape::support::unit;
+use crate::{Capsule, Shape};
 use glam::DVec3;
 
 /// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
@@ -21,11 +23,11 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
             (normal, most) = (n, along);
         }
     };
-    if let (Core::Polyhedron(p), Core::Polyhedron(q)) = (a.core, b.core) {
+    if let (Some(p), Some(q)) = (a.core.polyhedron(), b.core.polyhedron()) {
         let x_ab = a.pose.relative(&b.pose);
         let mut search = AxisSearch::default();
-        search.place(q, &x_ab);
-        let axes = search.search(p, q, &x_ab, f64::INFINITY);
+        search.place(&q, &x_ab);
+        let axes = search.search(&p, &q, &x_ab, f64::INFINITY);
         offer(-a.pose.rotation.rotate(p.faces[axes.face_a.face as usize].normal));
         offer(b.pose.rotation.rotate(q.faces[axes.face_b.face as usize].normal));
         if let Some(edges) = axes.edges {
@@ -35,44 +37,22 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
             offer(across);
             offer(-across);
         }
-    } else {
-        for n in face_normals(a).into_iter().chain(face_normals(b)) {
-            offer(-n);
-            offer(n);
-        }
-        let edges_b = edge_vectors(b);
-        for along_a in edge_vectors(a) {
-            for along_b in &edges_b {
-                let across = unit(along_a.cross(*along_b));
-                if across != DVec3::ZERO {
-                    offer(across);
-                    offer(-across);
-                }
-            }
-        }
+    } else if let Some(axis) = best_axis(a, b) {
+        offer(axis);
     }
     touching_places(a, b, normal, most)
 }
 
-pub(super) fn face_normals(element: &Element<'_>) -> Vec<DVec3> {
-    match &element.core {
-        Core::Polyhedron(p) => p.faces.iter().map(|f| element.pose.rotation.rotate(f.normal)).collect(),
-        Core::Triangle([p, q, r]) => {
-            let normal = unit((*q - *p).cross(*r - *p));
-            if normal == DVec3::ZERO { Vec::new() } else { vec![element.pose.rotation.rotate(normal)] }
-        }
-        _ => Vec::new(),
-    }
-}
-
-fn edge_vectors(element: &Element<'_>) -> Vec<DVec3> {
-    let local: Vec<DVec3> = match &element.core {
-        Core::Polyhedron(p) => p.edges.iter().map(|e| e.direction).collect(),
-        Core::Triangle([p, q, r]) => vec![*q - *p, *r - *q, *p - *r],
-        Core::Segment([p, q]) => vec![*q - *p],
-        _ => Vec::new(),
+/// The axis along which the narrow phase separates two cores best, at least one of which is no polyhedron.
+pub(super) fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
+    let shape = |core: &Core<'_>| match core {
+        Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
+        Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
+        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
+        Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
+        core => Some(Shape::Convex(core.polyhedron()?.into_owned())),
     };
-    local.into_iter().map(|e| element.pose.rotation.rotate(e)).collect()
+    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest
