@@ -66,8 +66,8 @@ pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
 pub use narrow_phase::workspace::Workspace;
 pub use query::{
-    ClosestPoints, FeatureKind, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point,
-    contains, distance, overlap, ray_cast,
+    ClosestPoints, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point, contains, distance,
+    overlap, ray_cast,
 };
 pub use shape::approximate_decomposition::{
     ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,

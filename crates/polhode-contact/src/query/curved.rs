@@ -5,9 +5,9 @@
 //! rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase ([`best_axis`]) has the depth: it goes
 //! over all pairs of elements. The places are those that are nearest once A has been moved out along it.
 
-use super::element::Element;
 use super::found::{EQUAL_ULPS, Found};
 use super::penetration::best_axis;
+use super::piece::Piece;
 use super::signed_distance::{signed, signed_distance};
 use crate::query::gjk::gjk;
 use glam::DVec3;
@@ -23,7 +23,7 @@ const MOVES: usize = 8;
 const ROOM: f64 = 0.125;
 
 /// Distance of two cores that are apart; nothing when they overlap, or touch to rounding.
-pub(crate) fn apart(a: &Element<'_>, b: &Element<'_>) -> Option<Found> {
+pub(crate) fn apart(a: &Piece<'_>, b: &Piece<'_>) -> Option<Found> {
     let support = |direction: DVec3| (a.support(direction), b.support(-direction));
     let walk = gjk(&support, a.ball.0 - b.ball.0);
     if walk.touching {
@@ -46,15 +46,15 @@ pub(crate) fn apart(a: &Element<'_>, b: &Element<'_>) -> Option<Found> {
             normal: -to_a.normal,
             on_a,
             on_b,
-            kind_a: to_a.kind,
-            kind_b: signed_distance(&b.core, b.pose.inverse_transform_point(on_b)).kind,
+            feature_a: to_a.feature,
+            feature_b: signed_distance(&b.core, b.pose.inverse_transform_point(on_b)).feature,
         };
     }
     Some(best)
 }
 
 /// Depth of two cores that overlap.
-pub(crate) fn overlapping(a: &Element<'_>, b: &Element<'_>) -> Found {
+pub(crate) fn overlapping(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let depth = |normal: DVec3| normal.dot(b.support(normal) - a.support(-normal));
     // Two circles are searched along the first one, which may miss the best axis where the depth hardly depends on it.
     let axes = [best_axis(a, b), best_axis(b, a).map(|normal| -normal)];
@@ -66,7 +66,7 @@ pub(crate) fn overlapping(a: &Element<'_>, b: &Element<'_>) -> Found {
     let (room, rounding) = (ROOM * extent, EQUAL_ULPS * f64::EPSILON * extent);
     for _ in 0..MOVES {
         let out = normal * (least + room);
-        let moved = Element {
+        let moved = Piece {
             pose: Pose::new(a.pose.rotation, a.pose.translation + out),
             ball: (a.ball.0 + out, a.ball.1),
             ..*a
@@ -86,9 +86,9 @@ pub(crate) fn overlapping(a: &Element<'_>, b: &Element<'_>) -> Found {
 }
 
 /// Points around the middle of two places.
-fn around(a: &Element<'_>, b: &Element<'_>, distance: f64, normal: DVec3, middle: DVec3) -> Found {
+fn around(a: &Piece<'_>, b: &Piece<'_>, distance: f64, normal: DVec3, middle: DVec3) -> Found {
     let half = normal * (0.5 * distance);
     let (on_a, on_b) = (middle + half, middle - half);
-    let kind = |element: &Element<'_>, place: DVec3| signed(place, element).kind;
-    Found { distance, normal, on_a, on_b, kind_a: kind(a, on_a), kind_b: kind(b, on_b) }
+    let feature = |piece: &Piece<'_>, place: DVec3| signed(place, piece).feature;
+    Found { distance, normal, on_a, on_b, feature_a: feature(a, on_a), feature_b: feature(b, on_b) }
 }

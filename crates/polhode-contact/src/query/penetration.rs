@@ -1,9 +1,8 @@
 //! Depth of penetration of two convex polytopes, over all axes that may separate them, and where they touch once moved
 //! apart.
 
-use super::element::{Core, Element};
 use super::found::Found;
-use super::spanned_feature::spanned_feature;
+use super::piece::{Core, Piece};
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::axis::gap::between;
@@ -14,7 +13,7 @@ use glam::DVec3;
 
 /// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
 /// large ones a face of A is taken before one of B and before edges, lower indices first.
-pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
+pub(crate) fn by_all_axes(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let separation = |n: DVec3| n.dot(a.support(-n) - b.support(n));
     let (mut normal, mut most) = (DVec3::Z, f64::NEG_INFINITY);
     let mut offer = |n: DVec3| {
@@ -44,7 +43,7 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
 }
 
 /// The axis along which the narrow phase separates two cores best, at least one of which is no polyhedron.
-pub(super) fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
+pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
     let shape = |core: &Core<'_>| match core {
         Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
         Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
@@ -57,10 +56,10 @@ pub(super) fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
 
 /// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest
 /// into the other body, the nearest places of their hulls.
-fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f64) -> Found {
+fn touching_places(a: &Piece<'_>, b: &Piece<'_>, normal: DVec3, distance: f64) -> Found {
     let tolerance = place_tolerance(a.ball.1, b.ball.1, a.ball.0 - b.ball.0);
-    let extreme = |element: &Element<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
-        let placed: Vec<DVec3> = element.core.vertices().iter().map(|&v| element.pose.transform_point(v)).collect();
+    let extreme = |piece: &Piece<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
+        let placed: Vec<DVec3> = piece.core.vertices().iter().map(|&v| piece.pose.transform_point(v)).collect();
         let most = placed.iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
         let near = placed.into_iter().enumerate().filter(|(_, p)| p.dot(direction) >= most - tolerance);
         near.map(|(i, p)| (i as u32, p)).unzip()
@@ -80,7 +79,7 @@ fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f6
         normal,
         on_a: touch + normal * distance,
         on_b: touch,
-        kind_a: spanned_feature(a, &vertices_a),
-        kind_b: spanned_feature(b, &vertices_b),
+        feature_a: a.core.spanned(&vertices_a),
+        feature_b: b.core.spanned(&vertices_b),
     }
 }

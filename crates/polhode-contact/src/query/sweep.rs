@@ -5,7 +5,7 @@
 //! least places: the slope's sign is taken at [`STARTS`] equal steps, every change from falling to rising is bisected, and
 //! the least is taken. Two least places of one circle that are less than a step apart are told apart only by chance.
 
-use super::signed_distance::Signed;
+use crate::narrow_phase::feature::closest_feature::NearestFeature;
 use glam::DVec3;
 
 /// Steps of a circle.
@@ -18,7 +18,7 @@ const HALVINGS: usize = 60;
 const NARROW: f64 = f64::EPSILON;
 
 /// The place on a segment where a convex function is least.
-pub(crate) fn along_segment(ends: [DVec3; 2], distance: &dyn Fn(DVec3) -> Signed) -> (DVec3, Signed) {
+pub(crate) fn along_segment(ends: [DVec3; 2], distance: &dyn Fn(DVec3) -> NearestFeature) -> (DVec3, NearestFeature) {
     let along = ends[1] - ends[0];
     let at = |t: f64| if t < 0.5 { ends[0] + along * t } else { ends[1] - along * (1.0 - t) };
     let slope = |t: f64| distance(at(t)).normal.dot(along);
@@ -34,7 +34,12 @@ pub(crate) fn along_segment(ends: [DVec3; 2], distance: &dyn Fn(DVec3) -> Signed
 
 /// The place on a circle where a function is least; of equal ones that with the least angle from `x` towards `y`, the two
 /// radii given.
-pub(crate) fn along_circle(center: DVec3, x: DVec3, y: DVec3, distance: &dyn Fn(DVec3) -> Signed) -> (DVec3, Signed) {
+pub(crate) fn along_circle(
+    center: DVec3,
+    x: DVec3,
+    y: DVec3,
+    distance: &dyn Fn(DVec3) -> NearestFeature,
+) -> (DVec3, NearestFeature) {
     let step = std::f64::consts::TAU / STARTS as f64;
     let at = |angle: f64| center + x * libm::cos(angle) + y * libm::sin(angle);
     let slope = |angle: f64| distance(at(angle)).normal.dot(y * libm::cos(angle) - x * libm::sin(angle));
@@ -71,7 +76,7 @@ fn turn(mut low: f64, mut high: f64, slope: &dyn Fn(f64) -> f64) -> (f64, f64) {
     (low, high)
 }
 
-fn nearer(p: DVec3, q: DVec3, distance: &dyn Fn(DVec3) -> Signed) -> (DVec3, Signed) {
+fn nearer(p: DVec3, q: DVec3, distance: &dyn Fn(DVec3) -> NearestFeature) -> (DVec3, NearestFeature) {
     let (at_p, at_q) = (distance(p), distance(q));
     if at_p.distance <= at_q.distance { (p, at_p) } else { (q, at_q) }
 }

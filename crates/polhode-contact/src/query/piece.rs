@@ -2,13 +2,13 @@
 //!
 //! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
 
-use super::feature::{FeatureKind, QueryFeature};
+use super::feature::QueryFeature;
 use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
 use crate::shape::topology::flat_triangle;
 use crate::shape::triangle::area_vector;
-use crate::{Cone, Cylinder, HalfSpace, Torus};
+use crate::{Cone, Cylinder, HalfSpace, SurfaceFeature, Torus};
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::borrow::Cow;
@@ -28,22 +28,20 @@ pub(crate) enum Core<'a> {
 
 /// A core, its radius (m), its number within the shape, and a ball about the core (in the common frame).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Element<'a> {
+pub(crate) struct Piece<'a> {
     pub(crate) core: Core<'a>,
     pub(crate) radius: f64,
     pub(crate) part: u32,
     /// From the core's frame to the common frame of a query.
     pub(crate) pose: Pose,
     pub(crate) ball: (DVec3, f64),
-    /// A single point of a cloud is a vertex, the centre of a sphere is not.
-    pub(crate) point_is_vertex: bool,
 }
 
-impl<'a> Element<'a> {
+impl<'a> Piece<'a> {
     pub(crate) fn new(core: Core<'a>, radius: f64, part: u32, pose: Pose) -> Self {
         let (center, reach) = core.ball();
         let ball = (pose.transform_point(center), reach);
-        Self { core, radius, part, pose, ball, point_is_vertex: false }
+        Self { core, radius, part, pose, ball }
     }
 
     /// The point of the core that is farthest along a direction of the common frame.
@@ -52,20 +50,27 @@ impl<'a> Element<'a> {
         self.pose.transform_point(self.core.support(local))
     }
 
-    /// A box around the element in a frame, m.
+    /// A box around the piece in a frame, m.
     pub(crate) fn bounds_in(&self, frame: &Pose) -> Aabb {
         let center = frame.inverse_transform_point(self.ball.0);
         Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
     }
 
-    /// Least distance that another element can have, m.
+    /// Least distance that another piece can have, m.
     pub(crate) fn bound(&self, other: &Self) -> f64 {
         let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
         (self.ball.0 - other.ball.0).length() - reach
     }
 
-    pub(crate) fn feature(&self, kind: FeatureKind) -> QueryFeature {
-        QueryFeature { part: self.part, kind }
+    /// Whether it is a point of a cloud.
+    pub(crate) fn is_vertex(&self) -> bool {
+        self.radius == 0.0 && matches!(self.core, Core::Point(_))
+    }
+
+    /// A feature of the shape, from one of the core.
+    pub(crate) fn feature(&self, feature: SurfaceFeature) -> QueryFeature {
+        let surface = if self.is_vertex() { SurfaceFeature::Vertex(self.part) } else { feature };
+        QueryFeature { part: self.part, surface }
     }
 }
 
