@@ -11,7 +11,7 @@ use super::error::QueryError;
 use super::feature::QueryFeature;
 use super::piece::{Core, Piece};
 use super::pieces::{entered, offer_nearest};
-use super::quartic::{bisect, monotone_pieces};
+use super::roots::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
 use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
