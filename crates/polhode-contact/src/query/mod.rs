@@ -7,6 +7,10 @@
 //! | [`mod@ray_cast`] | [`Ray`], [`ray_cast()`]: where a ray meets a shape |
 //! | [`mod@overlap`] | [`overlap()`]: whether two shapes share a point |
 //! | [`scene`] | [`QueryScene`]: the same questions to many bodies, by a tree |
+//! | `piece`, `pieces` | the convex cores with a radius that a shape consists of, and those that may answer |
+//! | `signed_distance`, `sweep`, `lines` | a core from a point, from a segment or a circle, and two segments |
+//! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | two cores that are apart |
+//! | `penetration`, `spanned_feature` | two cores that overlap, along the axes of the narrow phase |
 //!
 //! All lengths are in metres, poses and results in the world. Distances are Euclidean: unlike
 //! [`separation`](crate::separation()), which looks along axes that may separate and is a lower bound where an edge or a

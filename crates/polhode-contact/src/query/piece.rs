@@ -1,6 +1,8 @@
 //! What distances are computed between: convex cores and circles, each blown up by a radius.
 //!
-//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
+//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one. Pieces are solid; the elements
+//! of the narrow phase (`narrow_phase/feature/element.rs`) are the parts of their surfaces, and what a query met is named by
+//! the same features.
 
 use super::feature::QueryFeature;
 use crate::bounding::aabb::Aabb;
@@ -124,11 +126,8 @@ impl Core<'_> {
             Self::Circle(t) => (t.center, t.major),
             Self::HalfSpace(_) => (DVec3::ZERO, f64::INFINITY),
             _ => {
-                let (low, high) = self
-                    .vertices()
-                    .iter()
-                    .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
-                let center = 0.5 * low + 0.5 * high;
+                let around = Aabb::of_points(self.vertices().iter().copied());
+                let center = 0.5 * around.min + 0.5 * around.max;
                 (center, self.vertices().iter().map(|p| p.distance(center)).fold(0.0, f64::max))
             }
         }
