@@ -7,7 +7,7 @@
 use super::feature::QueryFeature;
 use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
+use crate::shape::support::farthest;
 use crate::shape::topology::flat_triangle;
 use crate::shape::triangle::area_vector;
 use crate::{Cone, Cylinder, HalfSpace, SurfaceFeature, Torus};
@@ -84,9 +84,13 @@ impl Core<'_> {
             Self::Segment(ends) => farthest(ends, direction),
             Self::Triangle(corners) => farthest(corners, direction),
             Self::Polyhedron(p) => farthest(&p.vertices, direction),
-            Self::Cylinder(c) => of_cylinder(c, direction),
-            Self::Cone(c) => of_cone(c, direction),
-            Self::Circle(t) => of_circle(t.center, t.axis, t.major, direction),
+            Self::Cylinder(c) => farthest(&c.rims().map(|rim| rim.farthest(direction)), direction),
+            Self::Cone(c) => farthest(&[c.apex(), c.rim().farthest(direction)], direction),
+            Self::Circle(t) => {
+                let ring = t.ring();
+                let place = ring.farthest(direction);
+                if place == ring.center { ring.nearest(place) } else { place }
+            }
             Self::HalfSpace(h) => h.normal * h.offset,
         }
     }
