@@ -1,30 +1,12 @@
-//! The one module that names parry3d: convex hulls, the bounding-volume hierarchy and approximate decomposition.
+//! The one module that names parry3d: the bounding-volume hierarchy and approximate decomposition.
 
 use crate::Aabb;
 use glam::DVec3;
 use parry3d::bounding_volume::Aabb as ParryAabb;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
-use parry3d::transformation::try_convex_hull;
 use parry3d::transformation::vhacd::{VHACD, VHACDParameters};
 use parry3d::transformation::voxelization::FillMode;
-use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// Outward triangles of the convex hull, as indices of the given points; or the library's reason for failing.
-pub(crate) fn convex_hull(points: &[DVec3]) -> Result<Vec<[u32; 3]>, String> {
-    let (vertices, mut triangles) = try_convex_hull(points).map_err(|error| error.to_string())?;
-    // The library copies the points it keeps; equal bits lead back to their indices.
-    let key = |p: DVec3| p.to_array().map(f64::to_bits);
-    let mut index_of = BTreeMap::new();
-    for (index, &point) in points.iter().enumerate() {
-        index_of.entry(key(point)).or_insert(index as u32);
-    }
-    for vertex in triangles.iter_mut().flatten() {
-        let point = vertices.get(*vertex as usize).ok_or("a triangle names a vertex that does not exist")?;
-        *vertex = *index_of.get(&key(*point)).ok_or("a vertex is none of the points")?;
-    }
-    Ok(triangles)
-}
 
 /// What V-HACD is asked for.
 pub(crate) struct ClusterSettings {
@@ -95,5 +77,11 @@ impl AabbTree {
     /// Calls `visit` with the leaves of every two boxes that overlap, in no stated order.
     pub(crate) fn overlaps(&mut self, visit: &mut impl FnMut(u32, u32)) {
         self.tree.traverse_bvtt_single_tree::<false>(&mut self.workspace, visit);
+    }
+}
+
+impl std::fmt::Debug for AabbTree {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("AabbTree").field("leaves", &self.leaves).finish_non_exhaustive()
     }
 }

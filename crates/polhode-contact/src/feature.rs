@@ -27,7 +27,7 @@ impl Side {
     }
 }
 
-/// A part of a surface, as one side of a contact.
+/// A part of a surface: one side of a contact, or what a query met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SurfaceFeature {
     /// A face of a polyhedron, a disc, a side of a patch of a mesh, or face 0 of a half-space.
@@ -36,7 +36,7 @@ pub enum SurfaceFeature {
     Edge(u32),
     /// A vertex of a polyhedron or a mesh, a cone's apex, a stated point of a rim.
     Vertex(u32),
-    /// A sphere, against a point of a cloud.
+    /// A sphere; in a contact with a point of a cloud.
     Sphere,
     /// The half-ball at an end of a capsule.
     Cap(u32),

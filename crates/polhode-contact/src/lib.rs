@@ -17,7 +17,7 @@
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
-//! | [`bounding`] | [`Aabb`], [`swept_aabb`], [`BoundingSphere`], [`OrientedBox`]: bounds of still and moving shapes |
+//! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
 //!
 //! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
@@ -72,8 +72,8 @@ pub mod narrow_phase;
 pub mod query;
 pub mod shape;
 
-pub use bounding::aabb::{Aabb, AabbError, aabb_of, swept_aabb};
-pub use bounding::{BoundingSphere, OrientedBox};
+pub use bounding::aabb::{Aabb, AabbError};
+pub use bounding::around_shape::{aabb_of, swept_aabb};
 pub use broad_phase::{BroadPhase, BroadPhaseError, BroadPhaseMethod, Bvh, UnknownBroadPhase};
 pub use contact::{Contact, ContactGeometry, ContactKinematics, Manifold, SeparatingAxis, TangentialKinematics};
 pub use feature::{ContactFeature, Side, SurfaceFeature};
@@ -91,8 +91,8 @@ pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
 pub use narrow_phase::workspace::Workspace;
 pub use query::{
-    ClosestPoints, FeatureKind, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point,
-    contains, distance, overlap, ray_cast,
+    ClosestPoints, QueryError, QueryFeature, QueryScene, Ray, RayHit, SurfacePoint, closest_point, contains, distance,
+    overlap, ray_cast,
 };
 pub use shape::approximate_decomposition::{
     ApproximateDecomposition, ApproximateError, ApproximateSettings, approximate_decomposition,

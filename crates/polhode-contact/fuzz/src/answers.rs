@@ -6,7 +6,7 @@ use crate::screw::Screw;
 use crate::{LARGE, Numbers, ROUNDING};
 use polhode_contact::clearance::joint_size;
 use polhode_contact::{
-    ContactFeature, ImpactSearch, Manifold, OrientedBox, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate,
+    ContactFeature, ImpactSearch, Manifold, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate,
     find_impact, manifold, ray_cast, separation,
 };
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
@@ -57,11 +57,20 @@ fn is_sliver(shape: &Shape) -> bool {
         return false;
     }
     let parts = if let Shape::Compound(compound) = shape { compound.parts() } else { &[] };
-    let sides = OrientedBox::of(shape).map(|around| {
-        let corners = around.corners();
-        [1, 2, 4].map(|k| corners[0].distance(corners[k]))
-    });
-    sides.is_some_and(|[x, y, z]| x.min(y).min(z) < SLIVER * x.max(y).max(z)) || parts.iter().any(is_sliver)
+    let width = match shape {
+        Shape::Convex(polyhedron) => {
+            let height = |normal: DVec3, offset: f64| {
+                polyhedron.vertices().iter().map(|&v| offset - normal.dot(v)).fold(0.0, f64::max)
+            };
+            polyhedron.faces().map(|face| height(face.normal, face.offset)).fold(f64::INFINITY, f64::min)
+        }
+        Shape::Capsule(capsule) => 2.0 * capsule.radius(),
+        Shape::Cylinder(cylinder) => cylinder.height().min(2.0 * cylinder.radius()),
+        Shape::Cone(cone) => cone.height().min(2.0 * cone.radius()),
+        Shape::Torus(torus) => 2.0 * torus.minor(),
+        _ => f64::INFINITY,
+    };
+    width < SLIVER * shape.size() || parts.iter().any(is_sliver)
 }
 
 /// Thinner than this part of their length, shapes are left out.

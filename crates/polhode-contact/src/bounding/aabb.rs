@@ -1,129 +1,109 @@
-//! Axis-aligned bounding boxes of still and moving shapes.
+//! A box along the world's axes.
 
-use super::axis_aligned_box::ROUNDING_ULPS;
-use super::extent::extents;
-use crate::Shape;
-use crate::shape::extent::turned;
-use glam::{DMat3, DVec3};
-use polhode_spatial::{Motion, Pose, Rotation};
-use std::cell::OnceCell;
+use glam::DVec3;
+use thiserror::Error;
 
-pub use super::axis_aligned_box::{Aabb, AabbError};
+/// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
+pub(crate) const ROUNDING_ULPS: f64 = 16.0;
 
-/// A box that contains the shape at a pose. A half-space is unbounded.
-///
-/// # Errors
-/// When the pose is not finite.
-pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
-    if let Shape::HalfSpace(_) = shape {
-        return if pose.is_finite() {
-            Ok(Aabb::UNBOUNDED)
-        } else {
-            Aabb::new(pose.translation * f64::NAN, pose.translation)
-        };
-    }
-    let (low, high) = extents(shape, &axes_seen(pose.rotation));
-    let place = pose.translation;
-    let rounding = ROUNDING_ULPS * f64::EPSILON * (low.abs().max(high.abs()).max_element() + place.abs());
-    Aabb::new(place + low - rounding, place + high + rounding)
+/// Why two corners make no box.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum AabbError {
+    /// A coordinate is NaN or a lower bound exceeds its upper bound.
+    #[error("bounds {min} to {max}: every lower bound must be a number that does not exceed its upper bound")]
+    Invalid {
+        /// Lower bounds, m.
+        min: DVec3,
+        /// Upper bounds, m.
+        max: DVec3,
+    },
+    /// The interval of time is reversed or not finite.
+    #[error("the interval of time {t0} s to {t1} s must be finite and in order")]
+    Interval {
+        /// Start, s.
+        t0: f64,
+        /// End, s.
+        t1: f64,
+    },
 }
 
-/// A box that contains the shape at every time of `[t0, t1]` (s).
-///
-/// The centre of mass stays within `a T^2/8` of the chord between its two ends (a the bound of its acceleration, T the
-/// duration) and within `v T` of its start; a point at distance `r` from it strays from its place at the middle of the
-/// interval by at most `r min(w T/2, 2)`. A half-space is unbounded.
-///
-/// # Errors
-/// When the interval is not finite or reversed, or the motion is not finite.
-pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Result<Aabb, AabbError> {
-    Sweep::new(motion, t0, t1)?.of(shape)
+/// A box along the world's axes. Bounds may be infinite (a half-space), never NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    pub(crate) min: DVec3,
+    pub(crate) max: DVec3,
 }
 
-/// A motion over an interval as boxes need it: the same for all parts of a body.
-pub(crate) struct Sweep<'a> {
-    motion: &'a dyn Motion,
-    /// Where the centre of mass may be.
-    low: DVec3,
-    high: DVec3,
-    /// Half of the angle that the body may turn by, at most so much that any point may be anywhere (rad).
-    turn: f64,
-    /// Middle of the interval, s.
-    middle: f64,
-    /// Rotation there, once a part has asked for it: the box of a ball does not.
-    rotation: OnceCell<(Rotation, DMat3)>,
-}
+impl Aabb {
+    /// All of space.
+    pub const UNBOUNDED: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
 
-impl<'a> Sweep<'a> {
-    /// # Errors
-    /// When the interval is not finite or reversed.
-    pub(crate) fn new(motion: &'a dyn Motion, t0: f64, t1: f64) -> Result<Self, AabbError> {
-        if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
-            return Err(AabbError::Interval { t0, t1 });
-        }
-        let duration = t1 - t0;
-        let bounds = motion.bounds(t0, t1);
-        let (start, end) = (motion.position(t0), motion.position(t1));
-        let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
-        let reach = DVec3::splat(bounds.speed * duration);
-        let (low, high) = (start.min(end) - sag, start.max(end) + sag);
-        let (low, high) = (low.max(start - reach), high.min(start + reach));
-        let turn = (0.5 * bounds.angular_speed * duration).min(2.0);
-        Ok(Self { motion, low, high, turn, middle: t0 + 0.5 * duration, rotation: OnceCell::new() })
-    }
+    /// Contains nothing: where the box around several things starts from.
+    pub(crate) const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
-    /// The rotation at the middle of the interval, and the world's axes seen from there.
-    fn rotation(&self) -> &(Rotation, DMat3) {
-        self.rotation.get_or_init(|| {
-            let rotation = self.motion.pose(self.middle).rotation;
-            (rotation, axes_seen(rotation))
-        })
-    }
-
-    /// A box that contains a shape throughout.
+    /// From its lower and upper bounds, m.
     ///
     /// # Errors
-    /// When the motion is not finite.
-    pub(crate) fn of(&self, shape: &Shape) -> Result<Aabb, AabbError> {
-        if let Shape::HalfSpace(_) = shape {
-            return Ok(Aabb::UNBOUNDED);
-        }
-        if let Shape::Compound(compound) = shape {
-            let mut boxes = compound.parts().iter().map(|part| self.of(part));
-            let Some(first) = boxes.next() else { return Ok(Aabb::UNBOUNDED) };
-            return boxes.try_fold(first?, |whole, part| Ok(whole.merged(&part?)));
-        }
-        let (low, high) = (self.low, self.high);
-        let (spread_low, spread_high) = self.turning_extent(shape);
-        let largest = low.abs().max(high.abs()) + spread_high.abs().max(spread_low.abs());
-        let rounding = ROUNDING_ULPS * f64::EPSILON * largest;
-        Aabb::new(low + spread_low - rounding, high + spread_high + rounding)
+    /// When a bound is NaN or the bounds are reversed.
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self, AabbError> {
+        if min.cmple(max).all() { Ok(Self { min, max }) } else { Err(AabbError::Invalid { min, max }) }
     }
 
-    /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
-    fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
-        // A ball about the centre of mass is the same however it turns.
-        if let Shape::Sphere(sphere) = shape
-            && sphere.center == DVec3::ZERO
-        {
-            return (DVec3::splat(-sphere.radius), DVec3::splat(sphere.radius));
-        }
-        let radius = shape.radius();
-        let ball = DVec3::splat(radius);
-        let stray = DVec3::splat(radius * self.turn);
-        let (rotation, axes) = self.rotation();
-        if let Shape::TriangleMesh(mesh) = shape {
-            // The corners of the box around it stand in for many vertices.
-            let around = turned(mesh.bounds(), &Pose { rotation: *rotation, translation: DVec3::ZERO });
-            return (around.min - stray, around.max + stray);
-        }
-        let (low, high) = extents(shape, axes);
-        ((low - stray).max(-ball), (high + stray).min(ball))
+    /// The smallest box that contains all points (m); [`Self::EMPTY`] when there are none.
+    pub(crate) fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
-}
 
-/// The world's axes in the frame of a body at this rotation.
-fn axes_seen(rotation: Rotation) -> DMat3 {
-    let [x, y, z] = DVec3::AXES.map(|axis| rotation.inverse_rotate(axis));
-    DMat3::from_cols(x, y, z)
+    /// Lower bounds, m.
+    pub const fn min(&self) -> DVec3 {
+        self.min
+    }
+
+    /// Upper bounds, m.
+    pub const fn max(&self) -> DVec3 {
+        self.max
+    }
+
+    /// Whether the boxes share a point; touching counts.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Whether all of the other box is in this one; touching borders count.
+    pub fn encloses(&self, other: &Self) -> bool {
+        self.min.cmple(other.min).all() && other.max.cmple(self.max).all()
+    }
+
+    /// Whether the point (m) is in the box.
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.min.cmple(point).all() && point.cmple(self.max).all()
+    }
+
+    /// The smallest box that contains both.
+    pub fn merged(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether every bound is finite.
+    pub fn is_finite(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The box blown up by a distance on every side, m.
+    ///
+    /// # Errors
+    /// When the distance is NaN, or so negative that nothing is left.
+    pub fn inflated(&self, by: f64) -> Result<Self, AabbError> {
+        Self::new(self.min - by, self.max + by)
+    }
+
+    /// The same for a distance that is not negative, which needs no check.
+    pub(crate) fn widened(&self, by: f64) -> Self {
+        Self { min: self.min - by, max: self.max + by }
+    }
+
+    /// Distance of two boxes, m; zero when they share a point.
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
+        (other.min - self.max).max(self.min - other.max).max(DVec3::ZERO).length()
+    }
 }

@@ -3,55 +3,14 @@
 //! Boxes are halved by number at the median of their centres along the longest side, ties by index, so that any input,
 //! also coincident boxes, gives a balanced tree and the same one on every machine.
 
-use glam::DVec3;
+use super::aabb::Aabb;
 
 /// Boxes in a leaf.
 const LEAF: usize = 4;
 
-/// Lower and upper bounds, m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) min: DVec3,
-    pub(crate) max: DVec3,
-}
-
-impl Bounds {
-    /// Contains nothing.
-    pub(crate) const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
-
-    /// All of space.
-    pub(crate) const ALL: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
-
-    pub(crate) fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
-    }
-
-    pub(crate) fn union(self, other: Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
-    }
-
-    pub(crate) fn inflated(self, by: f64) -> Self {
-        Self { min: self.min - by, max: self.max + by }
-    }
-
-    pub(crate) fn overlaps(&self, other: &Self) -> bool {
-        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
-    }
-
-    /// Whether every bound is finite.
-    pub(crate) fn is_finite(&self) -> bool {
-        self.min.is_finite() && self.max.is_finite()
-    }
-
-    /// Distance of two boxes, m; zero when they share a point.
-    pub(crate) fn distance(&self, other: &Self) -> f64 {
-        (other.min - self.max).max(self.min - other.max).max(DVec3::ZERO).length()
-    }
-}
-
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Node {
-    bounds: Bounds,
+    bounds: Aabb,
     /// First of its items for a leaf, the second child otherwise (the first child follows the node).
     link: u32,
     /// Number of items, zero for an inner node.
@@ -66,7 +25,7 @@ pub(crate) struct BoxTree {
 }
 
 impl BoxTree {
-    pub(crate) fn new(boxes: &[Bounds]) -> Self {
+    pub(crate) fn new(boxes: &[Aabb]) -> Self {
         let mut tree = Self::default();
         let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
         if !items.is_empty() {
@@ -76,8 +35,8 @@ impl BoxTree {
         tree
     }
 
-    fn grow(&mut self, boxes: &[Bounds], items: &mut [u32], first: u32) {
-        let bounds = items.iter().fold(Bounds::EMPTY, |b, &i| b.union(boxes[i as usize]));
+    fn grow(&mut self, boxes: &[Aabb], items: &mut [u32], first: u32) {
+        let bounds = items.iter().fold(Aabb::EMPTY, |b, &i| b.merged(&boxes[i as usize]));
         let index = self.nodes.len();
         self.nodes.push(Node { bounds, link: first, count: items.len() as u32 });
         if items.len() <= LEAF {
@@ -97,23 +56,23 @@ impl BoxTree {
     }
 
     /// The box around all; empty when there are none.
-    pub(crate) fn bounds(&self) -> Bounds {
-        self.nodes.first().map_or(Bounds::EMPTY, |node| node.bounds)
+    pub(crate) fn bounds(&self) -> Aabb {
+        self.nodes.first().map_or(Aabb::EMPTY, |node| node.bounds)
     }
 
     /// Calls `visit` with the items of every leaf that meets a box, in no stated order; some of them may not.
-    pub(crate) fn overlaps(&self, with: &Bounds, visit: &mut impl FnMut(u32)) {
+    pub(crate) fn overlaps(&self, with: &Aabb, visit: &mut impl FnMut(u32)) {
         self.passing(&|bounds| bounds.overlaps(with), visit);
     }
 
     /// Calls `visit` with the items of every leaf whose box passes, as those of all nodes above it do; boxes within one
     /// that does not pass must not pass either.
-    pub(crate) fn passing(&self, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(u32)) {
+    pub(crate) fn passing(&self, passes: &impl Fn(&Aabb) -> bool, visit: &mut impl FnMut(u32)) {
         // The depth is that of halving, at most 32.
         self.descend(0, passes, visit);
     }
 
-    fn descend(&self, at: usize, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(u32)) {
+    fn descend(&self, at: usize, passes: &impl Fn(&Aabb) -> bool, visit: &mut impl FnMut(u32)) {
         let Some(node) = self.nodes.get(at) else { return };
         if !passes(&node.bounds) {
             return;
@@ -132,7 +91,7 @@ impl BoxTree {
         &self,
         start: f64,
         floor: f64,
-        bound: &impl Fn(&Bounds) -> f64,
+        bound: &impl Fn(&Aabb) -> f64,
         measure: &mut impl FnMut(u32, f64) -> f64,
     ) -> f64 {
         match self.nodes.first() {
@@ -147,7 +106,7 @@ impl BoxTree {
         near: f64,
         mut best: f64,
         floor: f64,
-        bound: &impl Fn(&Bounds) -> f64,
+        bound: &impl Fn(&Aabb) -> f64,
         measure: &mut impl FnMut(u32, f64) -> f64,
     ) -> f64 {
         let Some(node) = self.nodes.get(at) else { return best };

@@ -7,7 +7,7 @@
 
 use super::candidates::Candidates;
 use super::far_boxes::{self, FarBoxes};
-use super::pair_collector::PairCollector;
+use super::pair_collector::{PairCollector, PairSearch, Sorted};
 use super::{AllPairs, BroadPhase, BroadPhaseError, begin};
 use crate::Aabb;
 use crate::backend::AabbTree;
@@ -17,27 +17,17 @@ const FEW: usize = 32;
 
 /// A bounding-volume hierarchy. The pairs depend on the boxes alone, not on the tree's history: leaves are the boxes
 /// themselves, and the result is sorted.
-#[derive(Default, Clone)]
+#[derive(Debug, Default, Clone)]
 pub struct Bvh {
     candidates: Candidates,
-    search: Search,
+    search: Sorted<TreeSearch>,
 }
 
-/// The tree, and what a walk over it needs.
-#[derive(Default, Clone)]
-struct Search {
+/// The tree, and the boxes that it leaves out.
+#[derive(Debug, Default, Clone)]
+struct TreeSearch {
     tree: AabbTree,
     boxes: FarBoxes,
-    found: PairCollector,
-}
-
-impl std::fmt::Debug for Bvh {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Bvh")
-            .field("candidates", &self.candidates.pairs.len())
-            .field("far", &self.search.boxes.far_count())
-            .finish_non_exhaustive()
-    }
 }
 
 impl BroadPhase for Bvh {
@@ -48,33 +38,28 @@ impl BroadPhase for Bvh {
         }
         if !self.candidates.hold(boxes) {
             if !self.candidates.grow(boxes) {
-                self.search.pairs(boxes, pairs);
-                return Ok(());
+                return self.search.pairs(boxes, pairs);
             }
-            self.search.pairs(&self.candidates.grown, &mut self.candidates.pairs);
+            self.search.pairs(&self.candidates.grown, &mut self.candidates.pairs)?;
         }
         self.candidates.overlapping(boxes, pairs);
         Ok(())
     }
 }
 
-impl Search {
-    /// Puts all pairs of boxes that overlap into `sorted`.
-    fn pairs(&mut self, boxes: &[Aabb], sorted: &mut Vec<(u32, u32)>) {
-        self.found.clear();
+impl PairSearch for TreeSearch {
+    fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector) {
         if far_boxes::are_near(boxes) {
-            let found = &mut self.found;
             self.tree.set(boxes);
             self.tree.overlaps(&mut |i, j| found.push(i, j));
-        } else {
-            self.boxes.set(boxes);
-            self.boxes.pairs(boxes, &mut self.found);
-            if self.boxes.near.len() > 1 {
-                let (index, found) = (&self.boxes.index, &mut self.found);
-                self.tree.set(&self.boxes.near);
-                self.tree.overlaps(&mut |i, j| found.push(index[i as usize], index[j as usize]));
-            }
+            return;
         }
-        self.found.sort_into(boxes.len(), sorted);
+        self.boxes.set(boxes);
+        self.boxes.pairs(boxes, found);
+        if self.boxes.near.len() > 1 {
+            let index = &self.boxes.index;
+            self.tree.set(&self.boxes.near);
+            self.tree.overlaps(&mut |i, j| found.push(index[i as usize], index[j as usize]));
+        }
     }
 }

@@ -42,11 +42,6 @@ impl FarBoxes {
         }
     }
 
-    /// Number of boxes that are far.
-    pub(crate) fn far_count(&self) -> usize {
-        self.far.len()
-    }
-
     /// Pairs of which at least one box is far.
     pub(crate) fn pairs(&self, boxes: &[Aabb], pairs: &mut PairCollector) {
         for (k, &i) in self.far.iter().enumerate() {

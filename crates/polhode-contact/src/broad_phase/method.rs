@@ -1,6 +1,13 @@
 //! The broad phases by name.
 
-use super::{AllPairs, BinarySpacePartition, BroadPhase, Bvh, KdTree, Octree, SweepAndPrune, VoxelGrid};
+use super::binary_space_partition::BinarySpacePartition;
+use super::kd_tree::KdTree;
+use super::octree::Octree;
+use super::pair_collector::Sorted;
+use super::partition::Partition;
+use super::sweep_and_prune::SweepAndPrune;
+use super::voxel_grid::VoxelGrid;
+use super::{AllPairs, BroadPhase, Bvh};
 use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
@@ -62,11 +69,11 @@ impl BroadPhaseMethod {
     pub fn build(self) -> Box<dyn BroadPhase> {
         match self {
             Self::Bvh => Box::new(Bvh::default()),
-            Self::VoxelGrid => Box::new(VoxelGrid::default()),
-            Self::Octree => Box::new(Octree::default()),
-            Self::KdTree => Box::new(KdTree::default()),
-            Self::BinarySpacePartition => Box::new(BinarySpacePartition::default()),
-            Self::SweepAndPrune => Box::new(SweepAndPrune::default()),
+            Self::VoxelGrid => Box::<Sorted<VoxelGrid>>::default(),
+            Self::Octree => Box::<Sorted<Partition<Octree>>>::default(),
+            Self::KdTree => Box::<Sorted<Partition<KdTree>>>::default(),
+            Self::BinarySpacePartition => Box::<Sorted<Partition<BinarySpacePartition>>>::default(),
+            Self::SweepAndPrune => Box::<Sorted<SweepAndPrune>>::default(),
             Self::AllPairs => Box::new(AllPairs),
         }
     }

@@ -2,39 +2,37 @@
 //!
 //! | module | method |
 //! |---|---|
-//! | [`bvh`] | hierarchy of bounding boxes, which rests while they stay close by, or else is refitted (default) |
-//! | [`voxel_grid`] | uniform cells in a hash table |
-//! | [`octree`] | space halved along three axes at once |
-//! | [`kd_tree`] | space halved along one axis, at the median |
-//! | [`binary_space_partition`] | space halved by planes in any direction |
-//! | [`sweep_and_prune`] | intervals on one axis, kept in order from call to call |
-//! | [`all_pairs`] | `none` in scenes: every box against every other |
+//! | `bvh` | hierarchy of bounding boxes, which rests while they stay close by, or else is refitted (default) |
+//! | `voxel_grid` | uniform cells in a hash table |
+//! | `octree` | space halved along three axes at once |
+//! | `kd_tree` | space halved along one axis, at the median |
+//! | `binary_space_partition` | space halved by planes in any direction |
+//! | `sweep_and_prune` | intervals on one axis, kept in order from call to call |
+//! | `all_pairs` | `none` in scenes: every box against every other |
+//!
+//! `partition` holds what the three partitions of space share, `pair_collector` what sorts pairs found in any order;
+//! `far_boxes` and `candidates` hold boxes out of reach of arithmetic, and pairs of boxes that have hardly moved.
 //!
 //! All give the same pairs in the same order, whatever their history, so that the choice is one of time alone. Boxes
 //! may be infinite, of any spread of sizes, flat, or coincident. After the first calls none allocates, unless there are
 //! more boxes, or pairs that overlap or nearly do, than ever before.
 
-pub mod all_pairs;
-pub mod binary_space_partition;
-pub mod bvh;
-pub(crate) mod candidates;
-pub(crate) mod far_boxes;
-pub mod kd_tree;
-pub mod method;
-pub mod octree;
-pub(crate) mod pair_collector;
-pub(crate) mod partition;
-pub mod sweep_and_prune;
-pub mod voxel_grid;
+mod all_pairs;
+mod binary_space_partition;
+mod bvh;
+mod candidates;
+mod far_boxes;
+mod kd_tree;
+mod method;
+mod octree;
+mod pair_collector;
+mod partition;
+mod sweep_and_prune;
+mod voxel_grid;
 
 pub use all_pairs::AllPairs;
-pub use binary_space_partition::BinarySpacePartition;
 pub use bvh::Bvh;
-pub use kd_tree::KdTree;
 pub use method::{BroadPhaseMethod, UnknownBroadPhase};
-pub use octree::Octree;
-pub use sweep_and_prune::SweepAndPrune;
-pub use voxel_grid::VoxelGrid;
 
 use crate::Aabb;
 use thiserror::Error;

@@ -1,4 +1,31 @@
-//! Pairs in the order in which they are found, and their sorting.
+//! What broad phases share: they find pairs in any order, and the pairs are sorted.
+
+use super::{BroadPhase, BroadPhaseError, begin};
+use crate::Aabb;
+use std::fmt::Debug;
+
+/// How a broad phase finds the pairs of boxes that overlap.
+pub(crate) trait PairSearch: Debug + Send {
+    /// Adds every pair to `found` once, in any order.
+    fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector);
+}
+
+/// The broad phase of a search.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sorted<S> {
+    search: S,
+    found: PairCollector,
+}
+
+impl<S: PairSearch> BroadPhase for Sorted<S> {
+    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
+        begin(boxes, pairs)?;
+        self.found.clear();
+        self.search.search(boxes, &mut self.found);
+        self.found.sort_into(boxes.len(), pairs);
+        Ok(())
+    }
+}
 
 /// Pairs found so far, each once and in no order.
 #[derive(Debug, Clone, Default)]

@@ -1,71 +1,148 @@
-//! What octree, k-d tree and binary space partition have in common.
+//! Recursive partitions of space: what the octree, the k-d tree and the binary space partition have in common.
 //!
-//! Space is halved, again and again; a box goes to every side that it reaches into, and boxes in the same last cell are
-//! compared. A box on a plane is then in two cells, and two boxes may share several; their pair belongs to the cell
+//! Space is divided by planes, again and again; a box goes to every side that it reaches into, and boxes in the same last
+//! cell are compared. A box on a plane is then in two cells, and two boxes may share several; their pair belongs to the cell
 //! that holds the lowest corner of what they share, a point whose coordinates are coordinates of the boxes, so that no
 //! rounding can put it on another side than the boxes. Cells are found anew at every call: that costs about as much as
-//! mending them when everything moves, and leaves nothing of the past behind.
+//! mending them when everything moves, and leaves nothing of the past behind. The methods differ in the planes they choose
+//! ([`SplitRule`]).
 
-use super::pair_collector::PairCollector;
+use super::far_boxes::FarBoxes;
+use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
 use glam::DVec3;
+use std::fmt::Debug;
 
 /// So few boxes are compared rather than split further: a split costs several passes over them.
-pub(crate) const LEAF_BOXES: usize = 16;
+const LEAF_BOXES: usize = 16;
 
 /// Deepest cell. Splits that help halve what remains, so that cells this deep are those of clusters within clusters.
-pub(crate) const MOST_LEVELS: u32 = 48;
+const MOST_LEVELS: usize = 48;
 
 /// A split is worth it when it leaves at most this share of the comparisons.
 const WORTHWHILE: f64 = 0.8;
 
-/// Whether sides with so many boxes need clearly fewer comparisons than `whole` boxes together.
-pub(crate) fn is_worthwhile(whole: usize, sides: &[usize]) -> bool {
-    let square = |n: usize| n as f64 * n as f64;
-    sides.iter().map(|&n| square(n)).sum::<f64>() <= WORTHWHILE * square(whole)
+/// A division of a cell into sides; every point lies on exactly one of them.
+pub(crate) trait Split: Copy + Debug + Send {
+    /// How many sides there are.
+    const SIDES: usize;
+
+    /// Whether a box reaches into a side.
+    fn reaches(&self, aabb: &Aabb, side: usize) -> bool;
 }
 
-/// A cell between planes across the axes: its lower bounds belong to it, its upper ones do not.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct AxisCell {
-    pub(crate) low: DVec3,
-    pub(crate) high: DVec3,
+/// How a method divides cells.
+pub(crate) trait SplitRule: Debug + Default + Send {
+    /// Its divisions.
+    type Split: Split;
+
+    /// The first of its divisions of a cell that is worth it; none when no one is.
+    fn split(&mut self, cell: &Cell<'_>) -> Option<Self::Split>;
 }
 
-impl AxisCell {
-    /// All of space that has finite coordinates.
-    pub(crate) const ALL: Self = Self { low: DVec3::NEG_INFINITY, high: DVec3::INFINITY };
+/// The boxes of a cell.
+pub(crate) struct Cell<'a> {
+    boxes: &'a [Aabb],
+    members: &'a [u32],
+}
 
-    pub(crate) fn contains(&self, point: DVec3) -> bool {
-        point.cmpge(self.low).all() && point.cmplt(self.high).all()
+impl Cell<'_> {
+    pub(crate) fn boxes(&self) -> impl Iterator<Item = &Aabb> {
+        self.members.iter().map(|&member| &self.boxes[member as usize])
+    }
+
+    /// Middles of the boxes, m.
+    pub(crate) fn middles(&self) -> impl Iterator<Item = DVec3> {
+        self.boxes().map(|aabb| 0.5 * aabb.min() + 0.5 * aabb.max())
+    }
+
+    /// Where as many middles of boxes are less as are not, by a measure of them (m). `buffer` is for sorting.
+    pub(crate) fn median(&self, measure: impl Fn(DVec3) -> f64, buffer: &mut Vec<f64>) -> f64 {
+        buffer.clear();
+        buffer.extend(self.middles().map(measure));
+        *buffer.select_nth_unstable_by(self.members.len() / 2, f64::total_cmp).1
+    }
+
+    /// A division, if its sides need clearly fewer comparisons than the whole cell.
+    pub(crate) fn worthwhile<S: Split>(&self, split: S) -> Option<S> {
+        let square = |n: usize| n as f64 * n as f64;
+        let count = |side: usize| self.boxes().filter(|aabb| split.reaches(aabb, side)).count();
+        let parts: f64 = (0..S::SIDES).map(|side| square(count(side))).sum();
+        (parts <= WORTHWHILE * square(self.members.len())).then_some(split)
     }
 }
 
-/// Lower and upper bounds of the middles of boxes.
-pub(crate) fn middles(boxes: &[Aabb], members: &[u32]) -> (DVec3, DVec3) {
-    let all = members.iter().map(|&member| middle(&boxes[member as usize]));
-    all.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
+/// A partition of space by a rule.
+#[derive(Debug)]
+pub(crate) struct Partition<R: SplitRule> {
+    rule: R,
+    boxes: FarBoxes,
+    /// Boxes of the cells from the root to the present one, one cell after the other.
+    members: Vec<u32>,
+    /// Divisions from the root to the present cell, and the side taken.
+    path: Vec<(R::Split, usize)>,
 }
 
-pub(crate) fn middle(aabb: &Aabb) -> DVec3 {
-    0.5 * aabb.min() + 0.5 * aabb.max()
+impl<R: SplitRule> Default for Partition<R> {
+    fn default() -> Self {
+        Self { rule: R::default(), boxes: FarBoxes::default(), members: Vec::new(), path: Vec::new() }
+    }
 }
 
-/// Compares all boxes of a cell; `owns` tells whether the cell holds a point, `index` translates to the caller's
-/// numbers.
-pub(crate) fn compare_all(
-    (boxes, index): (&[Aabb], &[u32]),
-    members: &[u32],
-    owns: impl Fn(DVec3) -> bool,
-    found: &mut PairCollector,
-) {
-    for (k, &i) in members.iter().enumerate() {
-        let a = &boxes[i as usize];
-        for &j in &members[k + 1..] {
-            let b = &boxes[j as usize];
-            if a.overlaps(b) && owns(a.min().max(b.min())) {
-                found.push(index[i as usize], index[j as usize]);
+impl<R: SplitRule> PairSearch for Partition<R> {
+    fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector) {
+        self.boxes.set(boxes);
+        self.boxes.pairs(boxes, found);
+        self.members.clear();
+        self.members.extend(0..self.boxes.near.len() as u32);
+        self.path.clear();
+        self.visit(0, found);
+    }
+}
+
+impl<R: SplitRule> Partition<R> {
+    /// Finds the pairs of a cell, whose boxes are the members from `start` on.
+    fn visit(&mut self, start: usize, found: &mut PairCollector) {
+        let end = self.members.len();
+        let cell = Cell { boxes: &self.boxes.near, members: &self.members[start..] };
+        let may_split = end - start > LEAF_BOXES && self.path.len() < MOST_LEVELS;
+        let Some(split) = (if may_split { self.rule.split(&cell) } else { None }) else {
+            self.compare_all(start, found);
+            return;
+        };
+        for side in 0..R::Split::SIDES {
+            for member in start..end {
+                if split.reaches(&self.boxes.near[self.members[member] as usize], side) {
+                    self.members.push(self.members[member]);
+                }
+            }
+            if self.members.len() > end + 1 {
+                self.path.push((split, side));
+                self.visit(end, found);
+                self.path.pop();
+            }
+            self.members.truncate(end);
+        }
+    }
+
+    /// Compares all boxes of a cell, and takes the pairs that belong to it.
+    fn compare_all(&self, start: usize, found: &mut PairCollector) {
+        let members = &self.members[start..];
+        let FarBoxes { near, index, .. } = &self.boxes;
+        for (k, &i) in members.iter().enumerate() {
+            let a = &near[i as usize];
+            for &j in &members[k + 1..] {
+                let b = &near[j as usize];
+                if a.overlaps(b) && self.owns(a.min().max(b.min())) {
+                    found.push(index[i as usize], index[j as usize]);
+                }
             }
         }
+    }
+
+    /// Whether the present cell holds a point.
+    fn owns(&self, point: DVec3) -> bool {
+        let here = Aabb { min: point, max: point };
+        self.path.iter().all(|(split, side)| split.reaches(&here, *side))
     }
 }

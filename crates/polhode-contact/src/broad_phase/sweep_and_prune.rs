@@ -6,8 +6,7 @@
 //! along which the centres vary most; another one is taken when its variance is clearly larger. Boxes spread over a
 //! plane or a line suit it; in a ball of n boxes each interval meets about n^(2/3) others.
 
-use super::pair_collector::PairCollector;
-use super::{BroadPhase, BroadPhaseError, begin};
+use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
 use glam::DVec3;
 
@@ -33,18 +32,16 @@ struct Swept {
 }
 
 /// Sweep and prune along one axis.
-#[derive(Debug, Clone, Default)]
-pub struct SweepAndPrune {
+#[derive(Debug, Default)]
+pub(crate) struct SweepAndPrune {
     /// Numbers of the boxes in the order of the last call.
     order: Vec<u32>,
     axis: usize,
     swept: Vec<Swept>,
-    found: PairCollector,
 }
 
-impl BroadPhase for SweepAndPrune {
-    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
-        begin(boxes, pairs)?;
+impl PairSearch for SweepAndPrune {
+    fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector) {
         self.choose_axis(boxes);
         self.renumber(boxes.len());
         let axis = self.axis;
@@ -56,19 +53,16 @@ impl BroadPhase for SweepAndPrune {
         for (place, swept) in self.order.iter_mut().zip(&self.swept) {
             *place = swept.number;
         }
-        self.found.clear();
         for (place, first) in self.swept.iter().enumerate() {
             for second in self.swept[place + 1..].iter().take_while(|second| second.low <= first.high) {
                 let meets = |k: usize| {
                     first.across_low[k] <= second.across_high[k] && second.across_low[k] <= first.across_high[k]
                 };
                 if meets(0) && meets(1) {
-                    self.found.push(first.number, second.number);
+                    found.push(first.number, second.number);
                 }
             }
         }
-        self.found.sort_into(boxes.len(), pairs);
-        Ok(())
     }
 }
 

@@ -7,8 +7,7 @@
 //! sizes; with a wide spread of sizes its time tends to that of comparing all (docs/REFERENCES.md, Teschner et al. 2003).
 //! Libraries of spatial hashing keep points, or tie boxes to their own storage.
 
-use super::pair_collector::PairCollector;
-use super::{BroadPhase, BroadPhaseError, begin};
+use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
 use glam::DVec3;
 
@@ -40,8 +39,8 @@ struct Entry {
 }
 
 /// A uniform grid of cells in a hash table.
-#[derive(Debug, Clone, Default)]
-pub struct VoxelGrid {
+#[derive(Debug, Default)]
+pub(crate) struct VoxelGrid {
     entries: Vec<Entry>,
     edges: Vec<f64>,
     /// Entries by bucket of the table.
@@ -51,19 +50,14 @@ pub struct VoxelGrid {
     /// Boxes of many cells.
     wide: Vec<u32>,
     is_wide: Vec<bool>,
-    found: PairCollector,
 }
 
-impl BroadPhase for VoxelGrid {
-    fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
-        begin(boxes, pairs)?;
+impl PairSearch for VoxelGrid {
+    fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector) {
         self.enter(boxes);
         self.fill_table();
-        self.found.clear();
-        self.wide_pairs(boxes);
-        self.cell_pairs(boxes);
-        self.found.sort_into(boxes.len(), pairs);
-        Ok(())
+        self.wide_pairs(boxes, found);
+        self.cell_pairs(boxes, found);
     }
 }
 
@@ -127,19 +121,19 @@ impl VoxelGrid {
         }
     }
 
-    fn wide_pairs(&mut self, boxes: &[Aabb]) {
+    fn wide_pairs(&self, boxes: &[Aabb], found: &mut PairCollector) {
         for &i in &self.wide {
             for (j, other) in boxes.iter().enumerate() {
                 // Of two wide boxes the one with the lower number looks for the other.
                 let is_mine = !self.is_wide[j] || i < j as u32;
                 if is_mine && boxes[i as usize].overlaps(other) {
-                    self.found.push(i, j as u32);
+                    found.push(i, j as u32);
                 }
             }
         }
     }
 
-    fn cell_pairs(&mut self, boxes: &[Aabb]) {
+    fn cell_pairs(&self, boxes: &[Aabb], found: &mut PairCollector) {
         let mut start = 0;
         for &end in &self.ends {
             let bucket = &self.table[start..end];
@@ -149,7 +143,7 @@ impl VoxelGrid {
                     let owns =
                         |axis: usize| a.cell[axis] == b.cell[axis] && a.cell[axis] == a.first[axis].max(b.first[axis]);
                     if owns(0) && owns(1) && owns(2) && boxes[a.number as usize].overlaps(&boxes[b.number as usize]) {
-                        self.found.push(a.number, b.number);
+                        found.push(a.number, b.number);
                     }
                 }
             }

@@ -12,8 +12,8 @@
 //!
 //! A point of a cloud that lies in a triangle at the start is on neither side of the surface. It may leave to either side.
 
-use crate::bounding::Bounds;
-use crate::bounding::aabb::{Aabb, Sweep};
+use crate::bounding::aabb::Aabb;
+use crate::bounding::around_shape::Sweep;
 use crate::clearance::touch_tolerance;
 use crate::impact::impact_error::ImpactError;
 use crate::impact::impact_report::ImpactReport;
@@ -152,18 +152,18 @@ impl Pair<'_> {
     }
 
     /// A box that contains a given world box in the frame of the mesh (body `at`) at all times of a window.
-    fn in_frame_of_mesh(&self, at: usize, mesh: &TriangleMesh, swept: &Aabb, start: f64, end: f64) -> Bounds {
+    fn in_frame_of_mesh(&self, at: usize, mesh: &TriangleMesh, swept: &Aabb, start: f64, end: f64) -> Aabb {
         let motion = self.motions[at];
         let (pose, bounds) = (motion.pose(start), motion.bounds(start, end));
         let length = end - start;
         let turning = if bounds.angular_speed > 0.0 { bounds.angular_speed * length * mesh.reach() } else { 0.0 };
         let stray = bounds.speed * length + turning;
         if !(stray.is_finite() && swept.is_finite()) {
-            return Bounds::ALL;
+            return Aabb::UNBOUNDED;
         }
-        let near = Bounds { min: swept.min() - pose.translation, max: swept.max() - pose.translation };
+        let near = Aabb { min: swept.min() - pose.translation, max: swept.max() - pose.translation };
         let frame = Pose { rotation: pose.rotation.inverse(), translation: glam::DVec3::ZERO };
-        turned(near, &frame).inflated(stray)
+        turned(near, &frame).widened(stray)
     }
 
     /// Searches one pair of parts from a time at which it is clear, or from the start.

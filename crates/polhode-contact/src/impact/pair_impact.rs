@@ -299,13 +299,13 @@ impl Search<'_> {
         let nearest = |k: usize| nearest_feature(polyhedron, x.transform_point(points.0[k]), tolerance);
         let step = window.above_planes(of, points, |k| {
             let nearest = nearest(k);
-            (nearest.direction, nearest.distance - points.1)
+            (nearest.normal, nearest.distance - points.1)
         });
         // A single centre far from a spinning polyhedron: its direction held still.
         if points.0.len() > 1 {
             return step;
         }
-        let away = now.poses[other].rotation.rotate(nearest(0).direction);
+        let away = now.poses[other].rotation.rotate(nearest(0).normal);
         let direction = if of == Side::A { away } else { -away };
         step.max(window.along_direction(direction, &Hull::of(self.shapes[0]), &Hull::of(self.shapes[1])))
     }

@@ -1,11 +1,11 @@
 //! One point against a shape: the nearest place of its surface, and whether the shape contains it.
 
 use super::error::QueryError;
-use super::feature::{FeatureKind, QueryFeature};
+use super::feature::QueryFeature;
 use super::pieces::{box_distance, offer_nearest};
 use super::signed_distance::signed_distance;
 use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -47,18 +47,16 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
     }
     let local = pose.inverse_transform_point(point);
     let mut best: Option<SurfacePoint> = None;
-    let here = Bounds { min: local, max: local };
-    offer_nearest(shape, &Pose::IDENTITY, f64::INFINITY, &|bounds| box_distance(bounds, &here), &mut |element| {
-        let found = signed_distance(&element.core, local);
-        let distance = found.distance - element.radius;
-        if best.is_none_or(|best| (distance, element.part) < (best.distance, best.feature.part)) {
-            let kind = if element.point_is_vertex { FeatureKind::Vertex(element.part) } else { found.kind };
-            let kind = if element.radius > 0.0 { FeatureKind::Surface } else { kind };
+    let here = Aabb { min: local, max: local };
+    offer_nearest(shape, &Pose::IDENTITY, f64::INFINITY, &|bounds| box_distance(bounds, &here), &mut |piece| {
+        let found = signed_distance(&piece.core, local);
+        let distance = found.distance - piece.radius;
+        if best.is_none_or(|best| (distance, piece.part) < (best.distance, best.feature.part)) {
             best = Some(SurfacePoint {
                 distance,
                 point: local - found.normal * distance,
                 normal: found.normal,
-                feature: element.feature(kind),
+                feature: piece.feature(found.feature),
             });
         }
         best.map_or(f64::INFINITY, |best| best.distance)

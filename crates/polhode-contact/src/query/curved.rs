@@ -1,21 +1,15 @@
 //! Distance and depth of two convex cores of which one is curved: a cylinder, a cone.
 //!
-//! GJK and the expanding polytope stop when their bounds have met to rounding; their points and normals are then good to
-//! the square root of that. Apart, the points are projected in closed form onto one body and the other in turn, which makes
-//! them good to rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase, over all pairs of
-//! elements, takes part: where the depth hardly depends on the axis an iteration ends anywhere. A is then moved out along the
-//! normal found, and the normal between the two is taken, of which the normal of the least depth is a fixed point.
+//! Apart, GJK finds the nearest places. It stops when its bounds have met to rounding; its points and normal are then good to
+//! the square root of that. They are projected in closed form onto one body and the other in turn, which makes them good to
+//! rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase ([`best_axis`]) has the depth: it goes
+//! over all pairs of elements. The places are those that are nearest once A has been moved out along it.
 
-use super::element::{Core, Element};
 use super::found::{EQUAL_ULPS, Found};
-use super::penetration::face_normals;
+use super::penetration::best_axis;
+use super::piece::Piece;
 use super::signed_distance::{signed, signed_distance};
-use crate::narrow_phase::axis::gap::between;
-use crate::query::epa::epa;
-use crate::query::gjk::{GjkStatus, gjk};
-use crate::shape::topology::flat_triangle;
-use crate::shape::triangle::area_vector;
-use crate::{Capsule, Shape};
+use crate::query::gjk::gjk;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -29,10 +23,10 @@ const MOVES: usize = 8;
 const ROOM: f64 = 0.125;
 
 /// Distance of two cores that are apart; nothing when they overlap, or touch to rounding.
-pub(crate) fn apart(a: &Element<'_>, b: &Element<'_>) -> Option<Found> {
+pub(crate) fn apart(a: &Piece<'_>, b: &Piece<'_>) -> Option<Found> {
     let support = |direction: DVec3| (a.support(direction), b.support(-direction));
     let walk = gjk(&support, a.ball.0 - b.ball.0);
-    if walk.status == GjkStatus::Touching {
+    if walk.touching {
         return None;
     }
     let (mut on_a, mut on_b) = walk.simplex.witnesses();
@@ -52,36 +46,27 @@ pub(crate) fn apart(a: &Element<'_>, b: &Element<'_>) -> Option<Found> {
             normal: -to_a.normal,
             on_a,
             on_b,
-            kind_a: to_a.kind,
-            kind_b: signed_distance(&b.core, b.pose.inverse_transform_point(on_b)).kind,
+            feature_a: to_a.feature,
+            feature_b: signed_distance(&b.core, b.pose.inverse_transform_point(on_b)).feature,
         };
     }
     Some(best)
 }
 
 /// Depth of two cores that overlap.
-pub(crate) fn by_expansion(a: &Element<'_>, b: &Element<'_>) -> Found {
-    let support = |direction: DVec3| (a.support(direction), b.support(-direction));
-    let hints: Vec<DVec3> = flat_normals(a).into_iter().chain(flat_normals(b)).flat_map(|n| [n, -n]).collect();
-    let Some(found) = epa(&support, &hints) else {
-        // A flat difference has no depth.
-        let walk = gjk(&support, a.ball.0 - b.ball.0);
-        let (on_a, on_b) = walk.simplex.witnesses();
-        return around(a, b, 0.0, walk.normal, 0.5 * (on_a + on_b));
-    };
+pub(crate) fn overlapping(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let depth = |normal: DVec3| normal.dot(b.support(normal) - a.support(-normal));
-    let (mut normal, mut least) = (-found.outward, found.upper);
+    // Two circles are searched along the first one, which may miss the best axis where the depth hardly depends on it.
+    let axes = [best_axis(a, b), best_axis(b, a).map(|normal| -normal)];
+    let depths = axes.into_iter().flatten().map(|normal| (depth(normal), normal));
+    let (mut least, mut normal) =
+        depths.min_by(|p, q| p.0.total_cmp(&q.0)).unwrap_or_else(|| (depth(DVec3::Z), DVec3::Z));
+    let mut middle = 0.5 * (a.support(-normal) + b.support(normal));
     let extent = a.ball.1 + b.ball.1;
     let (room, rounding) = (ROOM * extent, EQUAL_ULPS * f64::EPSILON * extent);
-    if let Some(axis) = best_axis(a, b)
-        && depth(axis) <= least + rounding
-    {
-        (normal, least) = (axis, depth(axis));
-    }
-    let mut middle = 0.5 * (found.witnesses.0 + found.witnesses.1);
     for _ in 0..MOVES {
         let out = normal * (least + room);
-        let moved = Element {
+        let moved = Piece {
             pose: Pose::new(a.pose.rotation, a.pose.translation + out),
             ball: (a.ball.0 + out, a.ball.1),
             ..*a
@@ -100,36 +85,10 @@ pub(crate) fn by_expansion(a: &Element<'_>, b: &Element<'_>) -> Found {
     around(a, b, -least, normal, middle)
 }
 
-/// The axis along which the narrow phase separates two cores best.
-fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
-    let shape = |core: &Core<'_>| match core {
-        Core::Polyhedron(polyhedron) => Some(Shape::Convex((*polyhedron).clone())),
-        Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
-        Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
-        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
-        Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
-        Core::Triangle(corners) => {
-            let normal = area_vector(*corners).try_normalize()?;
-            Some(Shape::Convex(flat_triangle(*corners, normal)))
-        }
-        _ => None,
-    };
-    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
-}
-
 /// Points around the middle of two places.
-fn around(a: &Element<'_>, b: &Element<'_>, distance: f64, normal: DVec3, middle: DVec3) -> Found {
+fn around(a: &Piece<'_>, b: &Piece<'_>, distance: f64, normal: DVec3, middle: DVec3) -> Found {
     let half = normal * (0.5 * distance);
     let (on_a, on_b) = (middle + half, middle - half);
-    let kind = |element: &Element<'_>, place: DVec3| signed(place, element).kind;
-    Found { distance, normal, on_a, on_b, kind_a: kind(a, on_a), kind_b: kind(b, on_b) }
-}
-
-/// Normals of flat faces, and the direction of an axis.
-fn flat_normals(element: &Element<'_>) -> Vec<DVec3> {
-    match &element.core {
-        Core::Cylinder(c) => vec![element.pose.rotation.rotate(c.axis)],
-        Core::Cone(c) => vec![element.pose.rotation.rotate(c.axis)],
-        _ => face_normals(element),
-    }
+    let feature = |piece: &Piece<'_>, place: DVec3| signed(place, piece).feature;
+    Found { distance, normal, on_a, on_b, feature_a: feature(a, on_a), feature_b: feature(b, on_b) }
 }

@@ -1,17 +1,17 @@
 //! Euclidean distance of two shapes, with the closest points.
 
-use super::curved::{apart, by_expansion};
-use super::element::{Core, Element};
+use super::curved::{apart, overlapping};
 use super::error::QueryError;
-use super::feature::{FeatureKind, QueryFeature};
+use super::feature::QueryFeature;
 use super::found::Found;
 use super::lines::nearest_places;
+use super::piece::{Core, Piece};
 use super::pieces::{box_distance, offer_nearest};
 use super::polytopes;
 use super::signed_distance::{signed, signed_distance};
 use super::sweep::{along_circle, along_segment};
-use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
+use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -92,10 +92,10 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
 }
 
 /// Lower bound of the distance of a shape from what is in a box of a frame, m.
-fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Bounds) -> f64 {
+fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Aabb) -> f64 {
     // A half-space has no box, and nothing can be left out that it may be deeper in.
     let around = match shape {
-        Shape::HalfSpace(_) => Bounds::ALL,
+        Shape::HalfSpace(_) => Aabb::UNBOUNDED,
         _ => shape.bounds_at(&frame.relative(pose)),
     };
     move |bounds| box_distance(bounds, &around)
@@ -109,23 +109,14 @@ impl ClosestPoints {
 }
 
 /// Of two cores blown up by their radii.
-fn with_radii(a: &Element<'_>, b: &Element<'_>, found: &Found) -> ClosestPoints {
-    let kind = |element: &Element<'_>, kind| {
-        element.feature(if element.point_is_vertex {
-            FeatureKind::Vertex(element.part)
-        } else if element.radius > 0.0 {
-            FeatureKind::Surface
-        } else {
-            kind
-        })
-    };
+fn with_radii(a: &Piece<'_>, b: &Piece<'_>, found: &Found) -> ClosestPoints {
     ClosestPoints {
         distance: found.distance - (a.radius + b.radius),
         normal: found.normal,
         point_a: found.on_a - found.normal * a.radius,
         point_b: found.on_b + found.normal * b.radius,
-        feature_a: kind(a, found.kind_a),
-        feature_b: kind(b, found.kind_b),
+        feature_a: a.feature(found.feature_a),
+        feature_b: b.feature(found.feature_b),
     }
 }
 
@@ -135,19 +126,19 @@ fn swapped(found: Found) -> Found {
         normal: -found.normal,
         on_a: found.on_b,
         on_b: found.on_a,
-        kind_a: found.kind_b,
-        kind_b: found.kind_a,
+        feature_a: found.feature_b,
+        feature_b: found.feature_a,
         ..found
     }
 }
 
 /// Distance of two cores in the common frame.
-fn of_cores(a: &Element<'_>, b: &Element<'_>) -> Found {
+fn of_cores(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     match (&a.core, &b.core) {
         (Core::HalfSpace(_), _) => swapped(above_plane(b, a)),
         (_, Core::HalfSpace(_)) => above_plane(a, b),
-        (Core::Point(p), _) => of_point(a.pose.transform_point(*p), b),
-        (_, Core::Point(p)) => swapped(of_point(b.pose.transform_point(*p), a)),
+        (Core::Point(p), _) => at_place(a, a.pose.transform_point(*p), b),
+        (_, Core::Point(p)) => swapped(at_place(b, b.pose.transform_point(*p), a)),
         (Core::Circle(_), _) => of_circle(a, b),
         (_, Core::Circle(_)) => swapped(of_circle(b, a)),
         (Core::Segment(p), Core::Segment(q)) => {
@@ -157,8 +148,8 @@ fn of_cores(a: &Element<'_>, b: &Element<'_>) -> Found {
                 normal: near.normal,
                 on_a: near.on_a,
                 on_b: near.on_b,
-                kind_a: FeatureKind::Surface,
-                kind_b: FeatureKind::Surface,
+                feature_a: signed(near.on_a, a).feature,
+                feature_b: signed(near.on_b, b).feature,
             }
         }
         (Core::Segment(_), Core::Cylinder(_) | Core::Cone(_)) => of_segment(a, b),
@@ -169,60 +160,61 @@ fn of_cores(a: &Element<'_>, b: &Element<'_>) -> Found {
 }
 
 /// Height of a core above a half-space.
-fn above_plane(a: &Element<'_>, plane: &Element<'_>) -> Found {
+fn above_plane(a: &Piece<'_>, plane: &Piece<'_>) -> Found {
     let Core::HalfSpace(half_space) = plane.core else { return of_curved(a, plane) };
     let normal = plane.pose.rotation.rotate(half_space.normal);
     let lowest = a.support(-normal);
     let height = normal.dot(lowest - plane.pose.translation) - half_space.offset;
-    let kind_a = match &a.core {
+    let feature_a = match &a.core {
         Core::Polyhedron(p) => {
             let local = a.core.support(a.pose.rotation.inverse_rotate(-normal));
-            FeatureKind::Vertex(p.vertices.iter().position(|&v| v == local).unwrap_or(0) as u32)
+            SurfaceFeature::Vertex(p.vertices.iter().position(|&v| v == local).unwrap_or(0) as u32)
         }
-        _ => signed_distance(&a.core, a.pose.inverse_transform_point(lowest)).kind,
+        _ => signed_distance(&a.core, a.pose.inverse_transform_point(lowest)).feature,
     };
     Found {
         distance: height,
         normal,
         on_a: lowest,
         on_b: lowest - normal * height,
-        kind_a,
-        kind_b: FeatureKind::Face(0),
+        feature_a,
+        feature_b: SurfaceFeature::Face(0),
     }
 }
 
-fn of_point(place: DVec3, b: &Element<'_>) -> Found {
+/// Of one place of a core.
+fn at_place(a: &Piece<'_>, place: DVec3, b: &Piece<'_>) -> Found {
     let near = signed(place, b);
     Found {
         distance: near.distance,
         normal: near.normal,
         on_a: place,
         on_b: place - near.normal * near.distance,
-        kind_a: FeatureKind::Surface,
-        kind_b: near.kind,
+        feature_a: signed(place, a).feature,
+        feature_b: near.feature,
     }
 }
 
 /// The least place of a circle.
-fn of_circle(circle: &Element<'_>, b: &Element<'_>) -> Found {
+fn of_circle(circle: &Piece<'_>, b: &Piece<'_>) -> Found {
     let Core::Circle(torus) = circle.core else { return of_curved(circle, b) };
     let x = torus.axis.any_orthonormal_vector();
     let y = torus.axis.cross(x);
     let turn = |v: DVec3| circle.pose.rotation.rotate(v * torus.major);
     let center = circle.pose.transform_point(torus.center);
     let (place, _) = along_circle(center, turn(x), turn(y), &|p| signed(p, b));
-    of_point(place, b)
+    at_place(circle, place, b)
 }
 
 /// A segment against a curved core: the least place, or, when that is inside, the depth of the segment as a whole.
-fn of_segment(segment: &Element<'_>, b: &Element<'_>) -> Found {
+fn of_segment(segment: &Piece<'_>, b: &Piece<'_>) -> Found {
     let Core::Segment(ends) = segment.core else { return of_curved(segment, b) };
     let ends = ends.map(|e| segment.pose.transform_point(e));
     let (place, near) = along_segment(ends, &|p| signed(p, b));
-    if near.distance > 0.0 { of_point(place, b) } else { by_expansion(segment, b) }
+    if near.distance > 0.0 { at_place(segment, place, b) } else { overlapping(segment, b) }
 }
 
 /// Two convex cores of which one is curved.
-fn of_curved(a: &Element<'_>, b: &Element<'_>) -> Found {
-    apart(a, b).unwrap_or_else(|| by_expansion(a, b))
+fn of_curved(a: &Piece<'_>, b: &Piece<'_>) -> Found {
+    apart(a, b).unwrap_or_else(|| overlapping(a, b))
 }

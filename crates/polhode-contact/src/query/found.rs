@@ -1,6 +1,6 @@
 //! What is found of two cores: how far apart, and where.
 
-use super::feature::FeatureKind;
+use crate::SurfaceFeature;
 use glam::DVec3;
 
 /// Two distances or penetration depths that differ by less than this many epsilon of the extent are equal.
@@ -14,6 +14,6 @@ pub(crate) struct Found {
     pub(crate) normal: DVec3,
     pub(crate) on_a: DVec3,
     pub(crate) on_b: DVec3,
-    pub(crate) kind_a: FeatureKind,
-    pub(crate) kind_b: FeatureKind,
+    pub(crate) feature_a: SurfaceFeature,
+    pub(crate) feature_b: SurfaceFeature,
 }

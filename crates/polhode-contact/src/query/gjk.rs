@@ -11,7 +11,7 @@ use crate::shape::support::unit;
 use glam::DVec3;
 
 /// Most points that are tried. Polytopes take about ten; curved bodies in near touch up to a hundred.
-pub(crate) const MAX_ITERATIONS: usize = 256;
+const MAX_ITERATIONS: usize = 256;
 
 /// The bounds have met when they differ by this many epsilon of the extent of the difference.
 const MET_ULPS: f64 = 4.0;
@@ -19,21 +19,11 @@ const MET_ULPS: f64 = 4.0;
 /// Bodies nearer than this many epsilon of the extent touch or overlap: the sign is below rounding.
 const TOUCH_ULPS: f64 = 16.0;
 
-/// How the walk ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum GjkStatus {
-    /// The bounds have met.
-    Converged,
-    /// The bodies overlap, or touch to rounding.
-    Touching,
-    /// Rounding stopped the walk; the bounds tell what is known.
-    Stalled,
-}
-
 /// What the walk found.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gjk {
-    pub(crate) status: GjkStatus,
+    /// Whether the bodies overlap, or touch to rounding.
+    pub(crate) touching: bool,
     /// Largest separation along a direction that was tried, m: a lower bound of the distance.
     pub(crate) lower: f64,
     /// Length of `v`, m: an upper bound of the distance.
@@ -41,7 +31,6 @@ pub(crate) struct Gjk {
     /// Unit vector from B to A: the direction of the lower bound.
     pub(crate) normal: DVec3,
     pub(crate) simplex: Simplex,
-    pub(crate) iterations: usize,
 }
 
 /// Distance of two bodies. `support` gives, for a direction, the points of A and of B that are farthest along it and
@@ -50,24 +39,16 @@ pub(crate) fn gjk(support: &dyn Fn(DVec3) -> (DVec3, DVec3), start: DVec3) -> Gj
     let begin = if start == DVec3::ZERO { DVec3::X } else { unit(start) };
     let (a, b) = support(-begin);
     let mut simplex = Simplex::of(Difference::new(a, b));
-    let mut found = Gjk {
-        status: GjkStatus::Stalled,
-        lower: f64::NEG_INFINITY,
-        upper: f64::INFINITY,
-        normal: begin,
-        simplex,
-        iterations: 0,
-    };
+    let mut found = Gjk { touching: false, lower: f64::NEG_INFINITY, upper: f64::INFINITY, normal: begin, simplex };
     let mut extent: f64 = 0.0;
-    for iteration in 1..=MAX_ITERATIONS {
-        found.iterations = iteration;
+    for _ in 0..MAX_ITERATIONS {
         let nearest = simplex.reduce();
         // Both bodies' own coordinates carry the rounding of their points.
         extent = simplex.points().iter().fold(extent, |e, p| e.max(p.w.length()).max(p.a.length()).max(p.b.length()));
         let length = nearest.point.length();
         if nearest.encloses || length <= TOUCH_ULPS * f64::EPSILON * extent {
             found.upper = found.upper.min(length);
-            return Gjk { status: GjkStatus::Touching, simplex, ..found };
+            return Gjk { touching: true, simplex, ..found };
         }
         if length >= found.upper {
             return found;
@@ -83,7 +64,6 @@ pub(crate) fn gjk(support: &dyn Fn(DVec3) -> (DVec3, DVec3), start: DVec3) -> Gj
             found.normal = direction;
         }
         if found.upper - found.lower <= MET_ULPS * f64::EPSILON * extent {
-            found.status = GjkStatus::Converged;
             return found;
         }
         if simplex.points().iter().any(|p| p.w == next.w) {

@@ -7,6 +7,10 @@
 //! | [`mod@ray_cast`] | [`Ray`], [`ray_cast()`]: where a ray meets a shape |
 //! | [`mod@overlap`] | [`overlap()`]: whether two shapes share a point |
 //! | [`scene`] | [`QueryScene`]: the same questions to many bodies, by a tree |
+//! | `piece`, `pieces` | the convex cores with a radius that a shape consists of, and those that may answer |
+//! | `signed_distance`, `sweep`, `lines` | a core from a point, from a segment or a circle, and two segments |
+//! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | two cores that are apart |
+//! | `penetration`, `spanned_feature` | two cores that overlap, along the axes of the narrow phase |
 //!
 //! All lengths are in metres, poses and results in the world. Distances are Euclidean: unlike
 //! [`separation`](crate::separation()), which looks along axes that may separate and is a lower bound where an edge or a
@@ -15,8 +19,6 @@
 pub mod closest_point;
 mod curved;
 pub mod distance;
-mod element;
-mod epa;
 mod error;
 mod feature;
 mod found;
@@ -25,10 +27,11 @@ mod lines;
 mod nearest_pair;
 pub mod overlap;
 mod penetration;
+mod piece;
 mod pieces;
 mod polytopes;
-mod quartic;
 pub mod ray_cast;
+mod roots;
 pub mod scene;
 mod signed_distance;
 pub(crate) mod simplex;
@@ -38,7 +41,7 @@ mod sweep;
 pub use closest_point::{SurfacePoint, closest_point, contains};
 pub use distance::{ClosestPoints, distance};
 pub use error::QueryError;
-pub use feature::{FeatureKind, QueryFeature};
+pub use feature::QueryFeature;
 pub use overlap::overlap;
 pub use ray_cast::{Ray, RayHit, ray_cast};
 pub use scene::QueryScene;

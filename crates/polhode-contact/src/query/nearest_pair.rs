@@ -1,23 +1,23 @@
 //! The nearest pair of features of two polytopes around given vertices: every edge that meets there against every edge,
 //! every vertex against every face.
 
-use super::element::{Core, Element};
-use super::feature::FeatureKind;
 use super::found::Found;
 use super::lines::nearest_places;
+use super::piece::{Core, Piece};
+use crate::SurfaceFeature;
 use crate::narrow_phase::feature::face_border::face_margin;
 use crate::shape::nearer_place::is_nearer;
 use glam::DVec3;
 
 /// The features of one polytope around some of its vertices, in the common frame.
 struct Around {
-    edges: Vec<(FeatureKind, [DVec3; 2], [u32; 2])>,
+    edges: Vec<(SurfaceFeature, [DVec3; 2], [u32; 2])>,
     vertices: Vec<(u32, DVec3)>,
     faces: Vec<u32>,
 }
 
 /// The nearest of the pairs; of those that `is_nearer` does not tell apart a vertex over a face of B, then of A, then edges.
-pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32>; 2]) -> Found {
+pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2]) -> Found {
     let (around_a, around_b) = (around(a, &vertices[0]), around(b, &vertices[1]));
     let mut best: Option<Found> = None;
     let lengths = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
@@ -28,19 +28,19 @@ pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32
             best = Some(found);
         }
     };
-    over_faces(&around_a, b, &around_b, &mut offer);
-    over_faces(&around_b, a, &around_a, &mut |found| {
+    over_faces((a, &around_a), b, &around_b, &mut offer);
+    over_faces((b, &around_b), a, &around_a, &mut |found| {
         offer(Found {
             normal: -found.normal,
             on_a: found.on_b,
             on_b: found.on_a,
-            kind_a: found.kind_b,
-            kind_b: found.kind_a,
+            feature_a: found.feature_b,
+            feature_b: found.feature_a,
             ..found
         });
     });
-    for (kind_a, edge_a, ends_a) in &around_a.edges {
-        for (kind_b, edge_b, ends_b) in &around_b.edges {
+    for (feature_a, edge_a, ends_a) in &around_a.edges {
+        for (feature_b, edge_b, ends_b) in &around_b.edges {
             let near = nearest_places(*edge_a, *edge_b);
             // Crossing lines do not know their sides; the bodies do.
             let outward = (b.ball.0 - a.ball.0).dot(near.normal) > 0.0;
@@ -50,8 +50,8 @@ pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32
                 normal: if touching && outward { -near.normal } else { near.normal },
                 on_a: near.on_a,
                 on_b: near.on_b,
-                kind_a: of_end(*kind_a, edge_a, *ends_a, near.on_a),
-                kind_b: of_end(*kind_b, edge_b, *ends_b, near.on_b),
+                feature_a: of_end(a, (*feature_a, edge_a, *ends_a), near.on_a),
+                feature_b: of_end(b, (*feature_b, edge_b, *ends_b), near.on_b),
             });
         }
     }
@@ -60,56 +60,59 @@ pub(crate) fn nearest_pair(a: &Element<'_>, b: &Element<'_>, vertices: &[Vec<u32
         normal: DVec3::Z,
         on_a: a.ball.0,
         on_b: b.ball.0,
-        kind_a: FeatureKind::Surface,
-        kind_b: FeatureKind::Surface,
+        feature_a: a.core.corner(0),
+        feature_b: b.core.corner(0),
     })
 }
 
 /// An end of an edge is a vertex.
-fn of_end(kind: FeatureKind, edge: &[DVec3; 2], ends: [u32; 2], place: DVec3) -> FeatureKind {
-    if place == edge[0] {
-        FeatureKind::Vertex(ends[0])
-    } else if place == edge[1] {
-        FeatureKind::Vertex(ends[1])
-    } else {
-        kind
-    }
+fn of_end(
+    piece: &Piece<'_>,
+    (edge, places, ends): (SurfaceFeature, &[DVec3; 2], [u32; 2]),
+    place: DVec3,
+) -> SurfaceFeature {
+    let end = (0..2).find(|&end| place == places[end]);
+    end.map_or(edge, |end| piece.core.corner(ends[end]))
 }
 
-fn around(element: &Element<'_>, vertices: &[u32]) -> Around {
+fn around(piece: &Piece<'_>, vertices: &[u32]) -> Around {
     let place = |v: u32| {
-        let own = element.core.vertices();
-        own.get(v as usize).map_or(element.ball.0, |&p| element.pose.transform_point(p))
+        let own = piece.core.vertices();
+        own.get(v as usize).map_or(piece.ball.0, |&p| piece.pose.transform_point(p))
     };
-    let mut edges: Vec<(FeatureKind, [u32; 2])> = Vec::new();
+    let mut edges: Vec<(SurfaceFeature, [u32; 2])> = Vec::new();
     let mut faces = Vec::new();
-    match &element.core {
+    match &piece.core {
         Core::Polyhedron(polyhedron) => {
             let mut numbers: Vec<u32> =
                 vertices.iter().flat_map(|&v| polyhedron.edges_at.of(v as usize)).copied().collect();
             numbers.sort_unstable();
             numbers.dedup();
-            edges.extend(numbers.iter().map(|&e| (FeatureKind::Edge(e), polyhedron.edges[e as usize].vertices)));
+            edges.extend(numbers.iter().map(|&e| (SurfaceFeature::Edge(e), polyhedron.edges[e as usize].vertices)));
             faces = vertices.iter().flat_map(|&v| polyhedron.faces_at.of(v as usize)).copied().collect();
             faces.sort_unstable();
             faces.dedup();
         }
         Core::Triangle(_) => {
             edges.extend(
-                [[0, 1], [1, 2], [2, 0]].into_iter().enumerate().map(|(i, e)| (FeatureKind::Edge(i as u32), e)),
+                [[0, 1], [1, 2], [2, 0]].into_iter().enumerate().map(|(i, e)| (SurfaceFeature::Edge(i as u32), e)),
             );
             faces.push(0);
         }
-        Core::Segment(_) => edges.push((FeatureKind::Edge(0), [0, 1])),
-        _ => edges.push((FeatureKind::Vertex(0), [0, 0])),
+        _ => edges.push((SurfaceFeature::Side(0), [0, 1])),
     }
-    let edges = edges.into_iter().map(|(kind, ends)| (kind, ends.map(place), ends)).collect();
+    let edges = edges.into_iter().map(|(feature, ends)| (feature, ends.map(place), ends)).collect();
     Around { edges, vertices: vertices.iter().map(|&v| (v, place(v))).collect(), faces }
 }
 
 /// Offers every vertex of the one that stands over a face of the other, as A and B.
-fn over_faces(one: &Around, other: &Element<'_>, features: &Around, offer: &mut dyn FnMut(Found)) {
-    for &(vertex, place) in &one.vertices {
+fn over_faces(
+    (one, corners): (&Piece<'_>, &Around),
+    other: &Piece<'_>,
+    features: &Around,
+    offer: &mut dyn FnMut(Found),
+) {
+    for &(vertex, place) in &corners.vertices {
         let local = other.pose.inverse_transform_point(place);
         for &index in &features.faces {
             let (normal, height) = match &other.core {
@@ -123,7 +126,7 @@ fn over_faces(one: &Around, other: &Element<'_>, features: &Around, offer: &mut 
                 }
                 core => {
                     let near = super::signed_distance::signed_distance(core, local);
-                    if near.kind != FeatureKind::Face(0) {
+                    if near.feature != SurfaceFeature::Face(0) {
                         continue;
                     }
                     (other.pose.rotation.rotate(near.normal), near.distance)
@@ -134,8 +137,8 @@ fn over_faces(one: &Around, other: &Element<'_>, features: &Around, offer: &mut 
                 normal,
                 on_a: place,
                 on_b: place - normal * height,
-                kind_a: FeatureKind::Vertex(vertex),
-                kind_b: FeatureKind::Face(index),
+                feature_a: one.core.corner(vertex),
+                feature_b: SurfaceFeature::Face(index),
             });
         }
     }

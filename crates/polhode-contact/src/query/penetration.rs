@@ -1,18 +1,19 @@
 //! Depth of penetration of two convex polytopes, over all axes that may separate them, and where they touch once moved
 //! apart.
 
-use super::element::{Core, Element};
 use super::found::Found;
-use super::spanned_feature::spanned_feature;
+use super::piece::{Core, Piece};
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::axis::gap::between;
 use crate::query::gjk::gjk;
 use crate::shape::support::unit;
+use crate::{Capsule, Shape};
 use glam::DVec3;
 
 /// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
 /// large ones a face of A is taken before one of B and before edges, lower indices first.
-pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
+pub(crate) fn by_all_axes(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let separation = |n: DVec3| n.dot(a.support(-n) - b.support(n));
     let (mut normal, mut most) = (DVec3::Z, f64::NEG_INFINITY);
     let mut offer = |n: DVec3| {
@@ -21,11 +22,11 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
             (normal, most) = (n, along);
         }
     };
-    if let (Core::Polyhedron(p), Core::Polyhedron(q)) = (a.core, b.core) {
+    if let (Some(p), Some(q)) = (a.core.polyhedron(), b.core.polyhedron()) {
         let x_ab = a.pose.relative(&b.pose);
         let mut search = AxisSearch::default();
-        search.place(q, &x_ab);
-        let axes = search.search(p, q, &x_ab, f64::INFINITY);
+        search.place(&q, &x_ab);
+        let axes = search.search(&p, &q, &x_ab, f64::INFINITY);
         offer(-a.pose.rotation.rotate(p.faces[axes.face_a.face as usize].normal));
         offer(b.pose.rotation.rotate(q.faces[axes.face_b.face as usize].normal));
         if let Some(edges) = axes.edges {
@@ -35,52 +36,30 @@ pub(crate) fn by_all_axes(a: &Element<'_>, b: &Element<'_>) -> Found {
             offer(across);
             offer(-across);
         }
-    } else {
-        for n in face_normals(a).into_iter().chain(face_normals(b)) {
-            offer(-n);
-            offer(n);
-        }
-        let edges_b = edge_vectors(b);
-        for along_a in edge_vectors(a) {
-            for along_b in &edges_b {
-                let across = unit(along_a.cross(*along_b));
-                if across != DVec3::ZERO {
-                    offer(across);
-                    offer(-across);
-                }
-            }
-        }
+    } else if let Some(axis) = best_axis(a, b) {
+        offer(axis);
     }
     touching_places(a, b, normal, most)
 }
 
-pub(super) fn face_normals(element: &Element<'_>) -> Vec<DVec3> {
-    match &element.core {
-        Core::Polyhedron(p) => p.faces.iter().map(|f| element.pose.rotation.rotate(f.normal)).collect(),
-        Core::Triangle([p, q, r]) => {
-            let normal = unit((*q - *p).cross(*r - *p));
-            if normal == DVec3::ZERO { Vec::new() } else { vec![element.pose.rotation.rotate(normal)] }
-        }
-        _ => Vec::new(),
-    }
-}
-
-fn edge_vectors(element: &Element<'_>) -> Vec<DVec3> {
-    let local: Vec<DVec3> = match &element.core {
-        Core::Polyhedron(p) => p.edges.iter().map(|e| e.direction).collect(),
-        Core::Triangle([p, q, r]) => vec![*q - *p, *r - *q, *p - *r],
-        Core::Segment([p, q]) => vec![*q - *p],
-        _ => Vec::new(),
+/// The axis along which the narrow phase separates two cores best, at least one of which is no polyhedron.
+pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
+    let shape = |core: &Core<'_>| match core {
+        Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
+        Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
+        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
+        Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
+        core => Some(Shape::Convex(core.polyhedron()?.into_owned())),
     };
-    local.into_iter().map(|e| element.pose.rotation.rotate(e)).collect()
+    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest
 /// into the other body, the nearest places of their hulls.
-fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f64) -> Found {
+fn touching_places(a: &Piece<'_>, b: &Piece<'_>, normal: DVec3, distance: f64) -> Found {
     let tolerance = place_tolerance(a.ball.1, b.ball.1, a.ball.0 - b.ball.0);
-    let extreme = |element: &Element<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
-        let placed: Vec<DVec3> = element.core.vertices().iter().map(|&v| element.pose.transform_point(v)).collect();
+    let extreme = |piece: &Piece<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
+        let placed: Vec<DVec3> = piece.core.vertices().iter().map(|&v| piece.pose.transform_point(v)).collect();
         let most = placed.iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
         let near = placed.into_iter().enumerate().filter(|(_, p)| p.dot(direction) >= most - tolerance);
         near.map(|(i, p)| (i as u32, p)).unzip()
@@ -100,7 +79,7 @@ fn touching_places(a: &Element<'_>, b: &Element<'_>, normal: DVec3, distance: f6
         normal,
         on_a: touch + normal * distance,
         on_b: touch,
-        kind_a: spanned_feature(a, &vertices_a),
-        kind_b: spanned_feature(b, &vertices_b),
+        feature_a: a.core.spanned(&vertices_a),
+        feature_b: b.core.spanned(&vertices_b),
     }
 }

@@ -1,16 +1,16 @@
 //! Shapes as the elements they consist of, and those of them that may be nearest.
 
-use super::element::{Core, Element};
+use super::piece::{Core, Piece};
 use crate::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::shape::TriangleMesh;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
 /// Calls `visit` with the elements of a shape whose frame stands at a pose; triangles and points are numbered as in the
 /// shape, the elements of a compound by their part.
-fn for_each_element<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&Element<'a>)) {
-    let mut one = |core, radius| visit(&Element::new(core, radius, 0, *pose));
+fn for_each_piece<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&Piece<'a>)) {
+    let mut one = |core, radius| visit(&Piece::new(core, radius, 0, *pose));
     match shape {
         Shape::Convex(p) => one(Core::Polyhedron(p), 0.0),
         Shape::Sphere(s) => one(Core::Point(s.center), s.radius),
@@ -21,8 +21,7 @@ fn for_each_element<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&El
         Shape::Torus(t) => one(Core::Circle(t), t.minor),
         Shape::Points(cloud) => {
             for (index, &point) in cloud.points.iter().enumerate() {
-                let element = Element::new(Core::Point(point), 0.0, index as u32, *pose);
-                visit(&Element { point_is_vertex: true, ..element });
+                visit(&Piece::new(Core::Point(point), 0.0, index as u32, *pose));
             }
         }
         Shape::TriangleMesh(mesh) => (0..mesh.triangles.len() as u32).for_each(|t| visit(&triangle(mesh, t, pose))),
@@ -32,14 +31,14 @@ fn for_each_element<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&El
     }
 }
 
-fn triangle(mesh: &TriangleMesh, index: u32, pose: &Pose) -> Element<'static> {
+fn triangle(mesh: &TriangleMesh, index: u32, pose: &Pose) -> Piece<'static> {
     // A mesh names only vertices that exist.
     let corners = mesh.triangles[index as usize].map(|v| mesh.vertices[v as usize]);
-    Element::new(Core::Triangle(corners), 0.0, index, *pose)
+    Piece::new(Core::Triangle(corners), 0.0, index, *pose)
 }
 
-fn for_each_of_part<'a>(parts: &'a [Shape], part: u32, pose: &Pose, visit: &mut dyn FnMut(&Element<'a>)) {
-    for_each_element(&parts[part as usize], pose, &mut |element| visit(&Element { part, ..*element }));
+fn for_each_of_part<'a>(parts: &'a [Shape], part: u32, pose: &Pose, visit: &mut dyn FnMut(&Piece<'a>)) {
+    for_each_piece(&parts[part as usize], pose, &mut |piece| visit(&Piece { part, ..*piece }));
 }
 
 /// Offers to `measure` the elements of a shape that may have the least value, nearest boxes first. `measure` returns the
@@ -49,8 +48,8 @@ pub(crate) fn offer_nearest<'a>(
     shape: &'a Shape,
     pose: &Pose,
     start: f64,
-    bound: &impl Fn(&Bounds) -> f64,
-    measure: &mut impl FnMut(&Element<'a>) -> f64,
+    bound: &impl Fn(&Aabb) -> f64,
+    measure: &mut impl FnMut(&Piece<'a>) -> f64,
 ) {
     match shape {
         Shape::TriangleMesh(mesh) => {
@@ -58,12 +57,12 @@ pub(crate) fn offer_nearest<'a>(
         }
         Shape::Compound(compound) => {
             compound.tree.least(start, 0.0, bound, &mut |part, mut least| {
-                for_each_of_part(&compound.parts, part, pose, &mut |element| least = least.min(measure(element)));
+                for_each_of_part(&compound.parts, part, pose, &mut |piece| least = least.min(measure(piece)));
                 least
             });
         }
-        _ => for_each_element(shape, pose, &mut |element| {
-            measure(element);
+        _ => for_each_piece(shape, pose, &mut |piece| {
+            measure(piece);
         }),
     }
 }
@@ -72,16 +71,16 @@ pub(crate) fn offer_nearest<'a>(
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Lower bound of the distance of a box from another, m.
-pub(crate) fn box_distance(bounds: &Bounds, other: &Bounds) -> f64 {
+pub(crate) fn box_distance(bounds: &Aabb, other: &Aabb) -> f64 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
     bounds.distance(other) * (1.0 - ROUNDING) - ROUNDING * largest
 }
 
 /// Where a ray enters a box, m, at the earliest; nothing for a miss.
-pub(crate) fn entered(bounds: &Bounds, origin: DVec3, direction: DVec3) -> Option<f64> {
+pub(crate) fn entered(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
     // What is in the box is met to the rounding of its distance from the origin.
     let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
-    let bounds = bounds.inflated(ROUNDING * farthest);
+    let bounds = bounds.widened(ROUNDING * farthest);
     let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);
     for axis in 0..3 {
         let (from, rate) = (origin[axis], direction[axis]);

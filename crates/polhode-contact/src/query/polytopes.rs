@@ -7,12 +7,11 @@
 //! not the tolerance of an iteration. It is accepted when it meets the upper bound; otherwise the nearest pair of features
 //! around those that GJK ended on is taken, and when the bodies overlap all axes are searched.
 
-use super::element::{Core, Element};
 use super::found::{EQUAL_ULPS, Found};
 use super::nearest_pair::nearest_pair;
 use super::penetration::by_all_axes;
-use super::spanned_feature::spanned_feature;
-use crate::query::gjk::{Gjk, GjkStatus, gjk};
+use super::piece::{Core, Piece};
+use crate::query::gjk::{Gjk, gjk};
 use crate::query::simplex::{Difference, Simplex};
 use crate::shape::support::unit;
 use glam::DVec3;
@@ -24,10 +23,10 @@ const CERTIFIED_ULPS: f64 = 32.0;
 const DIRECTION_ULPS: f64 = 2.0;
 
 /// Distance of two polytopes in the common frame; negative when they overlap.
-pub(crate) fn distance(a: &Element<'_>, b: &Element<'_>) -> Found {
+pub(crate) fn distance(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let support = |direction: DVec3| (a.support(direction), b.support(-direction));
     let walk = gjk(&support, a.ball.0 - b.ball.0);
-    if walk.status == GjkStatus::Touching {
+    if walk.touching {
         return by_all_axes(a, b);
     }
     let extent = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
@@ -44,18 +43,18 @@ pub(crate) fn distance(a: &Element<'_>, b: &Element<'_>) -> Found {
 /// The largest separation along the directions of the features that GJK ended on; of directions that are equally good to
 /// rounding a face's normal near the direction found is taken first, then that direction, then the others. Nothing when the
 /// nearest places are vertices and the direction between them does not separate by their distance: then others are nearer.
-fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Option<Found> {
+fn on_features(a: &Piece<'_>, b: &Piece<'_>, walk: &Gjk, extent: f64) -> Option<Found> {
     let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
     let mut last = walk.simplex;
     let between = last.reduce().direction;
     // A face's normal is sharp; the direction between the points is so only to the rounding of their difference.
     let rounding = DIRECTION_ULPS * f64::EPSILON * extent / walk.upper;
     let (mut directions, mut others) = (Vec::new(), Vec::new());
-    for (element, sign, own) in [(a, -1.0, &vertices[0]), (b, 1.0, &vertices[1])] {
-        if let (Core::Polyhedron(polyhedron), Some(&first)) = (element.core, own.first()) {
+    for (piece, sign, own) in [(a, -1.0, &vertices[0]), (b, 1.0, &vertices[1])] {
+        if let (Core::Polyhedron(polyhedron), Some(&first)) = (piece.core, own.first()) {
             let shared = |face: &&u32| own.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(face));
             for &face in polyhedron.faces_at.of(first as usize).iter().filter(shared) {
-                let n = element.pose.rotation.rotate(polyhedron.faces[face as usize].normal) * sign;
+                let n = piece.pose.rotation.rotate(polyhedron.faces[face as usize].normal) * sign;
                 if (n - between).length() <= rounding { directions.push(n) } else { others.push(n) }
             }
         }
@@ -75,24 +74,24 @@ fn on_features(a: &Element<'_>, b: &Element<'_>, walk: &Gjk, extent: f64) -> Opt
         }
     }
     let (on_a, on_b) = walk.simplex.witnesses();
-    let [kind_a, kind_b] = [spanned_feature(a, &vertices[0]), spanned_feature(b, &vertices[1])];
+    let [feature_a, feature_b] = [a.core.spanned(&vertices[0]), b.core.spanned(&vertices[1])];
     if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= certified {
         // A vertex is nearest: the two points tell themselves how far apart they are, and in which direction. The direction
         // that confirmed it may be that of a face close by.
         let w = on_a - on_b;
-        let found = Found { distance: w.length(), normal: unit(w), on_a, on_b, kind_a, kind_b };
+        let found = Found { distance: w.length(), normal: unit(w), on_a, on_b, feature_a, feature_b };
         return (found.distance - separation(found.normal) <= certified).then_some(found);
     }
     let middle = 0.5 * (on_a + on_b);
     let half = normal * (0.5 * most);
-    Some(Found { distance: most, normal, on_a: middle + half, on_b: middle - half, kind_a, kind_b })
+    Some(Found { distance: most, normal, on_a: middle + half, on_b: middle - half, feature_a, feature_b })
 }
 
 /// Numbers of the vertices of a simplex on one body, each once, ascending.
-fn vertices_of(element: &Element<'_>, simplex: &Simplex, of: impl Fn(&Difference) -> DVec3) -> Vec<u32> {
+fn vertices_of(piece: &Piece<'_>, simplex: &Simplex, of: impl Fn(&Difference) -> DVec3) -> Vec<u32> {
     let nearest = |point: &Difference| {
-        let local = element.pose.inverse_transform_point(of(point));
-        let vertices = element.core.vertices().iter().enumerate();
+        let local = piece.pose.inverse_transform_point(of(point));
+        let vertices = piece.core.vertices().iter().enumerate();
         let least = vertices.map(|(i, v)| (v.distance_squared(local), i)).min_by(|p, q| p.0.total_cmp(&q.0));
         least.map_or(0, |(_, i)| i as u32)
     };

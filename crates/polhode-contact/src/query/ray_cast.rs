@@ -7,17 +7,17 @@
 //! edge, so that no ray slips between them (docs/REFERENCES.md, Woop, Benthin and Wald 2013). There is no tolerance: what
 //! grazes to rounding is a hit when the rounded numbers say touch, and the same numbers give the same answer.
 
-use super::element::{Core, Element};
 use super::error::QueryError;
-use super::feature::{FeatureKind, QueryFeature};
+use super::feature::QueryFeature;
+use super::piece::{Core, Piece};
 use super::pieces::{entered, offer_nearest};
-use super::quartic::{bisect, monotone_pieces};
+use super::roots::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::across;
 use crate::shape::triangle::area_vector;
-use crate::{Cone, Cylinder, Shape, Torus};
+use crate::{Cone, Cylinder, Shape, SurfaceFeature, Torus};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
 
@@ -94,15 +94,15 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
         direction: pose.rotation.inverse_rotate(ray.direction),
     };
     let mut best: Option<(f64, Met, u32)> = None;
-    let bound = |bounds: &Bounds| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
+    let bound = |bounds: &Aabb| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
     // A box that the ray misses lies beyond every number.
     let reach = max_distance.min(f64::MAX);
-    offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |element| {
-        if let Some((distance, met)) = against(element, &local)
+    offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |piece| {
+        if let Some((distance, met)) = against(piece, &local)
             && distance <= max_distance
-            && best.is_none_or(|best| (distance, element.part) < (best.0, best.2))
+            && best.is_none_or(|best| (distance, piece.part) < (best.0, best.2))
         {
-            best = Some((distance, met, element.part));
+            best = Some((distance, met, piece.part));
         }
         best.map_or(reach, |best| best.0)
     });
@@ -110,9 +110,12 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
     let point = ray.at(distance);
     Some(match met {
         Met::Inside => RayHit { distance, point, normal: -ray.direction, feature: None },
-        Met::Surface { normal, kind } => {
-            RayHit { distance, point, normal: pose.rotation.rotate(normal), feature: Some(QueryFeature { part, kind }) }
-        }
+        Met::Surface { normal, feature } => RayHit {
+            distance,
+            point,
+            normal: pose.rotation.rotate(normal),
+            feature: Some(QueryFeature { part, surface: feature }),
+        },
     })
 }
 
@@ -127,21 +130,21 @@ struct Line {
 #[derive(Debug, Clone, Copy)]
 enum Met {
     Inside,
-    Surface { normal: DVec3, kind: FeatureKind },
+    Surface { normal: DVec3, feature: SurfaceFeature },
 }
 
 type Hit = Option<(f64, Met)>;
 
 #[allow(clippy::unnecessary_wraps, reason = "it ends functions that may also meet nothing")]
-fn surface(distance: f64, normal: DVec3, kind: FeatureKind) -> Hit {
-    Some((distance, Met::Surface { normal, kind }))
+fn surface(distance: f64, normal: DVec3, feature: SurfaceFeature) -> Hit {
+    Some((distance, Met::Surface { normal, feature }))
 }
 
-fn against(element: &Element<'_>, ray: &Line) -> Hit {
-    match &element.core {
-        Core::Point(_) if element.point_is_vertex => None,
-        Core::Point(center) => ball(*center, element.radius, ray),
-        Core::Segment(ends) => capsule(*ends, element.radius, ray),
+fn against(piece: &Piece<'_>, ray: &Line) -> Hit {
+    match &piece.core {
+        Core::Point(_) if piece.is_vertex() => None,
+        Core::Point(center) => ball(*center, piece.radius, ray),
+        Core::Segment(ends) => capsule(*ends, piece.radius, ray),
         Core::Triangle(corners) => triangle(corners, ray),
         Core::Polyhedron(polyhedron) => through_polyhedron(polyhedron, ray),
         Core::Cylinder(cylinder) => through_cylinder(cylinder, ray),
@@ -153,7 +156,7 @@ fn against(element: &Element<'_>, ray: &Line) -> Hit {
             if height <= 0.0 {
                 Some((0.0, Met::Inside))
             } else if rate < 0.0 {
-                surface(-height / rate, h.normal, FeatureKind::Face(0))
+                surface(-height / rate, h.normal, SurfaceFeature::Face(0))
             } else {
                 None
             }
@@ -176,7 +179,7 @@ fn ball(center: DVec3, radius: f64, ray: &Line) -> Hit {
     }
     let (enter, _) = within_ball(center, radius, ray).filter(|(enter, _)| *enter >= 0.0)?;
     let normal = (ray.origin - center) + ray.direction * enter;
-    surface(enter, normal.normalize_or(-ray.direction), FeatureKind::Surface)
+    surface(enter, normal.normalize_or(-ray.direction), SurfaceFeature::Sphere)
 }
 
 /// Where a line is within a distance of an axis through `base`; all of it or nothing when it is parallel.
@@ -219,7 +222,8 @@ fn capsule(ends: [DVec3; 2], radius: f64, ray: &Line) -> Hit {
     if first == f64::INFINITY {
         return None;
     }
-    surface(first, signed_distance(&core, ray.origin + ray.direction * first).normal, FeatureKind::Surface)
+    let place = signed_distance(&core, ray.origin + ray.direction * first);
+    surface(first, place.normal, place.feature)
 }
 
 fn through_polyhedron(polyhedron: &ConvexPolyhedron, ray: &Line) -> Hit {
@@ -248,7 +252,7 @@ fn through_polyhedron(polyhedron: &ConvexPolyhedron, ray: &Line) -> Hit {
         return Some((0.0, Met::Inside));
     }
     let index = entered.filter(|_| enter <= leave && enter >= 0.0)?;
-    surface(enter, polyhedron.faces[index].normal, FeatureKind::Face(index as u32))
+    surface(enter, polyhedron.faces[index].normal, SurfaceFeature::Face(index as u32))
 }
 
 /// Where a line is between two planes across an axis.
@@ -274,10 +278,10 @@ fn through_cylinder(cylinder: &Cylinder, ray: &Line) -> Hit {
     }
     if caps.0 >= side.0 {
         let up = if rate < 0.0 { cylinder.axis } else { -cylinder.axis };
-        return surface(enter, up, FeatureKind::Face(u32::from(rate < 0.0)));
+        return surface(enter, up, SurfaceFeature::Face(u32::from(rate < 0.0)));
     }
     let radial = across((ray.origin - cylinder.center) + ray.direction * enter, cylinder.axis);
-    surface(enter, radial.normalize_or(-ray.direction), FeatureKind::Surface)
+    surface(enter, radial.normalize_or(-ray.direction), SurfaceFeature::Side(0))
 }
 
 /// The side is the zero of `f = (radius of the cone at the height)^2 - (distance from the axis)^2`, a quadratic.
@@ -308,7 +312,7 @@ fn through_cone(cone: &Cone, ray: &Line) -> Hit {
     if rate != 0.0 {
         let t = (-cone.height - height) / rate;
         if (out + along * t).length() <= cone.radius {
-            offer(surface(t + shift, -cone.axis, FeatureKind::Face(0)));
+            offer(surface(t + shift, -cone.axis, SurfaceFeature::Face(0)));
         }
     }
     for t in quadratic_roots(a, b, c).into_iter().flatten() {
@@ -316,7 +320,7 @@ fn through_cone(cone: &Cone, ray: &Line) -> Hit {
         if (-cone.height..=0.0).contains(&above_apex) {
             let radial = (out + along * t).normalize_or(along.normalize_or(-ray.direction));
             let normal = (radial * cone.height + cone.axis * cone.radius).normalize_or(-ray.direction);
-            offer(surface(t + shift, normal, FeatureKind::Surface));
+            offer(surface(t + shift, normal, SurfaceFeature::Side(0)));
         }
     }
     best
@@ -369,7 +373,7 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
         return None;
     }
     let out = if rate < 0.0 { normal } else { -normal };
-    surface(t, out.normalize_or(-d), FeatureKind::Face(0))
+    surface(t, out.normalize_or(-d), SurfaceFeature::Face(0))
 }
 
 /// From where to where along a ray a triangle lies over it, seen from the side on which it is longest: of its corners what
@@ -429,7 +433,7 @@ fn through_torus(ring: &Torus, ray: &Line) -> Hit {
             let t = if at(ends[0]) <= 0.0 { ends[0] } else { bisect(ends[0], ends[1], &at)? };
             let distance = shift + t * reach;
             let place = signed_distance(&Core::Circle(ring), ray.origin + ray.direction * distance);
-            return surface(distance.max(0.0), place.normal, FeatureKind::Surface);
+            return surface(distance.max(0.0), place.normal, SurfaceFeature::Rim(0));
         }
     }
     None

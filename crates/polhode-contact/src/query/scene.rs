@@ -8,9 +8,10 @@ use super::error::QueryError;
 use super::overlap::overlap;
 use super::pieces::{box_distance, entered};
 use super::ray_cast::{Ray, RayHit, ray_cast};
-use crate::bounding::aabb::aabb_of;
-use crate::bounding::{Bounds, BoxTree};
-use crate::{Aabb, Shape};
+use crate::Shape;
+use crate::bounding::BoxTree;
+use crate::bounding::aabb::Aabb;
+use crate::bounding::around_shape::aabb_of;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -33,7 +34,7 @@ pub struct QueryScene<'a> {
     /// Bodies with a box, ascending.
     bounded: Vec<usize>,
     /// Of the bounded bodies.
-    boxes: Vec<Bounds>,
+    boxes: Vec<Aabb>,
     tree: BoxTree,
     unbounded: Vec<usize>,
 }
@@ -53,7 +54,7 @@ impl<'a> QueryScene<'a> {
         }
         let (bounded, unbounded): (Vec<usize>, Vec<usize>) =
             (0..bodies.len()).partition(|&i| bounds_of(bodies[i].0, &bodies[i].1).is_finite());
-        let boxes: Vec<Bounds> = bounded.iter().map(|&i| bounds_of(bodies[i].0, &bodies[i].1)).collect();
+        let boxes: Vec<Aabb> = bounded.iter().map(|&i| bounds_of(bodies[i].0, &bodies[i].1)).collect();
         let tree = BoxTree::new(&boxes);
         Ok(Self { bodies, bounded, boxes, tree, unbounded })
     }
@@ -89,7 +90,7 @@ impl<'a> QueryScene<'a> {
             offer(&mut best, body)?;
         }
         // A body that contains the point may be deeper than any box tells: boxes around the point are always opened.
-        let here = Bounds { min: point, max: point };
+        let here = Aabb { min: point, max: point };
         let mut failed = None;
         let start = best.map_or(f64::INFINITY, |(_, found)| found.distance);
         self.tree.least(start, 0.0, &|bounds| box_distance(bounds, &here), &mut |item, least| {
@@ -155,7 +156,7 @@ impl<'a> QueryScene<'a> {
         }
         // A box that the ray misses lies beyond every number.
         let reach = max_distance.min(f64::MAX);
-        let bound = |bounds: &Bounds| entered(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
+        let bound = |bounds: &Aabb| entered(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
         let nearest = |best: &Option<(usize, RayHit)>| best.map_or(reach, |(_, hit)| hit.distance);
         self.tree.least(nearest(&best), 0.0, &bound, &mut |item, least| {
             if bound(&self.boxes[item as usize]) <= least {
@@ -170,7 +171,7 @@ impl<'a> QueryScene<'a> {
     pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
         let mut hits = Vec::new();
         let passes =
-            |bounds: &Bounds| entered(bounds, ray.origin(), ray.direction()).is_some_and(|enter| enter <= max_distance);
+            |bounds: &Aabb| entered(bounds, ray.origin(), ray.direction()).is_some_and(|enter| enter <= max_distance);
         self.visit(&passes, &mut |body| {
             let (shape, pose) = &self.bodies[body];
             hits.extend(ray_cast(shape, pose, ray, max_distance).map(|hit| (body, hit)));
@@ -180,7 +181,7 @@ impl<'a> QueryScene<'a> {
     }
 
     /// Calls `visit` with every body whose box, and those of all nodes above it, pass.
-    fn visit(&self, passes: &impl Fn(&Bounds) -> bool, visit: &mut impl FnMut(usize)) {
+    fn visit(&self, passes: &impl Fn(&Aabb) -> bool, visit: &mut impl FnMut(usize)) {
         self.unbounded.iter().for_each(|&body| visit(body));
         self.tree.passing(passes, &mut |item| {
             let body = self.bounded[item as usize];
@@ -192,6 +193,6 @@ impl<'a> QueryScene<'a> {
 }
 
 /// A box around a shape at a pose that is finite; without bounds for a half-space.
-fn bounds_of(shape: &Shape, pose: &Pose) -> Bounds {
-    aabb_of(shape, pose).map_or(Bounds::ALL, |aabb| Bounds { min: aabb.min(), max: aabb.max() })
+fn bounds_of(shape: &Shape, pose: &Pose) -> Aabb {
+    aabb_of(shape, pose).unwrap_or(Aabb::UNBOUNDED)
 }

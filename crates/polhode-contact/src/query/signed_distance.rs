@@ -4,72 +4,59 @@
 //! place of the surface and on). Ties go to caps before sides, to the face with the lowest index, and on an axis of
 //! symmetry to a fixed direction perpendicular to it.
 
-use super::element::{Core, Element};
-use super::feature::FeatureKind;
-use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use super::piece::{Core, Piece};
+use crate::narrow_phase::feature::closest_feature::{NearestFeature, nearest_feature};
 use crate::shape::support::across;
 use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};
 use glam::DVec3;
 
-/// A point's place relative to a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Signed {
-    pub(crate) distance: f64,
-    pub(crate) normal: DVec3,
-    pub(crate) kind: FeatureKind,
-}
-
 /// Signed distance from a core, in its frame; of a point, a segment, a triangle and a circle, which have no inside, it is
 /// never negative. `if_zero` is the normal where the core gives none.
-pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> Signed {
+pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
     match core {
-        Core::Point(p) => away(point - *p, DVec3::Z, FeatureKind::Surface),
+        Core::Point(p) => away(point - *p, DVec3::Z, SurfaceFeature::Sphere),
         Core::Segment([p, q]) => {
             let (place, part) = on_segment(*p, *q, point);
-            away(point - place, (*q - *p).any_orthogonal_vector(), kind_of(part))
+            let feature = if let Part::Corner(k) = part { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
+            away(point - place, (*q - *p).any_orthogonal_vector(), feature)
         }
         Core::Triangle(corners) => from_flat(corners, point),
         Core::Polyhedron(polyhedron) => {
             let nearest = nearest_feature(polyhedron, point, 0.0);
-            let kind = match nearest.feature {
-                SurfaceFeature::Edge(i) => FeatureKind::Edge(i),
-                SurfaceFeature::Vertex(i) => FeatureKind::Vertex(i),
-                SurfaceFeature::Face(i) => FeatureKind::Face(i),
-                _ => FeatureKind::Surface,
-            };
-            if nearest.direction.is_finite() {
-                return Signed { distance: nearest.distance, normal: nearest.direction, kind };
+            if nearest.normal.is_finite() {
+                return nearest;
             }
             // On an edge or a vertex itself there is no direction: its first face's normal stands in.
-            let inside = nearest_feature(polyhedron, point, f64::INFINITY);
-            Signed { distance: nearest.distance, normal: inside.direction, kind }
+            NearestFeature { normal: nearest_feature(polyhedron, point, f64::INFINITY).normal, ..nearest }
         }
         Core::Cylinder(cylinder) => from_cylinder(cylinder, point),
         Core::Cone(cone) => from_cone(cone, point),
         Core::Circle(torus) => {
             let w = point - torus.center;
             let radial = radial_direction(across(w, torus.axis), torus.axis);
-            away(w - radial * torus.major, radial, FeatureKind::Surface)
+            away(w - radial * torus.major, radial, SurfaceFeature::Rim(0))
         }
-        Core::HalfSpace(h) => {
-            Signed { distance: h.normal.dot(point) - h.offset, normal: h.normal, kind: FeatureKind::Face(0) }
-        }
+        Core::HalfSpace(h) => NearestFeature {
+            distance: h.normal.dot(point) - h.offset,
+            normal: h.normal,
+            feature: SurfaceFeature::Face(0),
+        },
     }
 }
 
-/// Signed distance of a place of the common frame from an element's core, with the normal in the common frame.
-pub(crate) fn signed(place: DVec3, element: &Element<'_>) -> Signed {
-    let local = signed_distance(&element.core, element.pose.inverse_transform_point(place));
-    Signed { normal: element.pose.rotation.rotate(local.normal), ..local }
+/// Signed distance of a place of the common frame from a piece's core, with the normal in the common frame.
+pub(crate) fn signed(place: DVec3, piece: &Piece<'_>) -> NearestFeature {
+    let local = signed_distance(&piece.core, piece.pose.inverse_transform_point(place));
+    NearestFeature { normal: piece.pose.rotation.rotate(local.normal), ..local }
 }
 
 /// From a place without extent.
-fn away(w: DVec3, if_zero: DVec3, kind: FeatureKind) -> Signed {
+fn away(w: DVec3, if_zero: DVec3, feature: SurfaceFeature) -> NearestFeature {
     let distance = w.length();
     let direction = if distance > 0.0 { w } else { if_zero };
     let normal = direction.try_normalize().unwrap_or(DVec3::Z);
-    Signed { distance, normal, kind }
+    NearestFeature { feature, distance, normal }
 }
 
 /// Unit vector of a radial part; on the axis a fixed one.
@@ -79,13 +66,13 @@ fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
 
 /// Over the face the direction is its normal or that to the point, whichever is known better: the normal to rounding of
 /// its two shortest sides, relative to the area, the direction to rounding of the point's distance from a corner.
-fn from_flat(corners: &[DVec3; 3], point: DVec3) -> Signed {
+fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     let (w, part) = from_triangle(corners, point);
     if part != Part::Face && w != DVec3::ZERO {
-        return away(w, w, kind_of(part));
+        return away(w, w, feature_of(part));
     }
     let normal = area_vector(*corners);
-    let found = away(w, normal, kind_of(part));
+    let found = away(w, normal, feature_of(part));
     if part != Part::Face {
         return found;
     }
@@ -95,18 +82,19 @@ fn from_flat(corners: &[DVec3; 3], point: DVec3) -> Signed {
         return found;
     }
     let side = if w.dot(normal) < 0.0 { -normal } else { normal };
-    Signed { normal: side.try_normalize().unwrap_or(found.normal), ..found }
+    NearestFeature { normal: side.try_normalize().unwrap_or(found.normal), ..found }
 }
 
-fn kind_of(part: Part) -> FeatureKind {
+/// Of a triangle.
+fn feature_of(part: Part) -> SurfaceFeature {
     match part {
-        Part::Face => FeatureKind::Face(0),
-        Part::Edge(k) => FeatureKind::Edge(k as u32),
-        Part::Corner(k) => FeatureKind::Vertex(k as u32),
+        Part::Face => SurfaceFeature::Face(0),
+        Part::Edge(k) => SurfaceFeature::Edge(k as u32),
+        Part::Corner(k) => SurfaceFeature::Vertex(k as u32),
     }
 }
 
-fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> Signed {
+fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> NearestFeature {
     let w = point - cylinder.center;
     let along = w.dot(cylinder.axis);
     let radial = across(w, cylinder.axis);
@@ -117,16 +105,20 @@ fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> Signed {
     let up = if along < 0.0 { -cylinder.axis } else { cylinder.axis };
     if cap > 0.0 && side > 0.0 {
         let out = outward * side + up * cap;
-        return Signed { distance: out.length(), normal: out / out.length(), kind: FeatureKind::Edge(end) };
+        return NearestFeature {
+            distance: out.length(),
+            normal: out / out.length(),
+            feature: SurfaceFeature::Rim(end),
+        };
     }
     if cap >= side {
-        Signed { distance: cap, normal: up, kind: FeatureKind::Face(end) }
+        NearestFeature { distance: cap, normal: up, feature: SurfaceFeature::Face(end) }
     } else {
-        Signed { distance: side, normal: outward, kind: FeatureKind::Surface }
+        NearestFeature { distance: side, normal: outward, feature: SurfaceFeature::Side(0) }
     }
 }
 
-fn from_cone(cone: &Cone, point: DVec3) -> Signed {
+fn from_cone(cone: &Cone, point: DVec3) -> NearestFeature {
     let w = point - cone.base;
     let above = w.dot(cone.axis);
     let radial = across(w, cone.axis);
@@ -136,9 +128,9 @@ fn from_cone(cone: &Cone, point: DVec3) -> Signed {
     // Across the slant line from the rim to the apex, and along it from the rim.
     let across_slant = (beyond * cone.height + above * cone.radius) / slant;
     let along_slant = (above * cone.height - beyond * cone.radius) / slant;
-    let on_base = Signed { distance: -above, normal: -cone.axis, kind: FeatureKind::Face(0) };
+    let on_base = NearestFeature { distance: -above, normal: -cone.axis, feature: SurfaceFeature::Face(0) };
     let slant_normal = (outward * cone.height + cone.axis * cone.radius) / slant;
-    let on_side = Signed { distance: across_slant, normal: slant_normal, kind: FeatureKind::Surface };
+    let on_side = NearestFeature { distance: across_slant, normal: slant_normal, feature: SurfaceFeature::Side(0) };
     if above >= 0.0 && across_slant <= 0.0 {
         return if on_base.distance >= on_side.distance { on_base } else { on_side };
     }
@@ -146,10 +138,10 @@ fn from_cone(cone: &Cone, point: DVec3) -> Signed {
         return on_base;
     }
     if along_slant <= 0.0 {
-        return away(outward * beyond + cone.axis * above, outward, FeatureKind::Edge(0));
+        return away(outward * beyond + cone.axis * above, outward, SurfaceFeature::Rim(0));
     }
     if along_slant >= slant {
-        return away(point - cone.apex(), cone.axis, FeatureKind::Vertex(0));
+        return away(point - cone.apex(), cone.axis, SurfaceFeature::Vertex(0));
     }
     on_side
 }

@@ -1,31 +1,41 @@
 //! The feature of a polytope that some of its vertices span.
 
-use super::element::{Core, Element};
-use super::feature::FeatureKind;
+use super::piece::Core;
+use crate::SurfaceFeature;
 
-/// The feature that some vertices span: one is a vertex, two may be an edge, otherwise a face that has them all.
-pub(crate) fn spanned_feature(element: &Element<'_>, vertices: &[u32]) -> FeatureKind {
-    let first = vertices.first().copied().unwrap_or(0);
-    match (&element.core, vertices.len()) {
-        (Core::Point(_) | Core::Segment(_) | Core::Triangle(_) | Core::Polyhedron(_), 0 | 1) => {
-            FeatureKind::Vertex(first)
+impl Core<'_> {
+    /// A vertex of a polytope; of a segment, which is the axis of a capsule, the cap about its end.
+    pub(crate) const fn corner(&self, vertex: u32) -> SurfaceFeature {
+        match self {
+            Self::Segment(_) => SurfaceFeature::Cap(vertex),
+            _ => SurfaceFeature::Vertex(vertex),
         }
-        (Core::Triangle(_), 2) => FeatureKind::Edge(if vertices == [0, 2] { 2 } else { first }),
-        (Core::Polyhedron(polyhedron), _) => {
-            let edges = polyhedron.edges_at.of(first as usize).iter();
-            let joins = |edge: &&u32| {
-                let ends = polyhedron.edges[**edge as usize].vertices;
-                vertices.len() == 2 && vertices.iter().all(|v| ends.contains(v))
-            };
-            if let Some(&edge) = edges.clone().find(joins) {
-                return FeatureKind::Edge(edge);
+    }
+
+    /// The feature that some vertices of a polytope span: one is a vertex, two may be an edge, otherwise a face that has
+    /// them all.
+    pub(crate) fn spanned(&self, vertices: &[u32]) -> SurfaceFeature {
+        let first = vertices.first().copied().unwrap_or(0);
+        match self {
+            _ if vertices.len() < 2 => self.corner(first),
+            Self::Polyhedron(polyhedron) => {
+                let mut edges = polyhedron.edges_at.of(first as usize).iter();
+                let joins = |edge: &&u32| {
+                    let ends = polyhedron.edges[**edge as usize].vertices;
+                    vertices.len() == 2 && vertices.iter().all(|v| ends.contains(v))
+                };
+                if let Some(&edge) = edges.find(joins) {
+                    return SurfaceFeature::Edge(edge);
+                }
+                let mut faces = polyhedron.faces_at.of(first as usize).iter();
+                let has_all = |face: &u32| vertices.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(face));
+                SurfaceFeature::Face(faces.find(|face| has_all(face)).copied().unwrap_or(0))
             }
-            let mut faces = polyhedron.faces_at.of(first as usize).iter();
-            let shared = faces.find(|&&f| vertices.iter().all(|&v| polyhedron.faces_at.of(v as usize).contains(&f)));
-            FeatureKind::Face(shared.copied().unwrap_or(0))
+            Self::Triangle(_) if vertices.len() == 2 => {
+                SurfaceFeature::Edge(if vertices == [0, 2] { 2 } else { first })
+            }
+            Self::Triangle(_) => SurfaceFeature::Face(0),
+            _ => SurfaceFeature::Side(0),
         }
-        (Core::Segment(_), _) => FeatureKind::Edge(0),
-        (Core::Triangle(_), _) => FeatureKind::Face(0),
-        _ => FeatureKind::Surface,
     }
 }

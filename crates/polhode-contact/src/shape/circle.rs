@@ -1,6 +1,6 @@
 //! A circle about an axis: the rim of a disc, the middle line of a ring.
 
-use super::support::across;
+use super::support::{across, unit};
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -41,6 +41,11 @@ impl Circle {
     /// Largest coordinate of its points along a unit vector, m.
     pub(crate) fn support(&self, n: DVec3) -> f64 {
         n.dot(self.center) + self.radius * self.axis.cross(n).length()
+    }
+
+    /// The point of its disc that is farthest along a direction: the centre when the disc lies across it.
+    pub(crate) fn farthest(&self, direction: DVec3) -> DVec3 {
+        self.center + unit(across(direction, self.axis)) * self.radius
     }
 
     /// A stated point; nothing beyond [`RIM_POINTS`].

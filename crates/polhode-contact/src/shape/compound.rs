@@ -2,7 +2,8 @@
 
 use super::error::ShapeError;
 use super::kinds::{Compound, FirstElements, Shape};
-use crate::bounding::{Bounds, BoxTree};
+use crate::bounding::BoxTree;
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -33,7 +34,7 @@ impl Compound {
             return Err(ShapeError::NoPart { what: "parts" });
         }
         let first = numbered(&flat)?;
-        let boxes: Vec<Bounds> = flat.iter().map(|part| part.bounds_at(&Pose::IDENTITY)).collect();
+        let boxes: Vec<Aabb> = flat.iter().map(|part| part.bounds_at(&Pose::IDENTITY)).collect();
         let size = size_of(&flat);
         Ok(Self { parts: flat, first, tree: BoxTree::new(&boxes), size })
     }
@@ -90,7 +91,7 @@ fn size_of(parts: &[Shape]) -> f64 {
     }
     let mut largest = parts.iter().map(Shape::size).fold(0.0, f64::max);
     if balls.len() > EXACT_SIZE_LIMIT {
-        let bounds = balls.iter().fold(Bounds::EMPTY, |b, &(c, r, _)| b.union(Bounds { min: c - r, max: c + r }));
+        let bounds = balls.iter().fold(Aabb::EMPTY, |b, &(c, r, _)| b.merged(&Aabb { min: c - r, max: c + r }));
         return largest.max((bounds.max - bounds.min).length());
     }
     for (i, &(center, radius, part)) in balls.iter().enumerate() {

@@ -1,5 +1,6 @@
 //! Right circular cones.
 
+use super::circle::Circle;
 use super::error::{ShapeError, check_length, check_point};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
@@ -50,6 +51,11 @@ impl Cone {
     /// Apex in the body's frame, m.
     pub fn apex(&self) -> DVec3 {
         self.base + self.axis * self.height
+    }
+
+    /// The rim of the base.
+    pub(crate) fn rim(&self) -> Circle {
+        Circle { center: self.base, axis: -self.axis, radius: self.radius }
     }
 
     pub(super) fn placed(&self, pose: &Pose) -> Result<Self, ShapeError> {

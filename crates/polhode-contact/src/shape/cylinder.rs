@@ -1,5 +1,6 @@
 //! Right circular cylinders.
 
+use super::circle::Circle;
 use super::error::{ShapeError, check_length, check_point};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
@@ -43,6 +44,12 @@ impl Cylinder {
     /// Height, m.
     pub const fn height(&self) -> f64 {
         2.0 * self.half_height
+    }
+
+    /// The rims, towards `-axis` and towards `axis`.
+    pub(crate) fn rims(&self) -> [Circle; 2] {
+        let rim = |axis: DVec3| Circle { center: self.center + axis * self.half_height, axis, radius: self.radius };
+        [rim(-self.axis), rim(self.axis)]
     }
 
     pub(super) fn placed(&self, pose: &Pose) -> Result<Self, ShapeError> {

@@ -54,14 +54,6 @@ pub enum ShapeError {
         /// Least extent, m.
         limit: f64,
     },
-    /// The convex hull of the points could not be built.
-    #[error("no convex hull of {points} points: {reason}; give the faces as a mesh instead")]
-    Hull {
-        /// How many points there were.
-        points: usize,
-        /// What went wrong.
-        reason: String,
-    },
     /// A vertex stands outside a face.
     #[error(
         "not convex: vertex {vertex} stands {height:e} m outside the plane of face {face}, at most {limit:e} m is \

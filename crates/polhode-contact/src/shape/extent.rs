@@ -1,7 +1,7 @@
 //! How far shapes reach: their size, the balls whose convex hull holds a shape, its bounding box.
 
 use super::Shape;
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -76,15 +76,15 @@ impl Shape {
     }
 
     /// A box around the shape at a pose, m; empty for a half-space.
-    pub(crate) fn bounds_at(&self, pose: &Pose) -> Bounds {
+    pub(crate) fn bounds_at(&self, pose: &Pose) -> Aabb {
         match self {
             Self::TriangleMesh(m) => turned(m.bounds(), pose),
             Self::Compound(c) => turned(c.tree.bounds(), pose),
             _ => {
-                let mut bounds = Bounds::EMPTY;
+                let mut bounds = Aabb::EMPTY;
                 self.for_each_ball(&mut |center, radius| {
                     let place = pose.transform_point(center);
-                    bounds = bounds.union(Bounds { min: place - radius, max: place + radius });
+                    bounds = bounds.merged(&Aabb { min: place - radius, max: place + radius });
                 });
                 bounds
             }
@@ -93,10 +93,10 @@ impl Shape {
 }
 
 /// A box around a turned box.
-pub(crate) fn turned(bounds: Bounds, pose: &Pose) -> Bounds {
+pub(crate) fn turned(bounds: Aabb, pose: &Pose) -> Aabb {
     let rotation = pose.rotation.to_matrix();
     let half = 0.5 * (bounds.max - bounds.min);
     let center = pose.transform_point(bounds.min + half);
     let reach = rotation.x_axis.abs() * half.x + rotation.y_axis.abs() * half.y + rotation.z_axis.abs() * half.z;
-    Bounds { min: center - reach, max: center + reach }
+    Aabb { min: center - reach, max: center + reach }
 }

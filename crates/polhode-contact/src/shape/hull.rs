@@ -1,48 +1,52 @@
 //! Convex polyhedra from points and from triangles: triangles of one plane become one face.
 //!
+//! The hull of points is the exact one of polhode-mesh ([`ConvexHull`]), which has a face for every plane however close to
+//! another one; here planes that differ by rounding become one.
+//!
 //! Faces grow from the largest triangles over neighbours all of whose vertices lie in the seed's plane, so that slivers
 //! between two faces join one of them and never bridge an edge. Vertices inside a face or inside an edge are left out.
 
-use crate::backend;
 use crate::shape::error::{ShapeError, check_point};
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
-use glam::{DMat3, DVec3};
-use polhode_spatial::PrincipalAxes;
+use glam::DVec3;
+use polhode_mesh::{ConvexHull, HullError};
 use std::collections::BTreeMap;
 
 /// How far a vertex may lie off the plane of a seed triangle to belong to its face, relative to the size: well above
 /// the rounding of computed coordinates (1e-16), well below the tolerance for plane faces.
 const COPLANAR_TOLERANCE: f64 = 0.1 * PLANE_TOLERANCE;
 
-/// How far points are moved when their hull fails, in units of their extent along each principal axis: well above the
-/// hull library's own tolerance (2e-14), well below [`COPLANAR_TOLERANCE`].
-const JIGGLE: f64 = 1e-11;
-
-/// How often a hull is tried: once as given, then moved.
-const ATTEMPTS: u32 = 8;
-
-/// The convex hull of some points.
+/// The convex hull of some points: the exact one of polhode-mesh, its faces merged up to the tolerance for plane faces.
 pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeError> {
     if points.len() < 4 {
         return Err(ShapeError::TooFewPoints { count: points.len(), limit: 4 });
     }
-    if u32::try_from(points.len()).is_err() {
-        return Err(ShapeError::TooManyPoints { count: points.len(), limit: u32::MAX as usize });
-    }
     points.iter().try_for_each(|&p| check_point("point", p))?;
-    let points = &welded(points);
-    let whitened = whitened(points)?;
-    let mut failure = None;
-    for attempt in 0..ATTEMPTS {
-        match hull_of(points, &jiggled(&whitened, attempt)) {
-            Ok(hull) => return Ok(hull),
-            Err(error) => failure = failure.or(Some(error)),
-        }
+    let points = welded(points);
+    let limit = THICKNESS_LIMIT * largest_distance(&points);
+    let hull = ConvexHull::of(&points).map_err(|error| match error {
+        HullError::TooManyPoints(count) => ShapeError::TooManyPoints { count, limit: u32::MAX as usize / 8 },
+        _ => ShapeError::Flat { thickness: 0.0, limit },
+    })?;
+    let mesh = hull.solid().mesh();
+    let thickness = thickness(mesh.vertices(), mesh.triangles());
+    if thickness < limit {
+        return Err(ShapeError::Flat { thickness, limit });
     }
-    let reason = failure.map_or_else(String::new, |error| error.to_string());
-    Err(ShapeError::Hull { points: points.len(), reason })
+    from_triangles(mesh.vertices(), mesh.triangles())
+}
+
+/// The least extent of a hull across one of its triangles, m.
+fn thickness(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let across = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|v| vertices[v as usize]);
+        // A triangle between corners of one edge, to rounding, tells no direction.
+        let normal = (b - a).cross(c - a).try_normalize()?;
+        Some(vertices.iter().map(|&v| normal.dot(a - v)).fold(0.0, f64::max))
+    };
+    triangles.iter().filter_map(across).fold(f64::INFINITY, f64::min)
 }
 
 /// The points without those that lie within the tolerance for plane faces of one that is kept.
@@ -60,59 +64,6 @@ fn welded(points: &[DVec3]) -> Vec<DVec3> {
     }
     kept.sort_unstable();
     kept.into_iter().map(|i| points[i]).collect()
-}
-
-/// The hull whose triangles are those of other points, near enough to tell which of `points` belong together.
-fn hull_of(points: &[DVec3], stand_ins: &[DVec3]) -> Result<ConvexPolyhedron, ShapeError> {
-    let fail = |reason| ShapeError::Hull { points: points.len(), reason };
-    let triangles = backend::convex_hull(stand_ins).map_err(fail)?;
-    let hull = from_triangles(points, &triangles)?;
-    // The hull library decides with absolute tolerances of its own: no point may be left outside.
-    let limit = PLANE_TOLERANCE * hull.size();
-    for face in hull.faces() {
-        if let Some(outside) = points.iter().find(|p| face.normal.dot(**p) - face.offset > limit) {
-            let height = face.normal.dot(*outside) - face.offset;
-            return Err(fail(format!("the point {outside} was left {height:e} m outside")));
-        }
-    }
-    Ok(hull)
-}
-
-/// The points moved by up to `attempt` times [`JIGGLE`], by a fixed sequence. Many points in one plane or on one line can
-/// lead the hull library astray; moved a little, no four lie in a plane, and the coplanar triangles merge again, because
-/// geometry is always taken from the points as given.
-fn jiggled(points: &[DVec3], attempt: u32) -> Vec<DVec3> {
-    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut next = || {
-        // Knuth's multiplier and increment; the upper bits are used.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((state >> 33) as u32) / f64::from(1_u32 << 30) - 1.0
-    };
-    let amplitude = f64::from(attempt) * JIGGLE;
-    points.iter().map(|&p| p + amplitude * DVec3::new(next(), next(), next())).collect()
-}
-
-/// The points in coordinates along their principal axes, scaled to [-1, 1] in each. A hull keeps its topology under
-/// affine maps, and thin plates would otherwise be taken for flat by the hull library.
-fn whitened(points: &[DVec3]) -> Result<Vec<DVec3>, ShapeError> {
-    let center = points.iter().map(|&p| p / points.len() as f64).sum::<DVec3>();
-    let scale = points.iter().map(|&p| (p - center).abs().max_element()).fold(0.0, f64::max);
-    let thinnest = THICKNESS_LIMIT * scale;
-    if scale == 0.0 {
-        return Err(ShapeError::Flat { thickness: 0.0, limit: f64::MIN_POSITIVE });
-    }
-    let covariance: DMat3 = points.iter().map(|&p| (p - center) / scale).map(outer).sum();
-    let to_axes = PrincipalAxes::of(&covariance).rotation().inverse();
-    let along: Vec<DVec3> = points.iter().map(|&p| to_axes.rotate(p - center)).collect();
-    let extent = along.iter().fold(DVec3::ZERO, |e, q| e.max(q.abs()));
-    if extent.is_nan() || extent.min_element() < thinnest {
-        return Err(ShapeError::Flat { thickness: extent.min_element(), limit: thinnest });
-    }
-    Ok(along.into_iter().map(|q| q / extent).collect())
-}
-
-fn outer(v: DVec3) -> DMat3 {
-    DMat3::from_cols(v * v.x, v * v.y, v * v.z)
 }
 
 /// A convex polyhedron from outward triangles that close a surface.

@@ -1,6 +1,7 @@
 //! Sets of points.
 
 use super::error::{ShapeError, check_point};
+use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 
 /// Points that are fixed to each other: they touch faces, edges, vertices and spheres, never each other.
@@ -46,8 +47,8 @@ const EXACT_SIZE_LIMIT: usize = 1024;
 /// Largest distance between two of some points, m.
 pub(crate) fn largest_distance(points: &[DVec3]) -> f64 {
     if points.len() > EXACT_SIZE_LIMIT {
-        let (low, high) = points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
-        return (high - low).length();
+        let around = Aabb::of_points(points.iter().copied());
+        return (around.max - around.min).length();
     }
     let mut largest: f64 = 0.0;
     for (i, a) in points.iter().enumerate() {

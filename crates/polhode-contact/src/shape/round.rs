@@ -17,9 +17,7 @@
 
 use super::circle::Circle;
 pub use super::circle::RIM_POINTS;
-use super::support::across;
 use crate::Shape;
-use crate::shape::support::unit;
 use glam::DVec3;
 
 /// The circles of a smooth shape, at most two.
@@ -46,18 +44,9 @@ impl std::ops::Deref for Circles {
 /// The circles of a shape in its body's frame: rims, or the middle line of a ring.
 pub(crate) fn circles(shape: &Shape) -> Circles {
     match shape {
-        Shape::Cylinder(c) => {
-            let rim = |axis: DVec3| Circle { center: c.center + axis * c.half_height, axis, radius: c.radius };
-            Circles { items: [rim(-c.axis), rim(c.axis)], count: 2 }
-        }
-        Shape::Cone(c) => {
-            let rim = Circle { center: c.base, axis: -c.axis, radius: c.radius };
-            Circles { items: [rim, rim], count: 1 }
-        }
-        Shape::Torus(t) => {
-            let ring = Circle { center: t.center, axis: t.axis, radius: t.major };
-            Circles { items: [ring, ring], count: 1 }
-        }
+        Shape::Cylinder(c) => Circles { items: c.rims(), count: 2 },
+        Shape::Cone(c) => Circles { items: [c.rim(); 2], count: 1 },
+        Shape::Torus(t) => Circles { items: [t.ring(); 2], count: 1 },
         _ => Circles::NONE,
     }
 }
@@ -155,7 +144,7 @@ pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
     };
     points.iter().copied().for_each(&mut offer);
     for circle in circles(shape).iter() {
-        offer(circle.center + unit(across(n, circle.axis)) * circle.radius);
+        offer(circle.farthest(n));
     }
     best.1 + n.try_normalize().unwrap_or(DVec3::ZERO) * ball
 }

@@ -1,7 +1,5 @@
-//! Support functions: the point of a convex shape that is farthest along a direction.
+//! The point that is farthest along a direction, and the parts of vectors that finding it takes.
 
-use super::cone::Cone;
-use super::cylinder::Cylinder;
 use glam::DVec3;
 
 /// The first of the points that are farthest along a direction; the origin when there is none.
@@ -16,29 +14,6 @@ pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {
         }
     }
     best
-}
-
-/// Of a cylinder; the middle of a cap that faces the direction exactly.
-pub(crate) fn of_cylinder(cylinder: &Cylinder, direction: DVec3) -> DVec3 {
-    let along = direction.dot(cylinder.axis);
-    let cap = cylinder.axis * if along < 0.0 { -cylinder.half_height } else { cylinder.half_height };
-    cylinder.center + cap + unit(across(direction, cylinder.axis)) * cylinder.radius
-}
-
-/// Of a cone: its apex or a point of its rim.
-pub(crate) fn of_cone(cone: &Cone, direction: DVec3) -> DVec3 {
-    let radial = unit(across(direction, cone.axis));
-    if direction.dot(cone.axis) * cone.height >= direction.dot(radial) * cone.radius {
-        cone.apex()
-    } else {
-        cone.base + radial * cone.radius
-    }
-}
-
-/// Of a circle about an axis.
-pub(crate) fn of_circle(center: DVec3, axis: DVec3, radius: f64, direction: DVec3) -> DVec3 {
-    let radial = unit(across(direction, axis));
-    center + if radial == DVec3::ZERO { axis.any_orthonormal_vector() } else { radial } * radius
 }
 
 /// The part of a vector perpendicular to a unit vector. What rounding leaves along the axis is taken away a second time:

@@ -1,5 +1,6 @@
 //! Tori: all points within a radius of a circle. The one smooth shape that is not convex.
 
+use super::circle::Circle;
 use super::error::{ShapeError, check_length, check_point};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
@@ -47,6 +48,11 @@ impl Torus {
     /// Radius of the tube, m.
     pub const fn minor(&self) -> f64 {
         self.minor
+    }
+
+    /// The middle line of the tube.
+    pub(crate) const fn ring(&self) -> Circle {
+        Circle { center: self.center, axis: self.axis, radius: self.major }
     }
 
     pub(super) fn placed(&self, pose: &Pose) -> Result<Self, ShapeError> {

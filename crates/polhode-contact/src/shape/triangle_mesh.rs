@@ -12,7 +12,8 @@ use super::point_cloud::largest_distance;
 use super::polyhedron::ConvexPolyhedron;
 use super::topology;
 use super::triangle::area_vector;
-use crate::bounding::{Bounds, BoxTree};
+use crate::bounding::BoxTree;
+use crate::bounding::aabb::Aabb;
 use crate::shape::lists::Lists;
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -109,8 +110,8 @@ impl TriangleMesh {
             });
             edge.outward = outward.sum();
         }
-        let corners = |t: &[u32; 3]| Bounds::of_points(t.iter().map(|&v| vertices[v as usize]));
-        let boxes: Vec<Bounds> = joined.iter().map(corners).collect();
+        let corners = |t: &[u32; 3]| Aabb::of_points(t.iter().map(|&v| vertices[v as usize]));
+        let boxes: Vec<Aabb> = joined.iter().map(corners).collect();
         let reach = places.iter().map(|place| place.length()).fold(0.0, f64::max);
         let tree = BoxTree::new(&boxes);
         Ok(Self {
@@ -154,7 +155,7 @@ impl TriangleMesh {
         self.size
     }
 
-    pub(crate) fn bounds(&self) -> Bounds {
+    pub(crate) fn bounds(&self) -> Aabb {
         self.tree.bounds()
     }
 
@@ -174,8 +175,8 @@ impl TriangleMesh {
 
     /// Distance of a place from the nearest vertex of a triangle, m.
     pub(crate) fn distance_to_vertex(&self, x: DVec3) -> f64 {
-        let here = Bounds { min: x, max: x };
-        self.tree.least(f64::INFINITY, 0.0, &|bounds: &Bounds| bounds.distance(&here), &mut |triangle, _| {
+        let here = Aabb { min: x, max: x };
+        self.tree.least(f64::INFINITY, 0.0, &|bounds: &Aabb| bounds.distance(&here), &mut |triangle, _| {
             self.corners(triangle)
                 .map_or(f64::INFINITY, |corners| corners.iter().map(|c| c.distance(x)).fold(f64::INFINITY, f64::min))
         })

@@ -2,7 +2,7 @@
 
 use crate::support::{Random, at, cuboid, prism};
 use polhode_contact::{
-    ConvexPolyhedron, FeatureKind, QueryError, Shape, closest_point, contains, distance, overlap, separation,
+    ConvexPolyhedron, QueryError, Shape, SurfaceFeature, closest_point, contains, distance, overlap, separation,
 };
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation, UnitVector};
 use std::f64::consts::TAU;
@@ -188,8 +188,8 @@ fn separation_is_a_lower_bound_that_faces_meet() {
         let found = distance(&a, &pose_a, &b, &pose_b).expect("finite");
         let along_axes = separation(&a, &pose_a, &b, &pose_b);
         assert!(along_axes <= found.distance + 4e-15, "{along_axes} {found:?}");
-        let face = |kind| matches!(kind, FeatureKind::Face(_));
-        if found.distance > 0.0 && (face(found.feature_a.kind) || face(found.feature_b.kind)) {
+        let face = |kind| matches!(kind, SurfaceFeature::Face(_));
+        if found.distance > 0.0 && (face(found.feature_a.surface) || face(found.feature_b.surface)) {
             met += 1;
             assert!((along_axes - found.distance).abs() < 4e-15, "{along_axes} {found:?}");
         }

@@ -3,9 +3,7 @@
 
 use crate::compounds::{assert_same, touching};
 use crate::support::{Random, cuboid, prism, yaw};
-use polhode_contact::{
-    BoundingSphere, ConvexPolyhedron, Shape, ShapeError, aabb_of, evaluate, manifold, mirror_defect, separation,
-};
+use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, aabb_of, evaluate, manifold, mirror_defect, separation};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 
 /// A square of `n` by `n` cells about the origin with this side; inner vertices moved within the plane by up to
@@ -347,7 +345,6 @@ fn a_vertex_of_no_triangle_far_away_changes_no_answer() {
     let without = Shape::TriangleMesh(ground);
     assert_eq!((with.size(), with.radius()), (without.size(), without.radius()));
     assert_eq!(aabb_of(&with, &Pose::IDENTITY), aabb_of(&without, &Pose::IDENTITY));
-    assert_eq!(BoundingSphere::of(&with), BoundingSphere::of(&without));
     let bodies = [
         Shape::cylinder(0.1, 0.3).expect("a cylinder"),
         cuboid(0.4, 0.5, 0.2),

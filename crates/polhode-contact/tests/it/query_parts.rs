@@ -3,7 +3,7 @@
 
 use crate::distances::zoo;
 use crate::support::Random;
-use polhode_contact::{Ray, Shape, closest_point, distance, ray_cast};
+use polhode_contact::{Ray, Shape, SurfaceFeature, closest_point, distance, ray_cast};
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
 /// Hills on a grid of half metres, so that many places are equally near.
@@ -94,5 +94,35 @@ fn a_compound_answers_as_the_nearest_of_its_parts() {
             let pose = some_pose(&mut random);
             check(&mut random, &whole, &parts, &pose);
         }
+    }
+}
+
+/// What a query met bears the name that it has in a contact; a point of a cloud is a vertex by its number.
+#[test]
+fn features_of_round_shapes_are_named_as_in_contacts() {
+    use SurfaceFeature::{Cap, Face, Rim, Side, Sphere, Vertex};
+    let (x, z) = (DVec3::X, DVec3::Z);
+    let cases = [
+        (Shape::sphere(0.5), x * 2.0, Sphere),
+        (Shape::capsule(0.5, 2.0), x * 2.0, Side(0)),
+        (Shape::capsule(0.5, 2.0), -z * 3.0, Cap(0)),
+        (Shape::cylinder(0.5, 2.0), x * 2.0, Side(0)),
+        (Shape::cylinder(0.5, 2.0), z * 3.0, Face(1)),
+        (Shape::cylinder(0.5, 2.0), x * 2.0 + z * 3.0, Rim(1)),
+        (Shape::cone(0.5, 2.0), z * 3.0, Vertex(0)),
+        (Shape::cone(0.5, 2.0), x * 2.0 - z, Rim(0)),
+        (Shape::torus(2.0, 0.5), x * 3.0, Rim(0)),
+        (Shape::points(vec![z, x]), x * 3.0, Vertex(1)),
+    ];
+    for (shape, place, expected) in cases {
+        let shape = shape.expect("a shape");
+        let near = closest_point(&shape, &Pose::IDENTITY, place).expect("finite");
+        assert_eq!(near.feature.surface, expected, "{shape:?}");
+        let pose = Pose::from_translation(place);
+        let ball = Shape::sphere(0.1).expect("a ball");
+        let found = distance(&shape, &Pose::IDENTITY, &ball, &pose).expect("finite");
+        assert_eq!((found.feature_a.surface, found.feature_b.surface), (expected, Sphere), "{shape:?}");
+        let found = distance(&ball, &pose, &shape, &Pose::IDENTITY).expect("finite");
+        assert_eq!((found.feature_a.surface, found.feature_b.surface), (Sphere, expected), "{shape:?}");
     }
 }

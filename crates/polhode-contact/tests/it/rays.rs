@@ -2,7 +2,7 @@
 
 use crate::distances::zoo;
 use crate::support::{Random, at, cuboid};
-use polhode_contact::{FeatureKind, QueryError, Ray, Shape, closest_point, contains, ray_cast};
+use polhode_contact::{QueryError, Ray, Shape, SurfaceFeature, closest_point, contains, ray_cast};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 use std::f64::consts::TAU;
 
@@ -291,5 +291,5 @@ fn hostile_rays_meet_nothing() {
         }
     }
     let hit = ray_cast(&cuboid(1.0, 1.0, 1.0), &Pose::IDENTITY, &down, f64::INFINITY).expect("a hit");
-    assert_eq!(hit.feature.map(|feature| feature.kind), Some(FeatureKind::Face(5)));
+    assert_eq!(hit.feature.map(|feature| feature.surface), Some(SurfaceFeature::Face(5)));
 }

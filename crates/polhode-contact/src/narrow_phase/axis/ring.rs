@@ -212,7 +212,7 @@ impl<'a> Ring<'a> {
         match self.other {
             Shape::Convex(polyhedron) => {
                 let nearest = nearest_feature(polyhedron, p, self.tolerance);
-                FromPoint { distance: nearest.distance, feature: nearest.feature, normal: nearest.direction }
+                FromPoint { distance: nearest.distance, feature: nearest.feature, normal: nearest.normal }
             }
             Shape::Torus(torus) => {
                 let ring = Circle { center: torus.center, axis: torus.axis, radius: torus.major };

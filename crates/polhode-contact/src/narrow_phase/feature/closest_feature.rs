@@ -1,4 +1,4 @@
-//! The feature of a convex polyhedron that is nearest to a point.
+//! The feature of a surface that is nearest to a point, and which it is of a convex polyhedron.
 
 use crate::SurfaceFeature;
 use crate::narrow_phase::feature::face_border::face_margin;
@@ -7,23 +7,24 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::farthest;
 use glam::DVec3;
 
-/// A feature and its signed distance from the point, m; negative inside the polyhedron.
+/// A feature and its signed distance from the point, m; negative inside the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Nearest {
+pub(crate) struct NearestFeature {
     pub(crate) feature: SurfaceFeature,
     pub(crate) distance: f64,
-    /// Unit vector from the polyhedron to the point, its frame.
-    pub(crate) direction: DVec3,
+    /// Unit vector from the feature to the point, turned round inside.
+    pub(crate) normal: DVec3,
 }
 
 /// The nearest feature. Inside, and up to `tolerance` (m) outside all planes, the face whose plane is nearest decides;
 /// so it does wherever the point stands over a face. Of equally near faces the one with the lowest index is taken.
-pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> Nearest {
-    let mut plane = Nearest { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, direction: DVec3::ZERO };
-    let mut over: Option<Nearest> = None;
+pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> NearestFeature {
+    let mut plane =
+        NearestFeature { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, normal: DVec3::ZERO };
+    let mut over: Option<NearestFeature> = None;
     for (index, face) in polyhedron.faces().enumerate() {
         let distance = face.normal.dot(point) - face.offset;
-        let nearest = Nearest { feature: SurfaceFeature::Face(index as u32), distance, direction: face.normal };
+        let nearest = NearestFeature { feature: SurfaceFeature::Face(index as u32), distance, normal: face.normal };
         if distance > plane.distance {
             plane = nearest;
         }
@@ -33,7 +34,7 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
     }
     // A triangle as a flat polyhedron has two faces and is not bounded by their planes.
     let flat = polyhedron.faces.len() == 2;
-    let inside = |nearest: &Nearest| match nearest.feature {
+    let inside = |nearest: &NearestFeature| match nearest.feature {
         SurfaceFeature::Face(face) if flat => {
             polyhedron.face(face as usize).is_some_and(|face| face_margin(polyhedron, &face, point) >= 0.0)
         }
@@ -46,14 +47,14 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
     over.or_else(|| nearest_edge_or_vertex(polyhedron, point)).unwrap_or(plane)
 }
 
-fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<Nearest> {
-    let mut best: Option<Nearest> = None;
+fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<NearestFeature> {
+    let mut best: Option<NearestFeature> = None;
     let lengths = polyhedron.size() + point.abs().max_element();
     let reach = |direction| farthest(&polyhedron.vertices, direction).dot(direction) - point.dot(direction);
     let mut offer = |feature, w: DVec3| {
         let distance = w.length();
-        let new = Nearest { feature, distance, direction: w / distance };
-        let way = |nearest: &Nearest| (nearest.distance, nearest.direction);
+        let new = NearestFeature { feature, distance, normal: w / distance };
+        let way = |nearest: &NearestFeature| (nearest.distance, nearest.normal);
         if best.is_none_or(|best| feature != best.feature && is_nearer(way(&new), way(&best), lengths, reach)) {
             best = Some(new);
         }

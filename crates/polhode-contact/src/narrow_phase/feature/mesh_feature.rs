@@ -4,7 +4,7 @@
 //! plane with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex
 //! edge, the cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
 
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::clearance::COINCIDENCE;
 use crate::shape::TriangleMesh;
 use crate::shape::triangle::{Part, from_triangle};
@@ -17,7 +17,7 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();
     let mut inside: Option<f64> = None;
-    mesh.tree.overlaps(&Bounds { min: y, max: y }.inflated(4.0 * slack), &mut |triangle| {
+    mesh.tree.overlaps(&Aabb { min: y, max: y }.widened(4.0 * slack), &mut |triangle| {
         if mesh.patch_of[triangle as usize] != patch {
             return;
         }
@@ -35,8 +35,8 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     if let Some(margin) = inside {
         return margin;
     }
-    let here = Bounds { min: y, max: y };
-    let near = |bounds: &Bounds| bounds.distance(&here);
+    let here = Aabb { min: y, max: y };
+    let near = |bounds: &Aabb| bounds.distance(&here);
     let mut nearest = (f64::INFINITY, None);
     let distance = mesh.tree.least(f64::INFINITY, 0.0, &near, &mut |triangle, _| {
         if mesh.patch_of[triangle as usize] != patch {

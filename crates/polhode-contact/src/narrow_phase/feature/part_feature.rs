@@ -18,47 +18,29 @@ pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape)
     if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
         return Some(Local { feature, shapes, parts: [0; 2] });
     }
-    let index = |side: Side| usize::from(side == Side::B);
+    // Two spheres of which one is a part bear the numbers of their centres.
+    if feature == ContactFeature::SphereSphere {
+        return None;
+    }
     let mut local = Local { feature, shapes, parts: [0; 2] };
-    let mut take = |side: Side, kind: Kind, number: u32| -> Option<u32> {
-        let at = index(side);
+    let of_part = renumbered(feature, |side, kind, number| {
+        let at = usize::from(side == Side::B);
         let Shape::Compound(compound) = shapes[at] else { return Some(number) };
         let (part, shape, number) = compound.owner(number, |first| kind.of(first))?;
         local.parts[at] = part;
         local.shapes[at] = shape;
         Some(number)
-    };
-    let feature = match feature {
-        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
-            vertex_of,
-            vertex: take(vertex_of, Kind::Vertex, vertex)?,
-            face: take(vertex_of.other(), Kind::Face, face)?,
-        },
-        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
-            edge_a: take(Side::A, Kind::Edge, edge_a)?,
-            edge_b: take(Side::B, Kind::Edge, edge_b)?,
-        },
-        ContactFeature::Smooth { center_of, center, against } => {
-            let center = take(center_of, Kind::Vertex, center)?;
-            let side = center_of.other();
-            let against = surface(against, |kind, number| take(side, kind, number))?;
-            // The sphere of a part bears the number of its centre.
-            let sphere = matches!(local.shapes[index(side)], Shape::Sphere(_));
-            let against = if sphere { SurfaceFeature::Sphere } else { against };
-            ContactFeature::Smooth { center_of, center, against }
+    })?;
+    local.feature = match of_part {
+        ContactFeature::Spheres { .. } => ContactFeature::SphereSphere,
+        // The sphere of a part bears the number of its centre.
+        ContactFeature::Smooth { center_of, center, .. }
+            if matches!(local.shapes[usize::from(center_of == Side::A)], Shape::Sphere(_)) =>
+        {
+            ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
         }
-        ContactFeature::Spheres { center_a, center_b } => {
-            take(Side::A, Kind::Vertex, center_a)?;
-            take(Side::B, Kind::Vertex, center_b)?;
-            ContactFeature::SphereSphere
-        }
-        ContactFeature::Elements { a, b } => ContactFeature::Elements {
-            a: surface(a, |kind, number| take(Side::A, kind, number))?,
-            b: surface(b, |kind, number| take(Side::B, kind, number))?,
-        },
-        ContactFeature::SphereSphere => return None,
+        other => other,
     };
-    local.feature = feature;
     Some(local)
 }
 
@@ -71,38 +53,52 @@ pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [u
         let at = usize::from(side == Side::B);
         if let Shape::Compound(c) = bodies[at] { Some((c, parts[at])) } else { None }
     };
+    let feature = match feature {
+        ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
+            if compound(center_of.other()).is_some() =>
+        {
+            ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Vertex(0) }
+        }
+        ContactFeature::SphereSphere => ContactFeature::Spheres { center_a: 0, center_b: 0 },
+        other => other,
+    };
     let number = |side: Side, kind: Kind, number: u32| {
         compound(side).and_then(|(c, part)| c.first.get(part)).map_or(number, |first| kind.of(first) + number)
     };
-    let global = |side: Side, feature: SurfaceFeature| {
-        surface(feature, |kind, n| Some(number(side, kind, n))).unwrap_or(feature)
-    };
-    match feature {
+    renumbered(feature, |side, kind, n| Some(number(side, kind, n))).unwrap_or(feature)
+}
+
+/// A contact whose features have other numbers: `number` gives that of an element of a kind of a body. Nothing when it gives
+/// none.
+fn renumbered(
+    feature: ContactFeature,
+    mut number: impl FnMut(Side, Kind, u32) -> Option<u32>,
+) -> Option<ContactFeature> {
+    Some(match feature {
         ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
             vertex_of,
-            vertex: number(vertex_of, Kind::Vertex, vertex),
-            face: number(vertex_of.other(), Kind::Face, face),
+            vertex: number(vertex_of, Kind::Vertex, vertex)?,
+            face: number(vertex_of.other(), Kind::Face, face)?,
         },
         ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
-            edge_a: number(Side::A, Kind::Edge, edge_a),
-            edge_b: number(Side::B, Kind::Edge, edge_b),
+            edge_a: number(Side::A, Kind::Edge, edge_a)?,
+            edge_b: number(Side::B, Kind::Edge, edge_b)?,
         },
-        ContactFeature::Smooth { center_of, center, against } => {
-            let side = center_of.other();
-            let against = match against {
-                SurfaceFeature::Sphere if compound(side).is_some() => {
-                    SurfaceFeature::Vertex(number(side, Kind::Vertex, 0))
-                }
-                against => global(side, against),
-            };
-            ContactFeature::Smooth { center_of, center: number(center_of, Kind::Vertex, center), against }
-        }
-        ContactFeature::Elements { a, b } => ContactFeature::Elements { a: global(Side::A, a), b: global(Side::B, b) },
-        ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => ContactFeature::Spheres {
-            center_a: number(Side::A, Kind::Vertex, 0),
-            center_b: number(Side::B, Kind::Vertex, 0),
+        ContactFeature::Smooth { center_of, center, against } => ContactFeature::Smooth {
+            center_of,
+            center: number(center_of, Kind::Vertex, center)?,
+            against: surface(against, |kind, n| number(center_of.other(), kind, n))?,
         },
-    }
+        ContactFeature::Spheres { center_a, center_b } => ContactFeature::Spheres {
+            center_a: number(Side::A, Kind::Vertex, center_a)?,
+            center_b: number(Side::B, Kind::Vertex, center_b)?,
+        },
+        ContactFeature::Elements { a, b } => ContactFeature::Elements {
+            a: surface(a, |kind, n| number(Side::A, kind, n))?,
+            b: surface(b, |kind, n| number(Side::B, kind, n))?,
+        },
+        ContactFeature::SphereSphere => feature,
+    })
 }
 
 /// A part of a surface with its number replaced; nothing when there is none.

@@ -13,7 +13,7 @@
 //! All steps use coordinates relative to A's origin, so that a pair far from the world's origin loses no accuracy. The
 //! geometry of the final contacts is that of [`crate::evaluate()`] at the given poses.
 
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::feature::part_feature::globalized;
 use crate::narrow_phase::pair::measure::measure_again;
@@ -61,7 +61,7 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
     let other = 1 - at;
     let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
     let unbounded = shapes[other].is_half_space();
-    let near = |of: &Bounds| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
+    let near = |of: &Aabb| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
     let mut measure = |part: u32, _: f64| {
         let mut pair = shapes;
         pair[at] = &compound.parts[part as usize];
@@ -205,11 +205,11 @@ fn part_of(shape: &Shape, part: usize) -> &Shape {
 /// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
 fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut Vec<[usize; 2]>) {
     let x_ba = poses[1].relative(poses[0]);
-    let whole = shapes[1].bounds_at(&Pose::IDENTITY).inflated(reach);
+    let whole = shapes[1].bounds_at(&Pose::IDENTITY).widened(reach);
     let mut add = |i: usize, part: &Shape| {
         // A half-space is unbounded: its box overlaps every other box.
         let unbounded = part.is_half_space() || shapes[1].is_half_space();
-        let bounds = if unbounded { Bounds::ALL } else { part.bounds_at(&x_ba).inflated(reach) };
+        let bounds = if unbounded { Aabb::UNBOUNDED } else { part.bounds_at(&x_ba).widened(reach) };
         match shapes[1] {
             Shape::Compound(b) => b.tree.overlaps(&bounds, &mut |j| pairs.push([i, j as usize])),
             _ if unbounded || bounds.overlaps(&whole) => pairs.push([i, 0]),
@@ -220,7 +220,7 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
     match shapes[0] {
         Shape::Compound(a) => {
             // An exact box needs all vertices of a part: the tree first excludes parts that are too far away.
-            let near = |of: &Bounds| everywhere || turned(*of, &x_ba).inflated(reach).overlaps(&whole);
+            let near = |of: &Aabb| everywhere || turned(*of, &x_ba).widened(reach).overlaps(&whole);
             a.tree.passing(&near, &mut |i| add(i as usize, part_of(shapes[0], i as usize)));
         }
         other => add(0, other),

@@ -15,7 +15,7 @@
 //!
 //! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
 use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
 use crate::narrow_phase::parts::surface_probe::probe_length;
@@ -77,7 +77,7 @@ pub(crate) fn on_whole(
     let part = candidate.parts[at];
     let probe = probe_length(compound.parts[part].size(), tolerance);
     near.clear();
-    let reach = Bounds { min: x, max: x }.inflated(2.0 * probe);
+    let reach = Aabb { min: x, max: x }.widened(2.0 * probe);
     compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
     near.retain(|&other| other != part);
     if near.is_empty() {

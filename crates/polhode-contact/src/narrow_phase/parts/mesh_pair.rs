@@ -127,7 +127,7 @@ fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Mani
     triangles.clear();
     contacts.clear();
     near.clear();
-    let bounds = other.bounds_at(x).inflated(reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance);
+    let bounds = other.bounds_at(x).widened(reach.max(0.0) + SAME_PLACE_OF_PARTS * tolerance);
     mesh.tree.overlaps(&bounds, &mut |triangle| triangles.push(triangle));
     triangles.sort_unstable();
     let mut note = |separation: f64, axis: SeparatingAxis| {

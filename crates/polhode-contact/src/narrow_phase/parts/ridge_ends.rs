@@ -16,7 +16,7 @@
 //! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend over
 //! the length of a probe is smaller than rounding.
 
-use crate::bounding::Bounds;
+use crate::bounding::aabb::Aabb;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
 use crate::narrow_phase::parts::surface_probe::{LEAST_PROBE, SLOPE, probe_length};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
@@ -143,7 +143,7 @@ impl<'a> LocalSurface<'a> {
     /// Collects the parts or triangles whose boxes are near a place.
     fn collect_near(&self, x: DVec3, near: &mut Vec<u32>) {
         near.clear();
-        let here = Bounds { min: x, max: x }.inflated(self.slack);
+        let here = Aabb { min: x, max: x }.widened(self.slack);
         match self.surface {
             Surface::Parts(compound) => compound.tree.overlaps(&here, &mut |part| near.push(part)),
             Surface::Single(_) => near.push(0),

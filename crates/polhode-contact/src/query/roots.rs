@@ -1,4 +1,5 @@
-//! Places where a polynomial of degree four or less changes its sign or touches zero.
+//! Places where a function changes its sign: of a monotone one by bisection, of a polynomial of degree four or less between
+//! the zeros of its derivative.
 //!
 //! Between two neighbouring zeros of the derivative a polynomial is monotone and has at most one root, which bisection
 //! finds to rounding: so the roots of the derivatives give those of the polynomial, from the line upwards.

@@ -1,14 +1,19 @@
 //! What distances are computed between: convex cores and circles, each blown up by a radius.
 //!
-//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one.
+//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one. Pieces are solid; the elements
+//! of the narrow phase (`narrow_phase/feature/element.rs`) are the parts of their surfaces, and what a query met is named by
+//! the same features.
 
-use super::feature::{FeatureKind, QueryFeature};
-use crate::bounding::Bounds;
+use super::feature::QueryFeature;
+use crate::bounding::aabb::Aabb;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::shape::support::{farthest, of_circle, of_cone, of_cylinder};
-use crate::{Cone, Cylinder, HalfSpace, Torus};
+use crate::shape::support::farthest;
+use crate::shape::topology::flat_triangle;
+use crate::shape::triangle::area_vector;
+use crate::{Cone, Cylinder, HalfSpace, SurfaceFeature, Torus};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use std::borrow::Cow;
 
 /// A core in its shape's frame.
 #[derive(Debug, Clone, Copy)]
@@ -25,22 +30,20 @@ pub(crate) enum Core<'a> {
 
 /// A core, its radius (m), its number within the shape, and a ball about the core (in the common frame).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Element<'a> {
+pub(crate) struct Piece<'a> {
     pub(crate) core: Core<'a>,
     pub(crate) radius: f64,
     pub(crate) part: u32,
     /// From the core's frame to the common frame of a query.
     pub(crate) pose: Pose,
     pub(crate) ball: (DVec3, f64),
-    /// A single point of a cloud is a vertex, the centre of a sphere is not.
-    pub(crate) point_is_vertex: bool,
 }
 
-impl<'a> Element<'a> {
+impl<'a> Piece<'a> {
     pub(crate) fn new(core: Core<'a>, radius: f64, part: u32, pose: Pose) -> Self {
         let (center, reach) = core.ball();
         let ball = (pose.transform_point(center), reach);
-        Self { core, radius, part, pose, ball, point_is_vertex: false }
+        Self { core, radius, part, pose, ball }
     }
 
     /// The point of the core that is farthest along a direction of the common frame.
@@ -49,20 +52,27 @@ impl<'a> Element<'a> {
         self.pose.transform_point(self.core.support(local))
     }
 
-    /// A box around the element in a frame, m.
-    pub(crate) fn bounds_in(&self, frame: &Pose) -> Bounds {
+    /// A box around the piece in a frame, m.
+    pub(crate) fn bounds_in(&self, frame: &Pose) -> Aabb {
         let center = frame.inverse_transform_point(self.ball.0);
-        Bounds { min: center, max: center }.inflated(self.ball.1 + self.radius)
+        Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
     }
 
-    /// Least distance that another element can have, m.
+    /// Least distance that another piece can have, m.
     pub(crate) fn bound(&self, other: &Self) -> f64 {
         let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
         (self.ball.0 - other.ball.0).length() - reach
     }
 
-    pub(crate) fn feature(&self, kind: FeatureKind) -> QueryFeature {
-        QueryFeature { part: self.part, kind }
+    /// Whether it is a point of a cloud.
+    pub(crate) fn is_vertex(&self) -> bool {
+        self.radius == 0.0 && matches!(self.core, Core::Point(_))
+    }
+
+    /// A feature of the shape, from one of the core.
+    pub(crate) fn feature(&self, feature: SurfaceFeature) -> QueryFeature {
+        let surface = if self.is_vertex() { SurfaceFeature::Vertex(self.part) } else { feature };
+        QueryFeature { part: self.part, surface }
     }
 }
 
@@ -74,9 +84,13 @@ impl Core<'_> {
             Self::Segment(ends) => farthest(ends, direction),
             Self::Triangle(corners) => farthest(corners, direction),
             Self::Polyhedron(p) => farthest(&p.vertices, direction),
-            Self::Cylinder(c) => of_cylinder(c, direction),
-            Self::Cone(c) => of_cone(c, direction),
-            Self::Circle(t) => of_circle(t.center, t.axis, t.major, direction),
+            Self::Cylinder(c) => farthest(&c.rims().map(|rim| rim.farthest(direction)), direction),
+            Self::Cone(c) => farthest(&[c.apex(), c.rim().farthest(direction)], direction),
+            Self::Circle(t) => {
+                let ring = t.ring();
+                let place = ring.farthest(direction);
+                if place == ring.center { ring.nearest(place) } else { place }
+            }
             Self::HalfSpace(h) => h.normal * h.offset,
         }
     }
@@ -92,6 +106,18 @@ impl Core<'_> {
         }
     }
 
+    /// A polyhedron, or a triangle as one without thickness.
+    pub(crate) fn polyhedron(&self) -> Option<Cow<'_, ConvexPolyhedron>> {
+        match self {
+            Self::Polyhedron(polyhedron) => Some(Cow::Borrowed(polyhedron)),
+            Self::Triangle(corners) => {
+                let normal = area_vector(*corners).try_normalize()?;
+                Some(Cow::Owned(flat_triangle(*corners, normal)))
+            }
+            _ => None,
+        }
+    }
+
     pub(crate) fn is_polytope(&self) -> bool {
         !self.vertices().is_empty()
     }
@@ -104,11 +130,8 @@ impl Core<'_> {
             Self::Circle(t) => (t.center, t.major),
             Self::HalfSpace(_) => (DVec3::ZERO, f64::INFINITY),
             _ => {
-                let (low, high) = self
-                    .vertices()
-                    .iter()
-                    .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
-                let center = 0.5 * low + 0.5 * high;
+                let around = Aabb::of_points(self.vertices().iter().copied());
+                let center = 0.5 * around.min + 0.5 * around.max;
                 (center, self.vertices().iter().map(|p| p.distance(center)).fold(0.0, f64::max))
             }
         }
