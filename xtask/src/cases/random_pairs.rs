@@ -1,5 +1,5 @@
-//! Random pairs of convex polyhedra, from deep overlap to apart: in general poses, and face against face, level or tilted
-//! by a little.
+//! Random pairs of convex polyhedra, from deep overlap to apart: in general poses, and face against face, level or
+//! tilted by a little.
 
 use super::feature_numbers::JudgedBody;
 use crate::random::Random;

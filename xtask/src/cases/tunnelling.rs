@@ -1,5 +1,5 @@
-//! Fast shots through thin plates and at each other: none is missed, none is late, and where the time is known in closed
-//! form it is met.
+//! Fast shots through thin plates and at each other: none is missed, none is late, and where the time is known in
+//! closed form it is met.
 //!
 //! A shot is aimed so that the two centres meet at a known time: then the bodies overlap, whatever their shapes and
 //! spins. That no impact is late is decided by a plain search over all axes at times before the one found.
@@ -200,8 +200,8 @@ fn separation(bodies: [&Body; 2], motions: [&Screw; 2], t: f64) -> Option<f64> {
     }
 }
 
-/// A shot at a plate, face on, whose time is distance over speed: a ball that spins, a box at any attitude that does not,
-/// a box that spins about the normal, a point.
+/// A shot at a plate, face on, whose time is distance over speed: a ball that spins, a box at any attitude that does
+/// not, a box that spins about the normal, a point.
 fn known(tally: &mut Tally, random: &mut Random, plate: &Shape) -> Result<(), Box<dyn std::error::Error>> {
     let turn = random.rotation();
     let normal = turn.rotate(DVec3::Z);

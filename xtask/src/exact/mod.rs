@@ -1,13 +1,13 @@
 //! Exact geometry of two convex polyhedra, to judge the contact crate by: no code is shared with it.
 //!
-//! What goes in are points and poses; faces and edges are found from the points alone, and the tolerances that the crate
-//! promises are stated here again. Features have numbers of their own, which the cases translate at one place
+//! What goes in are points and poses; faces and edges are found from the points alone, and the tolerances that the
+//! crate promises are stated here again. Features have numbers of their own, which the cases translate at one place
 //! (`cases/feature_numbers.rs`).
 //!
 //! Vertices, quaternions and positions are numbers of f64, and sums and products of them are computed without rounding
 //! ([`dyadic`]). A quaternion `q` turns by `q v q*/|q|^2`, whatever its length is, so that the poses meant are exactly
-//! those that the numbers say; the divisions are left out by scaling both bodies alike ([`pair`]). A separation along an
-//! axis is compared as its square with its sign, and its root is taken last, to 160 binary places.
+//! those that the numbers say; the divisions are left out by scaling both bodies alike ([`pair`]). A separation along
+//! an axis is compared as its square with its sign, and its root is taken last, to 160 binary places.
 //!
 //! | module | holds |
 //! |---|---|

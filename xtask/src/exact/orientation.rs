@@ -7,8 +7,8 @@ use glam::DVec3;
 /// products and five sums, doubled.
 const ROUNDING_ULPS: f64 = 16.0;
 
-/// Sign of `((b - a) x (c - a)) . (d - a)`: 1 when `d` is on the side from which `a`, `b`, `c` run anticlockwise, 0 when
-/// the four lie in one plane. In f64 where that is certain, exactly elsewhere.
+/// Sign of `((b - a) x (c - a)) . (d - a)`: 1 when `d` is on the side from which `a`, `b`, `c` run anticlockwise, 0
+/// when the four lie in one plane. In f64 where that is certain, exactly elsewhere.
 pub(super) fn orientation([a, b, c]: [DVec3; 3], d: DVec3) -> i32 {
     let (u, v, w) = (b - a, c - a, d - a);
     let value = u.cross(v).dot(w);

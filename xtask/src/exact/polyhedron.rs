@@ -1,13 +1,13 @@
 //! The convex hull of some points with its faces and edges, exact for the coordinates as given.
 //!
-//! Gift wrapping: a plane through three points that has none beyond it carries a face, which is the convex polygon of all
-//! points in that plane; about each edge of it the plane is turned until it meets the next point, which gives the face on
-//! the other side. On which side of a plane a point lies is decided without rounding, so that the faces are those of the
-//! points and of no tolerance. Points inside the body, a face or an edge are no vertices. The work is the number of points
-//! times the number of faces.
+//! Gift wrapping: a plane through three points that has none beyond it carries a face, which is the convex polygon of
+//! all points in that plane; about each edge of it the plane is turned until it meets the next point, which gives the
+//! face on the other side. On which side of a plane a point lies is decided without rounding, so that the faces are
+//! those of the points and of no tolerance. Points inside the body, a face or an edge are no vertices. The work is the
+//! number of points times the number of faces.
 //!
-//! Written for judging alone: it shares no code with the hulls of polhode-mesh and polhode-contact. There is none of flat
-//! points, and none of points of which it is a matter of tolerance whether two faces are one ([`LEAST_STEP`]).
+//! Written for judging alone: it shares no code with the hulls of polhode-mesh and polhode-contact. There is none of
+//! flat points, and none of points of which it is a matter of tolerance whether two faces are one ([`LEAST_STEP`]).
 
 use super::dyadic::ExactVector;
 use super::orientation::orientation;
@@ -168,8 +168,8 @@ fn first_plane(points: &[DVec3]) -> Option<[usize; 3]> {
     })
 }
 
-/// The plane about an edge (in the sense in which its face will run) that has no point beyond it; `other` is the face on
-/// the other side of the edge.
+/// The plane about an edge (in the sense in which its face will run) that has no point beyond it; `other` is the face
+/// on the other side of the edge.
 fn turned_about(points: &[DVec3], [from, to]: [usize; 2], other: &[usize]) -> Option<[usize; 3]> {
     let of_other = [other[0], other[1], other[2]];
     let mut off_other = (0..points.len()).filter(|&k| orientation(corners(points, of_other), points[k]) < 0);
@@ -220,8 +220,8 @@ fn is_between(point: DVec3, from: DVec3, to: DVec3) -> bool {
     from.min(to).cmple(point).all() && point.cmple(from.max(to)).all()
 }
 
-/// Unit normal of a loop of vertices by the sum of the areas of a fan of triangles; exactly summed where the triangles are
-/// so slender that f64 would lose digits.
+/// Unit normal of a loop of vertices by the sum of the areas of a fan of triangles; exactly summed where the triangles
+/// are so slender that f64 would lose digits.
 fn unit_normal(vertices: &[DVec3], corners: &[usize]) -> DVec3 {
     let Some((&first, rest)) = corners.split_first() else { return DVec3::NAN };
     let from = |v: usize| vertices[v] - vertices[first];
