@@ -18,8 +18,8 @@ pub(super) fn orientation([a, b, c]: [DVec3; 3], d: DVec3) -> i32 {
     if value.abs() > bound {
         return if value > 0.0 { 1 } else { -1 };
     }
-    // With every product zero nothing was rounded.
-    if products == 0.0 {
+    // With every product zero nothing was rounded; and two points that are one lie in a plane with any others.
+    if products == 0.0 || b == c || b == d || c == d {
         return 0;
     }
     let [a, b, c, d] = [a, b, c, d].map(ExactVector::from);
