@@ -14,6 +14,7 @@
 //! | [`cases`] | validation cases, one file per group |
 //! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
+//! | [`random`] | random numbers with a fixed seed |
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
@@ -29,6 +30,7 @@ mod house;
 mod interpenetration;
 mod known;
 mod narrow_phase;
+mod random;
 mod readme;
 mod reference;
 mod rigid_ipc;

@@ -1,12 +1,14 @@
 //! Random convex pairs against a plain search over all axes, and a sample of them against exact arithmetic.
 
+use super::feature_numbers::{self, Numbers};
 use super::random_pairs::{self, RandomPair};
 use super::{CaseResult, Context};
 use crate::exact::expected::{self, Expected};
-use crate::exact::pair::{Axis, AxisOf, ExactPair, Pair};
+use crate::exact::feature::Feature;
+use crate::exact::pair::{Axis, ExactPair, Pair};
 use crate::row::Row;
 use glam::DVec3;
-use polhode_contact::{Contact, ContactFeature, ConvexPolyhedron, Manifold, SeparatingAxis, Shape, Side, manifold};
+use polhode_contact::{Contact, Manifold, manifold};
 
 const CASE: &str = "convex pairs";
 /// Pairs of a full run, and those of them that exact arithmetic judges.
@@ -27,6 +29,8 @@ const DESCRIBED: u64 = 5;
 #[derive(Debug, Default)]
 struct Tally {
     pairs: u64,
+    /// Pairs of which a body of the crate's is not the exact hull.
+    other_hulls: u64,
     wrong_normals: u64,
     missing: u64,
     surplus: u64,
@@ -73,6 +77,7 @@ pub(super) fn random(context: &Context) -> CaseResult {
     let named = |what: &str| format!("{what}, of {} pairs", context.amount.of(PAIRS));
     let exact = |what: &str| format!("{what}, of {} pairs in exact arithmetic", context.amount.of(EXACT_PAIRS));
     Ok(vec![
+        Row::exact(CASE, &named("faces and edges that are not those of the hull"), 0_u64, tally.other_hulls),
         Row::exact(CASE, &named("wrong normals, beyond 1e-9 rad"), 0_u64, tally.wrong_normals),
         Row::exact(CASE, &named("missing contacts"), 0_u64, tally.missing),
         Row::exact(CASE, &named("surplus or duplicate contacts"), 0_u64, tally.surplus),
@@ -96,22 +101,26 @@ pub(super) fn random(context: &Context) -> CaseResult {
     ])
 }
 
-fn polyhedra(pair: &RandomPair) -> Option<[&ConvexPolyhedron; 2]> {
-    match &pair.shapes {
-        [Shape::Convex(a), Shape::Convex(b)] => Some([a, b]),
-        _ => None,
-    }
+/// The pair in the arithmetic of the oracle.
+fn pair(random: &RandomPair) -> Pair<'_> {
+    let ([a, b], [pose_a, pose_b]) = (&random.bodies, &random.poses);
+    Pair::new(&a.polyhedron, pose_a, &b.polyhedron, pose_b)
 }
 
 fn found_by_the_crate(pair: &RandomPair) -> Manifold {
-    manifold(&pair.shapes[0], &pair.poses[0], &pair.shapes[1], &pair.poses[1], pair.reach)
+    manifold(&pair.bodies[0].shape, &pair.poses[0], &pair.bodies[1].shape, &pair.poses[1], pair.reach)
 }
 
 fn judge(tally: &mut Tally, number: u64, random: &RandomPair) {
-    let Some([a, b]) = polyhedra(random) else { return };
+    let [Some(a), Some(b)] = random.bodies.each_ref().map(|body| body.numbers.as_ref()) else {
+        tally.other_hulls += 1;
+        tally.describe(number, "a body that is not the hull of its points");
+        return;
+    };
     let found = found_by_the_crate(random);
-    let pair = Pair::new(a, &random.poses[0], b, &random.poses[1]);
-    let of = taken(&found);
+    let pair = pair(random);
+    let of = feature_numbers::axis([a, b], found.axis);
+    let contacts = named(&found, [a, b]);
     let mut axes = pair.axes();
     for axis in axes.iter_mut().filter(|axis| Some(axis.of) == of && !axis.is_told()) {
         *axis = ExactPair::new(&pair).told(axis).unwrap_or(*axis);
@@ -122,14 +131,14 @@ fn judge(tally: &mut Tally, number: u64, random: &RandomPair) {
     tally.overlapping += u64::from(best.separation < 0.0);
     tally.contacts += found.contacts.len() as u64;
     tally.edges +=
-        found.contacts.iter().filter(|c| matches!(c.feature, ContactFeature::EdgeEdge { .. })).count() as u64;
+        contacts.iter().filter(|(_, feature)| matches!(feature, Some(Feature::EdgeEdge { .. }))).count() as u64;
     if found.separation > random.reach && best.separation > random.reach {
         return;
     }
     let expected = of.map_or(Expected::WrongAxis, |of| expected::contacts(&pair, &axes, of, random.reach));
     let wrong_axis =
         matches!(expected, Expected::WrongAxis) || (found.separation - best.separation).abs() > SEPARATION * pair.scale;
-    if wrong_axis || found.contacts.iter().any(|c| wrong_normal(&pair, c, &near)) {
+    if wrong_axis || contacts.iter().any(|&(c, feature)| wrong_normal(&pair, c, feature, &near)) {
         tally.wrong_normals += 1;
         tally.describe(number, &format!("wrong normal: best {best:?}, found {found:?}"));
     }
@@ -140,10 +149,10 @@ fn judge(tally: &mut Tally, number: u64, random: &RandomPair) {
         Expected::Contacts { sure, perhaps } => {
             tally.undecided += perhaps.len() as u64;
             tally.regions += u64::from(sure.len() > 2);
-            let has = |feature: &ContactFeature| found.contacts.iter().any(|c| c.feature == *feature);
+            let has = |feature: &Feature| contacts.iter().any(|(_, of)| *of == Some(*feature));
             missing = sure.iter().filter(|feature| !has(feature)).count() as u64;
-            let known = |c: &&Contact| !sure.contains(&c.feature) && !perhaps.contains(&c.feature);
-            surplus = found.contacts.iter().filter(known).count() as u64;
+            let is_known = |feature: &Feature| sure.contains(feature) || perhaps.contains(feature);
+            surplus = contacts.iter().filter(|(_, of)| !of.as_ref().is_some_and(is_known)).count() as u64;
         }
     }
     if found.contacts.is_empty() && best.separation < 0.0 {
@@ -157,33 +166,28 @@ fn judge(tally: &mut Tally, number: u64, random: &RandomPair) {
     }
 }
 
-/// What the crate took to decide.
-fn taken(found: &Manifold) -> Option<AxisOf> {
-    match found.axis {
-        SeparatingAxis::FaceA(face) => Some(AxisOf::FaceA(face as usize)),
-        SeparatingAxis::FaceB(face) => Some(AxisOf::FaceB(face as usize)),
-        SeparatingAxis::Edges(i, j) => Some(AxisOf::Edges(i as usize, j as usize)),
-        _ => None,
-    }
+/// The crate's contacts, each with the feature that the oracle knows it by.
+fn named<'a>(found: &'a Manifold, numbers: [&Numbers; 2]) -> Vec<(&'a Contact, Option<Feature>)> {
+    found.contacts.iter().map(|contact| (contact, feature_numbers::feature(numbers, contact.feature))).collect()
 }
 
 /// Whether a contact's normal is not that of its features, or belongs to another contact region: those of a region are
 /// alike to one of the best axes, or to the normal of a face that is.
-fn wrong_normal(pair: &Pair<'_>, contact: &Contact, best: &[Axis]) -> bool {
+fn wrong_normal(pair: &Pair<'_>, contact: &Contact, feature: Option<Feature>, best: &[Axis]) -> bool {
     let found = contact.geometry.normal;
-    let meant = match contact.feature {
-        ContactFeature::VertexFace { vertex_of: Side::A, face, .. } => pair.face_normal(1, face as usize),
-        ContactFeature::VertexFace { vertex_of: Side::B, face, .. } => -pair.face_normal(0, face as usize),
-        ContactFeature::EdgeEdge { edge_a, edge_b } => {
-            let axis = pair.across(edge_a as usize, edge_b as usize);
+    let meant = match feature {
+        Some(Feature::VertexFace { vertex_of: 0, face, .. }) => pair.face_normal(1, face),
+        Some(Feature::VertexFace { face, .. }) => -pair.face_normal(0, face),
+        Some(Feature::EdgeEdge { edge_a, edge_b }) => {
+            let axis = pair.across(edge_a, edge_b);
             let exact = if axis.is_told() { None } else { ExactPair::new(pair).told(&axis) };
             exact.unwrap_or(axis).normal
         }
-        _ => return true,
+        None => return true,
     };
     let alike = |normal: DVec3| best.iter().any(|axis| axis.normal.dot(normal) >= ALIKE);
     let toward_a = |body: usize, sign: f64| {
-        (0..pair.bodies[body].face_count()).map(move |face| sign * pair.face_normal(body, face))
+        (0..pair.bodies[body].faces.len()).map(move |face| sign * pair.face_normal(body, face))
     };
     let mut faces = toward_a(0, -1.0).chain(toward_a(1, 1.0));
     let of_region = alike(found) || faces.any(|normal| normal.dot(found) >= ALIKE && alike(normal));
@@ -199,8 +203,7 @@ struct ExactErrors {
 }
 
 fn exact_errors(random: &RandomPair) -> Option<ExactErrors> {
-    let [a, b] = polyhedra(random)?;
-    let pair = Pair::new(a, &random.poses[0], b, &random.poses[1]);
+    let pair = pair(random);
     let axes = pair.axes();
     let mut near = pair.near_best(&axes);
     // Of axes of one direction one is enough.
@@ -210,7 +213,7 @@ fn exact_errors(random: &RandomPair) -> Option<ExactErrors> {
     if found.separation > random.reach {
         return None;
     }
-    let size = a.size().max(b.size());
+    let size = pair.bodies.map(|body| body.size).into_iter().fold(0.0, f64::max);
     // Of axes that are equally good to the clearance any may decide.
     let best = [vec![best], pair.equally_good(&axes)].concat();
     let is_right = |c: &Contact| best.iter().any(|axis| (c.geometry.normal - axis.normal).length() <= NORMAL);

@@ -2,6 +2,7 @@
 
 use super::mass_properties::l_prism;
 use super::{CaseResult, Context};
+use crate::random::Random;
 use crate::row::Row;
 use glam::{DMat3, DVec3};
 use polhode::mesh::{
@@ -44,10 +45,11 @@ pub(super) fn convex_parts(context: &Context) -> CaseResult {
     }
     let count = context.amount.of(RANDOM_SOLIDS);
     let (mut largest, mut dents, mut parts) = (0.0f64, 0, 0);
-    let mut next = uniform();
+    let mut random = Random(1);
     for index in 0..count {
-        let outer = star(4, |_| 0.6 + 0.8 * next())?;
-        let mesh = if index % 2 == 0 { outer } else { joined(&outer, &star(3, |_| 0.1 + 0.2 * next())?.flipped())? };
+        let outer = star(4, |_| random.between(0.6, 1.4))?;
+        let mesh =
+            if index % 2 == 0 { outer } else { joined(&outer, &star(3, |_| random.between(0.1, 0.3))?.flipped())? };
         let solid = SolidMesh::new(mesh)?;
         let found = convex_decomposition(&solid, DecompositionSettings::default())?;
         // A NaN must not be lost, as it would be by `max`.
@@ -117,13 +119,4 @@ fn joined(first: &TriangleMesh, second: &TriangleMesh) -> Result<TriangleMesh, B
     let vertices = [first.vertices(), second.vertices()].concat();
     let moved = second.triangles().iter().map(|triangle| triangle.map(|index| index + base));
     Ok(TriangleMesh::new(vertices, first.triangles().iter().copied().chain(moved).collect())?)
-}
-
-/// A fixed sequence of numbers from 0 to 1 (Knuth's generator of 64 bits, the upper ones used).
-fn uniform() -> impl FnMut() -> f64 {
-    let mut state = 1_u64;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((state >> 33) as u32) / f64::from(1_u32 << 31)
-    }
 }

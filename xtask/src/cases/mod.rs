@@ -13,7 +13,8 @@
 //! | `bodies` | bodies that several cases are built from |
 //! | `setting` | the same scene set differently in the world |
 //! | `motion` | states at any time, zeros and angles of what moved |
-//! | `random`, `random_pairs` | seeded random numbers, and pairs of bodies made from them |
+//! | `random_pairs` | pairs of bodies made from random numbers |
+//! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
 //! | `strict_hash` | a hash of all bits of a run |
 //! | the others | the cases, one file per group |
 
@@ -28,6 +29,7 @@ mod diamonds;
 mod effects;
 mod exact_drift;
 mod falling_shapes;
+mod feature_numbers;
 mod free_rotation;
 mod heavy_tops;
 mod impact_chains;
@@ -45,7 +47,6 @@ mod peers;
 mod pi_machine;
 mod polhode_times;
 mod published_rotations;
-mod random;
 mod random_pairs;
 mod random_solids;
 mod reductions;

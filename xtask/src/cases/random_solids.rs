@@ -1,7 +1,7 @@
 //! Laws that the mass properties of every solid obey, on random closed meshes: convex, star-shaped, with a void.
 
-use super::random::Random;
 use super::{CaseResult, Context};
+use crate::random::Random;
 use crate::row::Row;
 use glam::{DMat3, DVec3};
 use polhode::mesh::{
@@ -68,8 +68,11 @@ pub(super) fn laws(context: &Context) -> CaseResult {
 }
 
 /// Bodies as people have them, moved a million sizes away, turned, and scaled: as at home to 1e-9.
-pub(super) fn moved(_context: &Context) -> CaseResult {
+pub(super) fn moved(context: &Context) -> CaseResult {
     const ASKED: f64 = 1e-9;
+    /// Places and attitudes of each body at full count.
+    const PLACES: usize = 1000;
+    let places = context.amount.of(PLACES);
     let level = Refinement::new(2)?;
     let bodies = [
         ("box", Cuboid::new(DVec3::new(1.0, 2.0, 3.0))?.mesh(level)?),
@@ -83,7 +86,7 @@ pub(super) fn moved(_context: &Context) -> CaseResult {
         let (mesh, home) = (solid.mesh(), solid.volume_integrals());
         let size = mesh.bounds().diagonal();
         let mut worst = 0.0_f64;
-        for _ in 0..100 {
+        for _ in 0..places {
             let turn = Rotation::from_rotation_vector(random.vector(-3.0, 3.0));
             let away = random.vector(-1.0, 1.0).normalize_or(DVec3::X) * 1e6 * size;
             for factor in SCALES.into_iter().chain([1.0]) {
@@ -99,7 +102,8 @@ pub(super) fn moved(_context: &Context) -> CaseResult {
                 }
             }
         }
-        let quantity = format!("{name}: turned, a million sizes away, scaled by 1e-4 to 1e4: change, relative");
+        let quantity =
+            format!("{name}, {places} times: turned, a million sizes away, scaled by 1e-4 to 1e4: change, relative");
         rows.push(Row::at_most("moved meshes", &quantity, ASKED, worst));
     }
     Ok(rows)

@@ -2,6 +2,7 @@
 
 use super::bodies::{GRAVITY, cuboid, fixed_cuboid};
 use super::{CaseResult, Context};
+use crate::random::Random;
 use crate::row::Row;
 use glam::DVec3;
 use polhode::response::{
@@ -120,7 +121,7 @@ pub(super) fn least_force_bound(context: &Context) -> CaseResult {
     let count = context.amount.of(PROBLEMS);
     for _ in 0..count {
         let rows: Vec<[f64; 3]> =
-            (0..3 + random.below(4)).map(|_| [1.0, random.symmetric(), random.symmetric()]).collect();
+            (0..3 + random.below(4)).map(|_| [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)]).collect();
         let problem = unit_problem(&rows)?;
         let (delassus, b, solution) = exact(&problem)?;
         let guess = least_force(&delassus, &b, &SolverSettings::default())?;
@@ -134,28 +135,4 @@ pub(super) fn least_force_bound(context: &Context) -> CaseResult {
         Row::at_most(case, &format!("largest error above its bound, {count} problems"), ROUNDING, excess.max(0.0)),
         Row::info(case, "problems that the thesis's method gets wrong", 0, wrong),
     ])
-}
-
-/// Pseudo-random numbers that are the same everywhere (splitmix64).
-#[derive(Debug)]
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// A whole number below `limit`.
-    fn below(&mut self, limit: u64) -> u64 {
-        self.next() % limit
-    }
-
-    /// A number in [-1, 1).
-    fn symmetric(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
 }

@@ -4,9 +4,9 @@
 //! others, kept as bytes, and continued by another simulation. The samples and events before the stop and those after it
 //! together have the strict hash of the run that was never stopped, and the reports are the same.
 
-use super::random::Random;
 use super::run::Run;
 use super::{Amount, CaseResult, Context, strict_hash};
+use crate::random::Random;
 use crate::row::Row;
 use polhode::{BodySample, Effects, Event, Flow, Observer, Outcome, Recorder, RunReport, Simulation, Snapshot};
 use std::error::Error;

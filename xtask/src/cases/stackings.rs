@@ -4,16 +4,18 @@
 //! Every arrangement stands upright at the origin, a million metres away, and turned as a whole. The contact region is the
 //! overlap of two polygons, found exactly; so is the separation along the normals of the two faces.
 
+use super::feature_numbers::JudgedBody;
 use super::random_pairs::prism_points;
 use super::{CaseResult, Context};
 use crate::exact::overlap;
 use crate::exact::pair::{Axis, AxisOf, ExactPair, ExactSeparation, Pair};
+use crate::exact::polyhedron::Polyhedron;
 use crate::row::Row;
 use glam::DVec3;
 use parry3d::query::{ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry3d::shape::{ConvexPolyhedron as ParryPolyhedron, Cuboid, Shape as ParryShape};
 use polhode::spatial::{Pose, Rotation};
-use polhode_contact::{ConvexPolyhedron, Shape, evaluate, manifold};
+use polhode_contact::{evaluate, manifold};
 use std::error::Error;
 
 const CASE: &str = "stackings";
@@ -62,7 +64,7 @@ const BASES: [Base; 4] = [Base::SamePrism, Base::OtherPrism, Base::WideBox, Base
 
 /// A body for both crates.
 struct Body {
-    shape: Shape,
+    judged: JudgedBody,
     parry: Box<dyn ParryShape>,
     half_height: f64,
 }
@@ -70,12 +72,13 @@ struct Body {
 fn prism(sides: u32, radius: f64, height: f64) -> Result<Body, Box<dyn Error>> {
     let points = prism_points(sides, radius, height);
     let parry = ParryPolyhedron::from_convex_hull(&points).ok_or("parry3d builds no hull of a prism")?;
-    let shape = Shape::convex(ConvexPolyhedron::from_points(&points)?);
-    Ok(Body { shape, parry: Box::new(parry), half_height: 0.5 * height })
+    let judged = JudgedBody::hull(&points).ok_or("no hull of a prism")?;
+    Ok(Body { judged, parry: Box::new(parry), half_height: 0.5 * height })
 }
 
 fn cuboid(size: DVec3) -> Result<Body, Box<dyn Error>> {
-    Ok(Body { shape: Shape::cuboid(size)?, parry: Box::new(Cuboid::new(0.5 * size)), half_height: 0.5 * size.z })
+    let judged = JudgedBody::cuboid(size).ok_or("no box")?;
+    Ok(Body { judged, parry: Box::new(Cuboid::new(0.5 * size)), half_height: 0.5 * size.z })
 }
 
 /// What one of the crates got wrong.
@@ -160,8 +163,8 @@ struct Stack<'a> {
 }
 
 /// The lowest face of the upper body and the highest of the lower one.
-fn level_faces(a: &ConvexPolyhedron, b: &ConvexPolyhedron) -> Option<[usize; 2]> {
-    let level = |p: &ConvexPolyhedron, z: f64| p.faces().position(|f| f.normal.z * z > ALMOST_LEVEL);
+fn level_faces(a: &Polyhedron, b: &Polyhedron) -> Option<[usize; 2]> {
+    let level = |p: &Polyhedron, z: f64| p.faces.iter().position(|f| f.normal.z * z > ALMOST_LEVEL);
     Some([level(a, -1.0)?, level(b, 1.0)?])
 }
 
@@ -203,7 +206,7 @@ impl Stack<'_> {
 
     /// Corners and normal, which do not depend on the gap: it is along the normal.
     fn region(&self, poses: &[Pose; 2]) -> Option<(Vec<DVec3>, DVec3)> {
-        let (Shape::Convex(a), Shape::Convex(b)) = (&self.upper.shape, &self.lower.shape) else { return None };
+        let (a, b) = (&self.upper.judged.polyhedron, &self.lower.judged.polyhedron);
         let pair = Pair::new(a, &poses[0], b, &poses[1]);
         let corners = overlap::vertices(&pair, &ExactPair::new(&pair), level_faces(a, b)?, ONE_CORNER * self.size);
         Some((corners, poses[1].rotation.rotate(DVec3::Z)))
@@ -211,7 +214,7 @@ impl Stack<'_> {
 
     /// Separations along the normals of the two faces, of which the larger counts.
     fn separations(&self, poses: &[Pose; 2], place: Place) -> Option<Vec<ExactSeparation>> {
-        let (Shape::Convex(a), Shape::Convex(b)) = (&self.upper.shape, &self.lower.shape) else { return None };
+        let (a, b) = (&self.upper.judged.polyhedron, &self.lower.judged.polyhedron);
         if place != Place::Turned {
             // Exactly level faces: a sum of four heights.
             let heights =
@@ -227,7 +230,7 @@ impl Stack<'_> {
     }
 
     fn by_the_crate(&self, poses: &[Pose; 2], truth: &Truth) -> Found {
-        let (a, b) = (&self.upper.shape, &self.lower.shape);
+        let (a, b) = (&self.upper.judged.shape, &self.lower.judged.shape);
         let result = manifold(a, &poses[0], b, &poses[1], REACH * self.size);
         // The same contacts near the origin, where places have all their digits.
         let between = poses[1].translation - poses[0].translation;

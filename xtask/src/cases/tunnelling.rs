@@ -1,17 +1,19 @@
-//! Fast shots through thin plates and at each other: none is missed, none is late, and where the time is known in closed
-//! form it is met.
+//! Fast shots through thin plates and at each other: none is missed, none is late, and where the time is known in
+//! closed form it is met.
 //!
 //! A shot is aimed so that the two centres meet at a known time: then the bodies overlap, whatever their shapes and
 //! spins. That no impact is late is decided by a plain search over all axes at times before the one found.
 
-use super::random::Random;
+use super::feature_numbers::JudgedBody;
 use super::random_pairs::prism_points;
 use super::{CaseResult, Context};
 use crate::exact::pair::Pair;
+use crate::exact::polyhedron::Polyhedron;
+use crate::random::Random;
 use crate::row::Row;
 use glam::DVec3;
 use polhode::spatial::{Motion, MotionBounds, Pose, Rotation, Velocity};
-use polhode_contact::{ConvexPolyhedron, ImpactSearch, Shape, find_impact};
+use polhode_contact::{ImpactSearch, Shape, find_impact};
 
 const CASE: &str = "tunnelling";
 /// Shots of a full run.
@@ -65,20 +67,37 @@ struct Tally {
     time: f64,
 }
 
-/// A bullet of a few centimetres: sphere, box, prism or tetrahedron.
-fn bullet(random: &mut Random) -> Option<Shape> {
-    match random.below(4) {
-        0 => Shape::sphere(random.between(0.005, 0.05)),
-        1 => Shape::cuboid(random.vector(0.005, 0.1)),
-        2 => ConvexPolyhedron::from_points(&prism_points(3 + random.below(10) as u32, 0.03, 0.05)).map(Shape::convex),
+/// What is shot, or shot at.
+#[derive(Debug, Clone)]
+struct Body {
+    shape: Shape,
+    /// The same as the search knows it; a ball has none.
+    polyhedron: Option<Polyhedron>,
+}
+
+impl From<JudgedBody> for Body {
+    fn from(body: JudgedBody) -> Self {
+        Self { shape: body.shape, polyhedron: Some(body.polyhedron) }
+    }
+}
+
+/// A bullet of a few centimetres: ball, box, prism or tetrahedron.
+fn bullet(random: &mut Random) -> Option<Body> {
+    let body = match random.below(4) {
+        0 => {
+            let shape = Shape::sphere(random.between(0.005, 0.05)).ok()?;
+            return Some(Body { shape, polyhedron: None });
+        }
+        1 => JudgedBody::cuboid(random.vector(0.005, 0.1)),
+        2 => JudgedBody::hull(&prism_points(3 + random.below(10) as u32, 0.03, 0.05)),
         _ => {
             let corner = |x, y, z| DVec3::new(x, y, z) * 0.03;
             let corners =
                 [corner(1.0, 1.0, 1.0), corner(1.0, -1.0, -1.0), corner(-1.0, 1.0, -1.0), corner(-1.0, -1.0, 1.0)];
-            ConvexPolyhedron::from_points(&corners).map(Shape::convex)
+            JudgedBody::hull(&corners)
         }
-    }
-    .ok()
+    };
+    body.map(Body::from)
 }
 
 /// A motion whose centre is at `meeting` at the time `t`.
@@ -90,11 +109,11 @@ fn through(random: &mut Random, meeting: DVec3, t: f64, speed: f64, spin: f64) -
 /// Shots at plates that stand still, at plates that fly and turn, and at each other.
 pub(super) fn shots(context: &Context) -> CaseResult {
     let (mut random, mut tally) = (Random(9), Tally::default());
-    let plate = Shape::cuboid(DVec3::new(1.0, 1.0, PLATE))?;
+    let plate = Body::from(JudgedBody::cuboid(DVec3::new(1.0, 1.0, PLATE)).ok_or("no plate")?);
     for number in 0..context.amount.of(SHOTS) {
         let Some(first) = bullet(&mut random) else { continue };
         if number % 4 == 0 {
-            known(&mut tally, &mut random, &plate)?;
+            known(&mut tally, &mut random, &plate.shape)?;
             continue;
         }
         let t = random.between(0.01, 0.1);
@@ -134,8 +153,9 @@ pub(super) fn shots(context: &Context) -> CaseResult {
 }
 
 /// A shot whose centres meet at `t`; none when the bodies are not clear of each other at its start.
-fn aimed(tally: &mut Tally, shapes: [&Shape; 2], motions: [&Screw; 2], t: f64) {
+fn aimed(tally: &mut Tally, bodies: [&Body; 2], motions: [&Screw; 2], t: f64) {
     let settings = ImpactSearch::default();
+    let shapes = bodies.map(|body| &body.shape);
     if polhode_contact::separation(shapes[0], &motions[0].start, shapes[1], &motions[1].start) <= PLATE {
         return;
     }
@@ -158,7 +178,7 @@ fn aimed(tally: &mut Tally, shapes: [&Shape; 2], motions: [&Screw; 2], t: f64) {
     // Overlap is looked for in the last part of the flight, in which the bodies are near each other.
     let speed = (motions[0].velocity.linear - motions[1].velocity.linear).length().max(1.0);
     let near = (2.0 * (shapes[0].radius() + shapes[1].radius()) / speed).min(found);
-    let overlaps = |s: f64| separation(shapes, motions, s).is_some_and(|separation| separation < -ROUNDING);
+    let overlaps = |s: f64| separation(bodies, motions, s).is_some_and(|separation| separation < -ROUNDING);
     if (1..=SAMPLES).any(|k| overlaps(found - near * f64::from(k) / f64::from(SAMPLES))) {
         tally.late += 1;
         eprintln!("{CASE}: late: {report:?}, {motions:?}");
@@ -166,13 +186,13 @@ fn aimed(tally: &mut Tally, shapes: [&Shape; 2], motions: [&Screw; 2], t: f64) {
 }
 
 /// Separation by plain search, m. Nothing for a ball and a polyhedron, whose time is judged in closed form.
-fn separation(shapes: [&Shape; 2], motions: [&Screw; 2], t: f64) -> Option<f64> {
+fn separation(bodies: [&Body; 2], motions: [&Screw; 2], t: f64) -> Option<f64> {
     let poses = motions.map(|motion| motion.pose(t));
-    match shapes {
-        [Shape::Convex(a), Shape::Convex(b)] => {
-            let axes = Pair::new(a, &poses[0], b, &poses[1]).axes();
-            axes.iter().map(|axis| axis.separation).reduce(f64::max)
-        }
+    if let [Some(a), Some(b)] = bodies.map(|body| body.polyhedron.as_ref()) {
+        let axes = Pair::new(a, &poses[0], b, &poses[1]).axes();
+        return axes.iter().map(|axis| axis.separation).reduce(f64::max);
+    }
+    match bodies.map(|body| &body.shape) {
         [Shape::Sphere(s), Shape::Sphere(o)] => {
             Some((poses[0].translation - poses[1].translation).length() - s.radius() - o.radius())
         }
@@ -180,8 +200,8 @@ fn separation(shapes: [&Shape; 2], motions: [&Screw; 2], t: f64) -> Option<f64> 
     }
 }
 
-/// A shot at a plate, face on, whose time is distance over speed: a ball that spins, a box at any attitude that does not,
-/// a box that spins about the normal, a point.
+/// A shot at a plate, face on, whose time is distance over speed: a ball that spins, a box at any attitude that does
+/// not, a box that spins about the normal, a point.
 fn known(tally: &mut Tally, random: &mut Random, plate: &Shape) -> Result<(), Box<dyn std::error::Error>> {
     let turn = random.rotation();
     let normal = turn.rotate(DVec3::Z);

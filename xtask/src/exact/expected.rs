@@ -4,9 +4,9 @@
 //! lies nearer to the limit of a rule than its stated clearance and the rounding of f64 may or may not be a contact; pairs
 //! of which several faces of one body decide alike are set apart as ties.
 
+use super::feature::Feature;
 use super::pair::{Axis, AxisOf, Pair};
 use glam::DVec3;
-use polhode_contact::{ContactFeature, Side};
 
 /// Lengths nearer to a limit than so many clearances are undecided: features in one place count as one, and the rule for
 /// two vertices takes four.
@@ -29,7 +29,7 @@ const ROUNDING: f64 = 7e-15;
 #[derive(Debug)]
 pub(crate) enum Expected {
     /// These contacts, and perhaps some of the others.
-    Contacts { sure: Vec<ContactFeature>, perhaps: Vec<ContactFeature> },
+    Contacts { sure: Vec<Feature>, perhaps: Vec<Feature> },
     /// Several faces decide alike: any of them is right.
     Tie,
     /// Another axis decides.
@@ -39,13 +39,13 @@ pub(crate) enum Expected {
 /// Contacts being collected.
 #[derive(Default)]
 struct Found {
-    sure: Vec<ContactFeature>,
-    perhaps: Vec<ContactFeature>,
+    sure: Vec<Feature>,
+    perhaps: Vec<Feature>,
 }
 
 impl Found {
     /// A contact when all `conditions` are at most zero, m; undecided near zero.
-    fn offer(&mut self, feature: ContactFeature, conditions: [f64; 2], band: f64) {
+    fn offer(&mut self, feature: Feature, conditions: [f64; 2], band: f64) {
         let worst = conditions[0].max(conditions[1]);
         if worst < -band {
             self.sure.push(feature);
@@ -65,8 +65,6 @@ impl From<Found> for Expected {
 fn above(value: f64, limit: f64, band: f64) -> Option<bool> {
     ((value - limit).abs() > band).then_some(value > limit)
 }
-
-const SIDES: [Side; 2] = [Side::A, Side::B];
 
 /// The contacts within `reach` (m) of a pair for which the crate took an axis to decide.
 ///
@@ -130,10 +128,10 @@ fn between_faces(pair: &Pair<'_>, [a, b]: [usize; 2], crossing: Option<DVec3>, r
     let deciding: Vec<DVec3> = (0..2).filter(|&k| deciding[k]).map(|k| normals[k]).collect();
     let mut found = Found::default();
     if belongs(normals[0], &deciding)? {
-        stand_on(&mut found, pair, [&of_b, &of_a], (Side::B, a), reach);
+        stand_on(&mut found, pair, [&of_b, &of_a], (1, a), reach);
     }
     if belongs(normals[1], &deciding)? {
-        stand_on(&mut found, pair, [&of_a, &of_b], (Side::A, b), reach);
+        stand_on(&mut found, pair, [&of_a, &of_b], (0, b), reach);
     }
     cross(&mut found, pair, [&of_a, &of_b], &deciding, reach);
     Some(found)
@@ -148,21 +146,21 @@ fn belongs(normal: DVec3, deciding: &[DVec3]) -> Option<bool> {
 /// A face in axes of the world: corners, unit normal, outward unit sides.
 struct Outline {
     corners: Vec<DVec3>,
-    vertices: Vec<u32>,
-    edges: Vec<u32>,
+    vertices: Vec<usize>,
+    edges: Vec<usize>,
     normal: DVec3,
     sides: Vec<DVec3>,
 }
 
 impl Outline {
     fn new(pair: &Pair<'_>, body: usize, face: usize) -> Option<Self> {
-        let view = pair.bodies[body].face(face)?;
-        let corners: Vec<DVec3> = view.vertices.iter().map(|&v| pair.vertices[body][v as usize]).collect();
+        let view = pair.bodies[body].faces.get(face)?;
+        let corners: Vec<DVec3> = view.vertices.iter().map(|&v| pair.vertices[body][v]).collect();
         let normal = pair.face_normal(body, face);
-        let forward = |k: usize| pair.bodies[body].edges()[view.edges[k] as usize].vertices[0] == view.vertices[k];
-        let along = |k: usize| pair.direction(body, view.edges[k] as usize) * if forward(k) { 1.0 } else { -1.0 };
+        let forward = |k: usize| pair.edge(body, view.edges[k]).vertices[0] == view.vertices[k];
+        let along = |k: usize| pair.direction(body, view.edges[k]) * if forward(k) { 1.0 } else { -1.0 };
         let sides = (0..corners.len()).map(|k| along(k).cross(normal).normalize()).collect();
-        Some(Self { vertices: view.vertices.to_vec(), edges: view.edges.to_vec(), normal, sides, corners })
+        Some(Self { vertices: view.vertices.clone(), edges: view.edges.clone(), normal, sides, corners })
     }
 
     /// How far a point stands outside each side, m.
@@ -187,13 +185,9 @@ fn opposing(pair: &Pair<'_>, body: usize, normal: DVec3) -> Option<(usize, Vec<u
         return None;
     }
     let low: Vec<usize> = heights.iter().filter(|(height, _)| *height <= limit).map(|(_, v)| *v).collect();
-    let at_low = |f: &usize| {
-        pair.bodies[body].face(*f).is_some_and(|face| face.vertices.iter().any(|v| low.contains(&(*v as usize))))
-    };
-    let mut faces: Vec<(f64, usize)> = (0..pair.bodies[body].face_count())
-        .filter(at_low)
-        .map(|f| (pair.face_normal(body, f).dot(normal), f))
-        .collect();
+    let at_low = |f: &usize| pair.bodies[body].faces[*f].vertices.iter().any(|v| low.contains(v));
+    let mut faces: Vec<(f64, usize)> =
+        (0..pair.bodies[body].faces.len()).filter(at_low).map(|f| (pair.face_normal(body, f).dot(normal), f)).collect();
     faces.sort_by(|x, y| x.0.total_cmp(&y.0));
     let decided = faces.len() > 1 && faces[1].0 - faces[0].0 > SAME_COSINE;
     decided.then(|| (faces[0].1, low))
@@ -208,21 +202,17 @@ fn on_face(pair: &Pair<'_>, axis: &Axis, body: usize, face: usize, reach: f64) -
     if found.sure.is_empty() && axis.separation <= band {
         // Bodies that touch have a contact, also where the outlines leave none: the deepest vertex, or one of the deepest.
         let is_sure = found.perhaps.is_empty() && axis.separation < -band && deepest.len() == 1;
-        let deciding = deepest.into_iter().map(|v| ContactFeature::VertexFace {
-            vertex_of: SIDES[other],
-            vertex: v as u32,
-            face: face as u32,
-        });
+        let deciding = deepest.into_iter().map(|v| Feature::VertexFace { vertex_of: other, vertex: v, face });
         if is_sure { found.sure.extend(deciding) } else { found.perhaps.extend(deciding) }
     }
     Some(found)
 }
 
 /// Vertices of one outline over a face.
-fn stand_on(found: &mut Found, pair: &Pair<'_>, [upper, face]: [&Outline; 2], (of, index): (Side, usize), reach: f64) {
+fn stand_on(found: &mut Found, pair: &Pair<'_>, [upper, face]: [&Outline; 2], (of, index): (usize, usize), reach: f64) {
     for (&vertex, &corner) in upper.vertices.iter().zip(&upper.corners) {
         let height = face.normal.dot(corner - face.corners[0]);
-        let feature = ContactFeature::VertexFace { vertex_of: of, vertex, face: index as u32 };
+        let feature = Feature::VertexFace { vertex_of: of, vertex, face: index };
         found.offer(feature, [largest(&face.outside(corner)), height - reach], BAND * pair.clearance());
     }
 }
@@ -243,14 +233,14 @@ fn cross(found: &mut Found, pair: &Pair<'_>, [of_a, of_b]: [&Outline; 2], decidi
                 continue;
             }
             let (edge_a, edge_b) = (of_a.edges[i], of_b.edges[j]);
-            let axis = pair.across(edge_a as usize, edge_b as usize);
+            let axis = pair.across(edge_a, edge_b);
             let belongs = if axis.sine < NEARLY_PARALLEL { None } else { belongs(axis.normal, deciding) };
             if belongs == Some(false) || axis.normal.is_nan() {
                 continue;
             }
             let crossing = if belongs.is_none() { crossing.max(0.0) } else { crossing };
             let separation = (of_a.corners[i] - of_b.corners[j]).dot(axis.normal);
-            found.offer(ContactFeature::EdgeEdge { edge_a, edge_b }, [crossing, separation - reach], band);
+            found.offer(Feature::EdgeEdge { edge_a, edge_b }, [crossing, separation - reach], band);
         }
     }
 }
@@ -260,8 +250,8 @@ fn across_edges(pair: &Pair<'_>, axis: &Axis, reach: f64) -> Option<Found> {
     let AxisOf::Edges(i, j) = axis.of else { return None };
     let (band, normal) = (BAND * pair.clearance(), axis.normal);
     let beside = |body: usize, edge: usize, sign: f64| {
-        let along = |face: u32| sign * pair.face_normal(body, face as usize).dot(normal);
-        pair.bodies[body].edges()[edge].faces.map(|face| (face as usize, along(face)))
+        let along = |face: usize| sign * pair.face_normal(body, face).dot(normal);
+        pair.edge(body, edge).faces.map(|face| (face, along(face)))
     };
     let nearer = |[first, second]: [(usize, f64); 2]| {
         above(second.1, first.1, SAME_COSINE).map(|is_second| if is_second { second.0 } else { first.0 })
@@ -269,7 +259,7 @@ fn across_edges(pair: &Pair<'_>, axis: &Axis, reach: f64) -> Option<Found> {
     let (a, b) = (beside(0, i, -1.0), beside(1, j, 1.0));
     let is_alike = |[first, second]: [(usize, f64); 2]| above(first.1.max(second.1), ALIKE, SAME_COSINE);
     let alike = [is_alike(a)?, is_alike(b)?];
-    let deciding = ContactFeature::EdgeEdge { edge_a: i as u32, edge_b: j as u32 };
+    let deciding = Feature::EdgeEdge { edge_a: i, edge_b: j };
     let mut found = Found::default();
     if alike == [false; 2] {
         let beyond = if axis.separation < -band { -pair.scale } else { beyond_ends(pair, i, j) };
@@ -295,13 +285,13 @@ fn along_edge(pair: &Pair<'_>, found: Found, (i, j): (usize, usize)) -> Found {
     for (features, is_sure) in [(found.sure, true), (found.perhaps, false)] {
         for feature in features {
             let beyond = match feature {
-                ContactFeature::EdgeEdge { edge_a, edge_b } => beyond_ends(pair, edge_a as usize, edge_b as usize),
-                _ => f64::NEG_INFINITY,
+                Feature::EdgeEdge { edge_a, edge_b } => beyond_ends(pair, edge_a, edge_b),
+                Feature::VertexFace { .. } => f64::NEG_INFINITY,
             };
             kept.offer(feature, [beyond, if is_sure { f64::NEG_INFINITY } else { 0.0 }], band);
         }
     }
-    let deciding = ContactFeature::EdgeEdge { edge_a: i as u32, edge_b: j as u32 };
+    let deciding = Feature::EdgeEdge { edge_a: i, edge_b: j };
     if !kept.sure.contains(&deciding) && !kept.perhaps.contains(&deciding) {
         kept.offer(deciding, [beyond_ends(pair, i, j), f64::NEG_INFINITY], band);
     }
@@ -310,8 +300,7 @@ fn along_edge(pair: &Pair<'_>, found: Found, (i, j): (usize, usize)) -> Found {
 
 /// How far the nearest places of two lines lie beyond the ends of their edges, m.
 fn beyond_ends(pair: &Pair<'_>, i: usize, j: usize) -> f64 {
-    let ends =
-        |body: usize, edge: usize| pair.bodies[body].edges()[edge].vertices.map(|v| pair.vertices[body][v as usize]);
+    let ends = |body: usize, edge: usize| pair.edge(body, edge).vertices.map(|v| pair.vertices[body][v]);
     let ([p, q], [r, s]) = (ends(0, i), ends(1, j));
     let (u, v, w) = (q - p, s - r, r - p);
     let n = u.cross(v);

@@ -17,7 +17,7 @@ const CERTAIN: f64 = 1e-12;
 struct Polygons<'a> {
     pair: &'a Pair<'a>,
     exact: &'a ExactPair<'a>,
-    loops: [&'a [u32]; 2],
+    loops: [&'a [usize]; 2],
     /// Unit normal of the first face.
     normal: DVec3,
     exact_normal: super::dyadic::ExactVector,
@@ -28,7 +28,7 @@ type Corner = (usize, usize);
 
 impl Polygons<'_> {
     fn vertex(&self, (body, k): Corner) -> usize {
-        self.loops[body][k % self.loops[body].len()] as usize
+        self.loops[body][k % self.loops[body].len()]
     }
 
     fn place(&self, corner: Corner) -> DVec3 {
@@ -79,7 +79,7 @@ impl Polygons<'_> {
 /// Vertices of the overlap of a face of A and a face of B, m, in axes of the world from A's origin, on A's face;
 /// `tolerance` (m) merges what rounding has split.
 pub(crate) fn vertices(pair: &Pair<'_>, exact: &ExactPair<'_>, faces: [usize; 2], tolerance: f64) -> Vec<DVec3> {
-    let loops = [0, 1].map(|body: usize| pair.bodies[body].face(faces[body]).map_or(&[][..], |f| f.vertices));
+    let loops = [0, 1].map(|body: usize| pair.bodies[body].faces.get(faces[body]).map_or(&[][..], |f| &f.vertices));
     let polygons = Polygons {
         pair,
         exact,

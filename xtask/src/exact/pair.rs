@@ -6,9 +6,8 @@
 //! products of edges is the separation of the pair (minus the depth of penetration when negative).
 
 use super::dyadic::{Dyadic, ExactVector};
+use super::polyhedron::{Edge, Polyhedron};
 use glam::{DMat3, DVec3};
-use polhode_contact::ConvexPolyhedron;
-use polhode_contact::clearance::COINCIDENCE;
 use polhode_spatial::Pose;
 use std::cmp::Ordering;
 
@@ -40,7 +39,7 @@ impl Axis {
 /// Two polyhedra at poses, in f64 with B relative to A's origin: plain sums over all axes.
 #[derive(Debug)]
 pub(crate) struct Pair<'a> {
-    pub(crate) bodies: [&'a ConvexPolyhedron; 2],
+    pub(crate) bodies: [&'a Polyhedron; 2],
     poses: [&'a Pose; 2],
     /// Vertices in axes of the world, from A's origin, m.
     pub(crate) vertices: [Vec<DVec3>; 2],
@@ -54,8 +53,9 @@ pub(crate) struct Pair<'a> {
 /// Below this sine of the angle between two edges f64 does not say what the separation along their normal is.
 const UNCERTAIN_SINE: f64 = 1e-4;
 
-/// Sine of the angle in a triangle below which its normal is summed exactly.
-const SLENDER: f64 = 0.1;
+/// Features nearer to each other than this, relative to the smaller of the two sizes, are in one place: what the crate
+/// promises (`polhode_contact::clearance::COINCIDENCE`), stated here again so that a change of it shows.
+const ONE_PLACE: f64 = 1e-12;
 
 /// Part of the clearance that is rounding, in units of the machine's epsilon times the scale.
 const CLEARANCE_ULPS: f64 = 16.0;
@@ -79,57 +79,41 @@ fn turning(pose: &Pose) -> DMat3 {
     DMat3::from_cols(columns[0] / square, columns[1] / square, columns[2] / square)
 }
 
-/// Unit normal of a loop of vertices by the sum of the areas of a fan of triangles; exactly summed where the triangles are
-/// so slender that f64 would lose digits.
-fn unit_normal(vertices: &[DVec3], corners: &[u32]) -> DVec3 {
-    let Some((&first, rest)) = corners.split_first() else { return DVec3::NAN };
-    let from = |v: u32| vertices[v as usize] - vertices[first as usize];
-    let fan = || rest.windows(2).map(|e| [from(e[0]), from(e[1])]);
-    let normal: DVec3 = fan().map(|[p, q]| p.cross(q)).sum();
-    let products: f64 = fan().map(|[p, q]| p.length() * q.length()).sum();
-    if normal.length() > SLENDER * products {
-        return normal.normalize();
-    }
-    let exact = |v: u32| &ExactVector::from(vertices[v as usize]) - &ExactVector::from(vertices[first as usize]);
-    let zero = ExactVector::from(DVec3::ZERO);
-    let normal = rest.windows(2).fold(zero, |sum, e| &sum + &exact(e[0]).cross(&exact(e[1])));
-    let square = normal.dot(&normal);
-    DVec3::from_array(normal.0.map(|component| component.over_root_less(&square, 0.0)))
-}
-
 fn supports(points: &[DVec3], n: DVec3) -> (f64, f64) {
     points.iter().map(|p| p.dot(n)).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)))
 }
 
 impl<'a> Pair<'a> {
-    pub(crate) fn new(a: &'a ConvexPolyhedron, pose_a: &'a Pose, b: &'a ConvexPolyhedron, pose_b: &'a Pose) -> Self {
+    pub(crate) fn new(a: &'a Polyhedron, pose_a: &'a Pose, b: &'a Polyhedron, pose_b: &'a Pose) -> Self {
         let (turn_a, turn_b, between) = (turning(pose_a), turning(pose_b), pose_b.translation - pose_a.translation);
         let vertices = [
-            a.vertices().iter().map(|&v| turn_a * v).collect(),
-            b.vertices().iter().map(|&v| turn_b * v + between).collect::<Vec<_>>(),
+            a.vertices.iter().map(|&v| turn_a * v).collect(),
+            b.vertices.iter().map(|&v| turn_b * v + between).collect::<Vec<_>>(),
         ];
         // In the body's frame the differences of vertices have no rounding of a turn, which short edges would show.
-        let normals = [(a, turn_a), (b, turn_b)]
-            .map(|(body, turn)| body.faces().map(|face| turn * unit_normal(body.vertices(), face.vertices)).collect());
-        let along = |body: &ConvexPolyhedron, [from, to]: [u32; 2]| {
-            (body.vertices()[to as usize] - body.vertices()[from as usize]).normalize()
-        };
+        let normals =
+            [(a, turn_a), (b, turn_b)].map(|(body, turn)| body.faces.iter().map(|face| turn * face.normal).collect());
         let directions = [(a, turn_a), (b, turn_b)]
-            .map(|(body, turn)| body.edges().iter().map(|edge| turn * along(body, edge.vertices)).collect());
-        let scale = a.size() + b.size() + between.length();
+            .map(|(body, turn)| body.edges.iter().map(|edge| turn * edge.direction).collect());
+        let scale = a.size + b.size + between.length();
         Self { bodies: [a, b], poses: [pose_a, pose_b], vertices, normals, directions, scale }
     }
 
     /// Axes whose separations differ by no more than this are equally good, m: the clearance that the crate states for
     /// features in one place.
     pub(crate) fn clearance(&self) -> f64 {
-        let [a, b] = self.bodies.map(ConvexPolyhedron::size);
-        COINCIDENCE * a.min(b) + CLEARANCE_ULPS * f64::EPSILON * self.scale
+        let [a, b] = self.bodies.map(|body| body.size);
+        ONE_PLACE * a.min(b) + CLEARANCE_ULPS * f64::EPSILON * self.scale
     }
 
     /// Outward unit normal of a face.
     pub(crate) fn face_normal(&self, body: usize, face: usize) -> DVec3 {
         self.normals[body].get(face).copied().unwrap_or(DVec3::NAN)
+    }
+
+    /// An edge and its neighbours.
+    pub(crate) fn edge(&self, body: usize, edge: usize) -> &Edge {
+        &self.bodies[body].edges[edge]
     }
 
     /// Unit vector along an edge.
@@ -150,7 +134,7 @@ impl<'a> Pair<'a> {
     /// out of it across the edge.
     fn outward(&self, body: usize, edge: usize) -> DVec3 {
         let along = self.direction(body, edge);
-        let [left, right] = self.bodies[body].edges()[edge].faces.map(|face| self.face_normal(body, face as usize));
+        let [left, right] = self.edge(body, edge).faces.map(|face| self.face_normal(body, face));
         left + right + along.cross(left) - along.cross(right)
     }
 
@@ -170,10 +154,10 @@ impl<'a> Pair<'a> {
                 axes.push(Axis { of, normal, separation, sine });
             }
         };
-        for face in 0..self.bodies[0].face_count() {
+        for face in 0..self.bodies[0].faces.len() {
             offer(AxisOf::FaceA(face), -self.face_normal(0, face), 1.0);
         }
-        for face in 0..self.bodies[1].face_count() {
+        for face in 0..self.bodies[1].faces.len() {
             offer(AxisOf::FaceB(face), self.face_normal(1, face), 1.0);
         }
         for (i, a) in self.directions[0].iter().enumerate() {
@@ -193,9 +177,8 @@ impl<'a> Pair<'a> {
     /// Separation of the axis' own features along it; a face is its own support.
     fn between_features(&self, of: AxisOf, normal: DVec3) -> f64 {
         let AxisOf::Edges(i, j) = of else { return f64::NEG_INFINITY };
-        let ends = |body: usize, edge: usize| {
-            self.bodies[body].edges()[edge].vertices.map(|v| self.vertices[body][v as usize].dot(normal))
-        };
+        let ends =
+            |body: usize, edge: usize| self.edge(body, edge).vertices.map(|v| self.vertices[body][v].dot(normal));
         let ([a, b], [c, d]) = (ends(0, i), ends(1, j));
         a.max(b) - c.min(d)
     }
@@ -278,7 +261,7 @@ fn turned(pose: &Pose, vertices: &[DVec3]) -> (Vec<ExactVector>, Dyadic) {
 
 impl<'a> ExactPair<'a> {
     pub(crate) fn new(pair: &'a Pair<'a>) -> Self {
-        let [(a, square_a), (b, square_b)] = [0, 1].map(|i| turned(pair.poses[i], pair.bodies[i].vertices()));
+        let [(a, square_a), (b, square_b)] = [0, 1].map(|i| turned(pair.poses[i], &pair.bodies[i].vertices));
         let between = &ExactVector::from(pair.poses[1].translation) - &ExactVector::from(pair.poses[0].translation);
         let multiple = &square_a * &square_b;
         let between = between.scaled(&multiple);
@@ -291,8 +274,8 @@ impl<'a> ExactPair<'a> {
 
     /// Outward normal of a face, of no particular length.
     pub(crate) fn face_normal(&self, body: usize, face: usize) -> ExactVector {
-        let corners = self.pair.bodies[body].face(face).map_or(&[][..], |f| f.vertices);
-        let at = |v: u32| &self.vertices[body][v as usize];
+        let corners = self.pair.bodies[body].faces.get(face).map_or(&[][..], |f| &f.vertices);
+        let at = |v: usize| &self.vertices[body][v];
         let mut sum = ExactVector::from(DVec3::ZERO);
         for pair in corners.get(1..).unwrap_or_default().windows(2) {
             sum = &sum + &(at(pair[0]) - at(corners[0])).cross(&(at(pair[1]) - at(corners[0])));
@@ -303,8 +286,8 @@ impl<'a> ExactPair<'a> {
     /// Cross product of two edges, turned as the axis says; nothing when they are exactly parallel.
     fn normal(&self, axis: &Axis) -> Option<ExactVector> {
         let along = |body: usize, edge: usize| {
-            let [from, to] = self.pair.bodies[body].edges()[edge].vertices;
-            &self.vertices[body][to as usize] - &self.vertices[body][from as usize]
+            let [from, to] = self.pair.edge(body, edge).vertices;
+            &self.vertices[body][to] - &self.vertices[body][from]
         };
         let normal = match axis.of {
             AxisOf::FaceA(face) => -&self.face_normal(0, face),

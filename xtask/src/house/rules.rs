@@ -12,6 +12,12 @@ const LONGEST_FUNCTION: usize = 70;
 /// A function with this comment in it or above it may be longer; the reason follows.
 const LONG_BECAUSE: &str = "// Long because: ";
 
+/// Folders of oracles.
+const ORACLES: [&str; 2] = ["xtask/src/exact/", "xtask/src/interpenetration/"];
+/// What oracles judge, as code names it; a mesh of triangles is data and may go in.
+const JUDGED: [&str; 4] = ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh"];
+const DATA: &str = "polhode::mesh::TriangleMesh";
+
 /// A rule about one source file at a time.
 #[derive(Debug)]
 pub(super) struct Rule {
@@ -37,6 +43,7 @@ pub(super) const ALL: &[Rule] = &[
     Rule { name: "the core computes the same bits everywhere", find: same_bits },
     Rule { name: "no unwrap or expect outside tests", find: unwraps },
     Rule { name: "no epsilon without a name", find: bare_epsilons },
+    Rule { name: "oracles share no code with what they judge", find: oracles },
     Rule { name: "examples of a crate name that crate alone", find: one_dependency::check },
 ];
 
@@ -189,6 +196,21 @@ fn unwraps(source: &RustSource) -> Vec<Violation> {
     forbidden(source, &[".unwrap()", ".expect("], "a panic is a bug; return an error")
 }
 
+fn oracles(source: &RustSource) -> Vec<Violation> {
+    if !ORACLES.iter().any(|folder| source.path().starts_with(folder)) {
+        return Vec::new();
+    }
+    let mut violations = Vec::new();
+    for (number, line) in source.product_code() {
+        let line = line.replace(DATA, "");
+        for judged in JUDGED.iter().filter(|judged| contains_word(&line, judged)) {
+            let what = format!("{judged}: an oracle has code and tolerances of its own; {DATA} may go in");
+            violations.push(Violation::at_line(source, number, what));
+        }
+    }
+    violations
+}
+
 fn bare_epsilons(source: &RustSource) -> Vec<Violation> {
     let mut violations = Vec::new();
     let mut in_const = false;
@@ -257,6 +279,15 @@ mod tests {
         );
         let short = "    a();\n".repeat(LONGEST_FUNCTION - 2);
         assert_eq!(lines_found(function_length, &format!("fn f() {{\n{short}}}\n")), Vec::<String>::new());
+    }
+
+    #[test]
+    fn oracles_take_data_alone() {
+        let text = "use polhode::mesh::TriangleMesh;\nuse polhode::mesh::convex_decomposition;\nuse polhode_contact::{Side};\n\
+                    use polhode_spatial::Pose;\n#[cfg(test)]\nmod tests {\n    use polhode::mesh::box_mesh;\n}\n";
+        let found = |path: &str| oracles(&RustSource::new(path, text)).len();
+        assert_eq!([found("xtask/src/exact/a.rs"), found("xtask/src/interpenetration/b.rs")], [2, 2]);
+        assert_eq!(found("xtask/src/cases/a.rs"), 0);
     }
 
     #[test]

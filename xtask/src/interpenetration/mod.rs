@@ -1,37 +1,45 @@
-//! Whether bodies are in each other at the samples of a run: a check that shares no code with polhode-contact.
+//! Whether bodies are in each other at the samples of a run: a check that shares no code with what moves them.
 //!
-//! It starts from triangle meshes (or corners without faces) and sampled poses. Every vertex is placed by the pose (and
-//! rounded once); from there on:
+//! It starts from triangle meshes (or corners without faces) and sampled poses, and knows of bodies nothing but these:
+//! no hulls, parts or distances of the crates. Every vertex is placed by the pose (and rounded once); from there on:
 //!
-//! 1. *Depth.* A convex body is one piece, another one that moves the convex parts of its exact decomposition, another one
-//!    that is fixed the triangles of its surface, corners without faces a piece each. Two pieces of two bodies whose boxes
-//!    overlap must be parted by a move of at most the tolerance, which a direction proves (`depth`). This covers vertices
-//!    in faces, edges through edges and faces through faces, coincident bodies and one convex body within another.
-//! 2. *Within.* The marks of a body must not be inside a solid that is not convex.
-//! 3. *Through.* Between two samples the marks of a body, seen from the other one, must not cross its surface: a body that
-//!    is beyond a surface without a thickness, or a link that has left another, is in nothing. The straight way between
-//!    the two samples is tested against each triangle by exact signs of determinants (`robust`). It is the true way only as far as
-//!    bodies turn little from sample to sample: scenes of fast ones are sampled more often.
+//! 1. *Depth.* The surfaces of two bodies must not meet, or not when the corners of one of them are moved by at most
+//!    the tolerance ([`depth`]); whether triangles meet is decided by exact signs ([`crossing`]). This covers vertices
+//!    in faces, edges through edges, faces through faces and coincident bodies, of solids of any form.
+//! 2. *Within.* The marks of a body must not be inside another solid.
+//! 3. *Through.* Between two samples the marks of a body, seen from the other one, must not cross its surface: a body
+//!    that is beyond a surface without a thickness, or a link that has left another, is in nothing. The straight way
+//!    between the two samples is tested against each triangle. It is the true way only as far as bodies turn little
+//!    from sample to sample: scenes of fast ones are sampled more often.
 //!
-//! The mark of a body is its centre of mass. A body that does not hold its own, as a ring, has the centres of its convex
-//! parts and the places halfway from there to their corners.
+//! The mark of a body is its centre of mass. A body that does not hold its own, as a ring, has places halfway from some
+//! of its triangles to where the straight way inwards leaves it.
 //!
-//! Tolerance: 1e-12 of the smaller of the two sizes and 4 epsilon of the largest coordinate, the bound that the project's
-//! design judges penetration by. Nothing is shrunk: a depth of up to the tolerance passes.
+//! Tolerance: 1e-12 of the smaller of the two sizes and 4 epsilon of the largest coordinate, the bound that the
+//! project's design judges penetration by. A depth of up to the tolerance passes.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`depth`] | by how much corners must be moved until two surfaces do not meet |
+//! | [`inward`] | the ways on which the corners of a solid go inwards |
+//! | [`surface`] | a body by its triangles, placed and moved; what is inside |
+//! | [`crossing`] | what meets what, by exact signs |
+//! | [`box_tree`] | which triangles are near each other |
 
+mod box_tree;
+mod crossing;
 mod depth;
-mod part;
-mod wide;
+mod inward;
+mod surface;
 
 use crate::cases::Run;
+use box_tree::bounds;
 use glam::DVec3;
-use part::Part;
-use polhode::mesh::{DecompositionSettings, PointLocator, SolidMesh, TriangleMesh, convex_decomposition, convexity};
+use polhode::mesh::TriangleMesh;
 use polhode::{BodySample, Scene};
-use polhode_spatial::Pose;
-use robust::{Coord3D, orient3d};
 use std::collections::BTreeMap;
 use std::error::Error;
+use surface::{Placed, Surface};
 
 /// What of the smaller size a depth may be.
 const SIZE_RELATIVE: f64 = 1e-12;
@@ -43,16 +51,12 @@ const COORDINATE_ULPS: f64 = 4.0;
 pub(crate) struct Findings {
     /// The largest depth beyond the tolerance, m: 0 when there is none.
     pub(crate) beyond_m: f64,
-    /// The largest depth relative to its tolerance, as far as it was pursued.
-    pub(crate) of_tolerance: f64,
     /// Time of the first depth beyond the tolerance, s.
     pub(crate) since_s: Option<f64>,
     /// Marks found inside a solid.
     pub(crate) within: u64,
     /// Marks that went through a surface.
     pub(crate) through: u64,
-    /// Pairs of pieces whose boxes overlapped.
-    pub(crate) pairs: u64,
 }
 
 /// The form of a body in its own frame.
@@ -63,22 +67,10 @@ pub(crate) enum Form {
     Points(Vec<DVec3>),
 }
 
-/// A body as the check sees it.
-struct Checked {
-    /// None of corners without faces.
-    mesh: Option<TriangleMesh>,
-    parts: Vec<Part>,
-    /// Of a solid that is not convex.
-    locator: Option<PointLocator>,
-    /// Places inside the body, in its frame; of one that moves.
-    marks: Vec<DVec3>,
-    size: f64,
-}
-
 /// Checks all samples of a run. `forms` are those of the bodies, in the order of the scene.
 ///
 /// # Errors
-/// When there is not one form for each body, or one that moves has no convex parts.
+/// When there is not one form for each body, or one that moves is an open surface.
 pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error>> {
     let scene = &run.scene;
     if forms.len() != scene.bodies().len() {
@@ -88,21 +80,20 @@ pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error
         .flat_map(|a| (a + 1..forms.len()).map(move |b| (a, b)))
         .filter(|&(a, b)| scene.may_collide(a, b))
         .collect();
-    let meets = |body: usize| pairs.iter().any(|&(a, b)| a == body || b == body);
     let mut bodies = Vec::new();
     for (index, form) in forms.iter().enumerate() {
-        bodies.push(checked(scene, index, form, meets(index)).map_err(|error| format!("body {index}: {error}"))?);
+        let meets = pairs.iter().any(|&(a, b)| a == index || b == index);
+        bodies.push(surface_of(scene, index, form, meets).map_err(|error| format!("body {index}: {error}"))?);
     }
     let mut findings = Findings::default();
     let mut hints = BTreeMap::new();
     let mut before: Option<&Vec<BodySample>> = None;
-    let mut placed: Vec<(Pose, Vec<Part>)> = Vec::new();
+    let mut placed: Vec<Placed<'_>> = Vec::new();
     for (&t, samples) in run.record.times.iter().zip(&run.record.samples) {
         place(&bodies, samples, &mut placed);
         for &(a, b) in &pairs {
-            let tolerance = tolerance(&bodies, &placed, a, b);
-            let hints: &mut BTreeMap<_, _> = hints.entry((a, b)).or_default();
-            let found = depths(&placed[a].1, &placed[b].1, tolerance, hints, &mut findings);
+            let tolerance = tolerance(&placed[a], &placed[b]);
+            let found = depth::depth(&placed[a], &placed[b], tolerance, hints.entry((a, b)).or_default());
             if found > tolerance {
                 findings.beyond_m = findings.beyond_m.max(found);
                 findings.since_s.get_or_insert(t);
@@ -119,89 +110,39 @@ pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error
     Ok(findings)
 }
 
-fn checked(scene: &Scene, index: usize, form: &Form, meets: bool) -> Result<Checked, Box<dyn Error>> {
-    let body = &scene.bodies()[index];
-    let mesh = match form {
-        Form::Mesh(mesh) => mesh,
-        // They have no size that a depth could be held against.
-        Form::Points(points) => {
-            let parts = points.iter().copied().map(Part::of_point).collect();
-            return Ok(Checked { mesh: None, parts, locator: None, marks: Vec::new(), size: f64::INFINITY });
-        }
+fn surface_of(scene: &Scene, index: usize, form: &Form, meets: bool) -> Result<Surface, Box<dyn Error>> {
+    let surface = match form {
+        Form::Mesh(mesh) => Surface::of_mesh(mesh),
+        Form::Points(points) => return Ok(Surface::of_points(points)),
     };
-    let solid = SolidMesh::new(mesh.clone()).ok();
-    let is_convex = solid.as_ref().is_some_and(|solid| convexity(solid).is_convex());
-    let parts = match &solid {
-        _ if !meets => Vec::new(),
-        _ if is_convex => vec![Part::of_mesh(mesh)],
-        Some(solid) if !body.is_fixed() => {
-            let parts = convex_decomposition(solid, DecompositionSettings::default())?;
-            parts.parts.iter().map(|part| Part::of_mesh(part.mesh())).collect()
-        }
-        _ if body.is_fixed() => mesh.corner_positions().map(Part::of_triangle).collect(),
-        _ => return Err("an open surface that moves".into()),
-    };
-    let locator = solid.as_ref().filter(|_| meets && !is_convex).map(PointLocator::new);
-    let center = body.mass_properties().map(polhode::spatial::MassProperties::center_of_mass);
-    let holds = |center: &DVec3| locator.as_ref().is_none_or(|locator| locator.contains(*center));
-    let marks = match center {
-        Some(center) if holds(&center) => vec![center],
-        Some(_) => parts.iter().flat_map(Part::marks).collect(),
-        None => Vec::new(),
-    };
-    Ok(Checked { locator, marks, size: mesh.bounds().diagonal(), mesh: Some(mesh.clone()), parts })
+    if meets && !surface.is_solid && !scene.bodies()[index].is_fixed() {
+        return Err("an open surface that moves".into());
+    }
+    Ok(surface)
 }
 
-/// Places all pieces; those of bodies that have not moved stay as they are.
-fn place(bodies: &[Checked], samples: &[BodySample], placed: &mut Vec<(Pose, Vec<Part>)>) {
+/// Places all bodies; those that have not moved stay as they are.
+fn place<'a>(bodies: &'a [Surface], samples: &[BodySample], placed: &mut Vec<Placed<'a>>) {
     for (index, (body, sample)) in bodies.iter().zip(samples).enumerate() {
-        let at = || (sample.pose, body.parts.iter().map(|part| part.placed(&sample.pose)).collect());
         match placed.get_mut(index) {
-            None => placed.push(at()),
-            Some(old) if old.0 != sample.pose => *old = at(),
+            None => placed.push(Placed::new(body, sample.pose)),
+            Some(old) if old.pose != sample.pose => old.move_to(sample.pose),
             Some(_) => {}
         }
     }
 }
 
-/// How deep two bodies may be in each other, m.
-fn tolerance(bodies: &[Checked], placed: &[(Pose, Vec<Part>)], a: usize, b: usize) -> f64 {
-    let corners = [a, b].into_iter().flat_map(|body| &placed[body].1).flat_map(|part| [part.low, part.high]);
+/// How deep two bodies may be in each other, m. Points have no size that a depth could be held against.
+fn tolerance(a: &Placed<'_>, b: &Placed<'_>) -> f64 {
+    let corners = [a, b].into_iter().filter_map(|body| body.tree.bounds()).flat_map(|(low, high)| [low, high]);
     let largest = corners.map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
-    SIZE_RELATIVE * bodies[a].size.min(bodies[b].size) + COORDINATE_ULPS * f64::EPSILON * largest
-}
-
-/// The largest depth of any two pieces, m.
-fn depths(
-    a: &[Part],
-    b: &[Part],
-    tolerance: f64,
-    hints: &mut BTreeMap<(usize, usize), Option<DVec3>>,
-    findings: &mut Findings,
-) -> f64 {
-    let mut deepest = f64::NEG_INFINITY;
-    let whole = part::bounds(&a.iter().flat_map(|part| [part.low, part.high]).collect::<Vec<_>>());
-    for (index_b, part_b) in b.iter().enumerate() {
-        if part::box_overlap(whole, (part_b.low, part_b.high)) <= tolerance {
-            continue;
-        }
-        for (index_a, part_a) in a.iter().enumerate() {
-            if part_a.box_overlap(part_b) <= tolerance {
-                continue;
-            }
-            findings.pairs += 1;
-            let hint = hints.entry((index_a, index_b)).or_default();
-            let found = depth::depth(part_a, part_b, tolerance, hint);
-            findings.of_tolerance = findings.of_tolerance.max(found / tolerance);
-            deepest = deepest.max(found);
-        }
-    }
-    deepest
+    let sizes = [a, b].into_iter().filter(|body| !body.surface.triangles.is_empty()).map(|body| body.surface.size);
+    SIZE_RELATIVE * sizes.reduce(f64::min).unwrap_or_default() + COORDINATE_ULPS * f64::EPSILON * largest
 }
 
 /// Where the marks of a body are in the frame of another, m.
 fn seen_from<'a>(
-    bodies: &'a [Checked],
+    bodies: &'a [Surface],
     samples: &'a [BodySample],
     body: usize,
     frame: usize,
@@ -210,77 +151,52 @@ fn seen_from<'a>(
     bodies[body].marks.iter().map(move |&mark| seen.transform_point(mark))
 }
 
-fn is_within(bodies: &[Checked], samples: &[BodySample], body: usize, solid: usize) -> bool {
-    let Some(locator) = &bodies[solid].locator else { return false };
-    seen_from(bodies, samples, body, solid).any(|mark| locator.contains(mark))
+fn is_within(bodies: &[Surface], samples: &[BodySample], body: usize, solid: usize) -> bool {
+    let holder = &bodies[solid];
+    holder.is_solid && seen_from(bodies, samples, body, solid).any(|mark| holder.contains(mark) != Some(false))
 }
 
-fn went_through(bodies: &[Checked], before: &[BodySample], after: &[BodySample], body: usize, surface: usize) -> bool {
+fn went_through(bodies: &[Surface], before: &[BodySample], after: &[BodySample], body: usize, surface: usize) -> bool {
     let marks = |samples| seen_from(bodies, samples, body, surface);
-    let Some(mesh) = &bodies[surface].mesh else { return false };
-    let bounds = mesh.bounds();
-    marks(before).zip(marks(after)).any(|(from, to)| {
-        let (low, high) = (from.min(to), from.max(to));
-        part::box_overlap((low, high), (bounds.min, bounds.max)) >= 0.0
-            && mesh.corner_positions().any(|[a, b, c]| {
-                let apart = a.min(b).min(c).cmpgt(high).any() || a.max(b).max(c).cmplt(low).any();
-                !apart && crosses([from, to], [a, b, c])
-            })
-    })
-}
-
-/// Whether a segment goes from one side of a triangle to the other through it or its rim. Signs are exact.
-fn crosses([from, to]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
-    let side = |p: DVec3, q: DVec3, r: DVec3, s: DVec3| {
-        orient3d(coordinates(p), coordinates(q), coordinates(r), coordinates(s))
-    };
-    let (start, end) = (side(a, b, c, from), side(a, b, c, to));
-    if start * end >= 0.0 {
+    let passed = &bodies[surface];
+    if passed.triangles.is_empty() {
         return false;
     }
-    let turns = [side(from, to, a, b), side(from, to, b, c), side(from, to, c, a)];
-    turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
-}
-
-fn coordinates(point: DVec3) -> Coord3D<f64> {
-    Coord3D { x: point.x, y: point.y, z: point.z }
+    marks(before).zip(marks(after)).any(|(from, to)| {
+        let near = passed.tree.near(bounds([from, to]), 0.0);
+        near.into_iter().any(|index| crossing::goes_through([from, to], passed.triangle(index)))
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    //! Ways through a triangle, its rim and past it; a link that leaves another.
+    //! A link that leaves another; a body within another.
     use super::*;
-    use polhode::mesh::{Refinement, Torus};
-    use polhode_spatial::{Rotation, Velocity};
+    use polhode::mesh::{Refinement, Torus, box_mesh};
+    use polhode_spatial::{Pose, Rotation, Velocity};
 
-    #[test]
-    fn a_way_through_a_triangle_or_its_rim_is_found_and_one_beside_it_is_not() {
-        let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
-        let down = |x: f64, y: f64| [DVec3::new(x, y, 1.0), DVec3::new(x, y, -1.0)];
-        assert!(crosses(down(0.25, 0.25), triangle));
-        assert!(crosses(down(0.5, 0.5), triangle));
-        assert!(!crosses(down(0.75, 0.75), triangle));
-        assert!(!crosses([DVec3::new(0.25, 0.25, 2.0), DVec3::new(0.25, 0.25, 1.0)], triangle));
+    fn samples(poses: [Pose; 2]) -> [BodySample; 2] {
+        poses.map(|pose| BodySample { pose, velocity: Velocity::ZERO })
     }
 
     #[test]
     fn a_link_that_leaves_another_between_two_samples_is_found_and_one_that_turns_in_it_is_not() {
         let solid = Torus::new(0.3, 0.05).and_then(|ring| ring.mesh(Refinement::COARSEST)).expect("a ring");
-        let parts = convex_decomposition(&solid, DecompositionSettings::default()).expect("parts");
-        let link = || Checked {
-            mesh: Some(solid.mesh().clone()),
-            parts: Vec::new(),
-            locator: None,
-            marks: parts.parts.iter().flat_map(|part| Part::of_mesh(part.mesh()).marks()).collect(),
-            size: 0.7,
-        };
-        let links = [link(), link()];
+        let links = [Surface::of_mesh(solid.mesh()), Surface::of_mesh(solid.mesh())];
         let sample = |x: f64, turn: f64| {
-            let across = Pose::new(Rotation::from_rotation_vector(DVec3::X * turn), DVec3::X * x);
-            [Pose::IDENTITY, across].map(|pose| BodySample { pose, velocity: Velocity::ZERO })
+            samples([Pose::IDENTITY, Pose::new(Rotation::from_rotation_vector(DVec3::X * turn), DVec3::X * x)])
         };
         let hanging = sample(0.45, 1.5);
         assert!(went_through(&links, &hanging, &sample(0.75, 1.5), 1, 0), "the link has left");
         assert!(!went_through(&links, &hanging, &sample(0.46, 1.6), 1, 0), "the link has turned");
+    }
+
+    #[test]
+    fn a_body_within_another_is_found_by_its_mark() {
+        let cube = |edge: f64| Surface::of_mesh(box_mesh(DVec3::splat(edge)).expect("a cube").mesh());
+        let cubes = [cube(3.0), cube(1.0)];
+        let at = |x: f64| samples([Pose::IDENTITY, Pose::from_translation(DVec3::X * x)]);
+        assert!(is_within(&cubes, &at(0.9), 1, 0));
+        assert!(!is_within(&cubes, &at(2.0), 1, 0));
     }
 }

@@ -1,5 +1,6 @@
 //! Errors and times of the two methods on pairs whose separation is known by construction.
 
+use crate::random::Random;
 use polhode_contact::{ConvexMethod, ConvexPolyhedron, Shape, Workspace, separation_by};
 use polhode_spatial::{DVec3, Pose, Rotation};
 use std::error::Error;
@@ -110,14 +111,17 @@ fn pair(random: &mut Random, points: &[DVec3], gap: f64, round: usize) -> Pair {
     let turn = if round.is_multiple_of(2) {
         Rotation::from_rotation_vector(DVec3::Z * (TAU * random.unit()))
     } else {
-        Rotation::from_rotation_vector(random.vector() * 3.0)
+        Rotation::from_rotation_vector(random.vector(-1.0, 1.0) * 3.0)
     };
     let lowest = points.iter().map(|&p| turn.rotate(p)).min_by(|p, q| p.z.total_cmp(&q.z)).unwrap_or_default();
-    let aside =
-        if round.is_multiple_of(2) { random.vector() * 0.2 } else { DVec3::ZERO - lowest + random.vector() * 0.1 };
+    let aside = if round.is_multiple_of(2) {
+        random.vector(-1.0, 1.0) * 0.2
+    } else {
+        DVec3::ZERO - lowest + random.vector(-1.0, 1.0) * 0.1
+    };
     let height = 0.5 - lowest.z + gap;
     let pose_a = Pose::new(turn, DVec3::new(aside.x, aside.y, height));
-    let all = Pose::new(Rotation::from_rotation_vector(random.vector() * 3.0), DVec3::ZERO);
+    let all = Pose::new(Rotation::from_rotation_vector(random.vector(-1.0, 1.0) * 3.0), DVec3::ZERO);
     Pair {
         pose_a: all * pose_a,
         pose_b: all,
@@ -136,21 +140,4 @@ fn prism_points(sides: u32) -> Vec<DVec3> {
         })
     };
     ring(-0.5).chain(ring(0.5)).collect()
-}
-
-/// A small generator with a fixed seed (xorshift).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        let mut one = || 2.0 * self.unit() - 1.0;
-        DVec3::new(one(), one(), one())
-    }
 }
