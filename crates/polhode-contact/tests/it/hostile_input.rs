@@ -1,9 +1,7 @@
 //! NaN, infinity, huge and tiny numbers: answers without meaning are marked as such, and nothing panics or hangs.
 
-use crate::support::{Flight, Random, at, cuboid, prism};
-use polhode_contact::{
-    ImpactSearch, Shape, Workspace, find_impact, kinematics, manifold, manifold_with, separation, tangential,
-};
+use crate::support::{Flight, Random, at, cuboid, prism, tangential};
+use polhode_contact::{ImpactSearch, Shape, Workspace, find_impact, kinematics, manifold, manifold_with, separation};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use proptest::prelude::*;
 

@@ -161,42 +161,20 @@ impl CrossedEdges {
         a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
     }
 
-    /// Velocity of A's material at its nearest place against B's at its own.
+    /// The rates of the separation, and how the contact moves. Inlined, so that what is not asked for is not computed.
     #[inline]
-    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
-        (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b))
-    }
-
-    /// `n'`.
-    #[inline]
-    fn turning(&self, a: &Velocity, b: &Velocity) -> DVec3 {
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
         let n = self.normal;
+        let velocity = (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b));
         let rate = self.normal_rate(a, b);
-        (rate - n * n.dot(rate)) / self.sine
-    }
-
-    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
-        self.kinematics_at(self.relative_velocity(a, b), self.turning(a, b), a, b)
-    }
-
-    /// `velocity` is [`Self::relative_velocity`].
-    #[inline]
-    fn kinematics_at(&self, velocity: DVec3, turning: DVec3, a: &Velocity, b: &Velocity) -> ContactKinematics {
-        let n = self.normal;
+        let turning = (rate - n * n.dot(rate)) / self.sine;
         let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
-        ContactKinematics {
+        let kinematics = ContactKinematics {
             geometry: self.geometry(),
             separation_rate: n.dot(velocity),
             acceleration_bias: n.dot(centripetal) + 2.0 * velocity.dot(turning)
                 - self.separation * turning.length_squared(),
-        }
-    }
-
-    /// The same with how the contact moves.
-    pub(crate) fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
-        let n = self.normal;
-        let (velocity, turning) = (self.relative_velocity(a, b), self.turning(a, b));
-        let kinematics = self.kinematics_at(velocity, turning, a, b);
+        };
         let along = (turning * self.separation - velocity).dot(self.along_b.cross(n)) / self.sine;
         let half_gap = n * (0.5 * self.separation);
         let from_a = a.angular.cross(self.arm_a) + self.along_a * along

@@ -128,24 +128,18 @@ impl Stationary {
         }
     }
 
+    /// The rates of the separation, and how the contact moves (inlined, so that what is not asked for is not computed).
     /// Never nothing, for [`Self::new`] has asked for what the rates need.
-    pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
-        let velocity = self.relative_velocity(a, b);
-        let bending = match self.plane_of {
-            Some(plane) => self.bending_over_plane(plane, velocity, a, b),
-            None => self.bending(&self.rates(velocity, a, b)?, velocity, a, b),
-        };
-        Some(self.kinematics_with(bending, velocity, origin_a, a, b))
-    }
-
-    /// The same with how the contact moves.
-    pub(crate) fn with_motion(
+    #[inline]
+    pub(crate) fn kinematics(
         &self,
         origin_a: DVec3,
         a: &Velocity,
         b: &Velocity,
     ) -> Option<(ContactKinematics, ContactMotion)> {
-        let velocity = self.relative_velocity(a, b);
+        let n = self.place.normal;
+        let [arm_a, arm_b] = self.place_arms();
+        let velocity = (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b));
         let (rates, bending) = if let Some(plane) = self.plane_of {
             (self.rates_over_plane(plane, a, b), self.bending_over_plane(plane, velocity, a, b))
         } else {
@@ -153,7 +147,12 @@ impl Stationary {
             let bending = self.bending(&rates, velocity, a, b);
             (rates, bending)
         };
-        let kinematics = self.kinematics_with(bending, velocity, origin_a, a, b);
+        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        let kinematics = ContactKinematics {
+            geometry: self.geometry(origin_a),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: n.dot(centripetal) + bending,
+        };
         Some((kinematics, self.motion(&rates, kinematics.separation_rate, a, b)))
     }
 
@@ -163,35 +162,9 @@ impl Stationary {
         [self.place.on_a, self.place.on_b - self.origin_b]
     }
 
-    /// `v_A(x_A) - v_B(x_B)`.
-    #[inline]
-    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
-        let [arm_a, arm_b] = self.place_arms();
-        (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b))
-    }
-
-    /// `velocity` is [`Self::relative_velocity`].
-    #[inline]
-    fn kinematics_with(
-        &self,
-        bending: f64,
-        velocity: DVec3,
-        origin_a: DVec3,
-        a: &Velocity,
-        b: &Velocity,
-    ) -> ContactKinematics {
-        let n = self.place.normal;
-        let [arm_a, arm_b] = self.place_arms();
-        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
-        ContactKinematics {
-            geometry: self.geometry(origin_a),
-            separation_rate: n.dot(velocity),
-            acceleration_bias: n.dot(centripetal) + bending,
-        }
-    }
-
     /// How the contact point moves: with a place on a locus, which wanders, and from there along the normal, which turns.
     /// The place is A's; on a plane there is nothing that wanders of its own accord, and the place is the other one.
+    #[inline]
     fn motion(&self, rates: &Rates, separation_rate: f64, a: &Velocity, b: &Velocity) -> ContactMotion {
         let n = self.place.normal;
         let from = if self.plane_of == Some(Side::A) { Side::B } else { Side::A };
@@ -223,7 +196,8 @@ impl Stationary {
         }
     }
 
-    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2.
+    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2. `velocity` is
+    /// `v_A(x_A) - v_B(x_B)`.
     #[inline]
     fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;
@@ -260,6 +234,7 @@ impl Stationary {
     }
 
     /// `n'` and `z'` where one element is a plane.
+    #[inline]
     fn rates_over_plane(&self, plane_of: Side, a: &Velocity, b: &Velocity) -> Rates {
         let n = self.place.normal;
         let normal = self.turning_of_plane(plane_of, a, b);
