@@ -28,36 +28,21 @@ pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape)
         local.shapes[at] = shape;
         Some(number)
     };
-    let feature = match feature {
-        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
-            vertex_of,
-            vertex: take(vertex_of, Kind::Vertex, vertex)?,
-            face: take(vertex_of.other(), Kind::Face, face)?,
-        },
-        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
-            edge_a: take(Side::A, Kind::Edge, edge_a)?,
-            edge_b: take(Side::B, Kind::Edge, edge_b)?,
-        },
-        ContactFeature::Smooth { center_of, center, against } => {
-            let center = take(center_of, Kind::Vertex, center)?;
-            let side = center_of.other();
-            let against = surface(against, |kind, number| take(side, kind, number))?;
-            // The sphere of a part bears the number of its centre.
-            let sphere = matches!(local.shapes[index(side)], Shape::Sphere(_));
-            let against = if sphere { SurfaceFeature::Sphere } else { against };
-            ContactFeature::Smooth { center_of, center, against }
-        }
+    let mut feature = match feature {
         ContactFeature::Spheres { center_a, center_b } => {
             take(Side::A, Kind::Vertex, center_a)?;
             take(Side::B, Kind::Vertex, center_b)?;
             ContactFeature::SphereSphere
         }
-        ContactFeature::Elements { a, b } => ContactFeature::Elements {
-            a: surface(a, |kind, number| take(Side::A, kind, number))?,
-            b: surface(b, |kind, number| take(Side::B, kind, number))?,
-        },
         ContactFeature::SphereSphere => return None,
+        other => other.renumbered(take)?,
     };
+    if let ContactFeature::Smooth { center_of, against, .. } = &mut feature {
+        // The sphere of a part bears the number of its centre.
+        if matches!(local.shapes[index(center_of.other())], Shape::Sphere(_)) {
+            *against = SurfaceFeature::Sphere;
+        }
+    }
     local.feature = feature;
     Some(local)
 }
@@ -74,34 +59,45 @@ pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [u
     let number = |side: Side, kind: Kind, number: u32| {
         compound(side).and_then(|(c, part)| c.first.get(part)).map_or(number, |first| kind.of(first) + number)
     };
-    let global = |side: Side, feature: SurfaceFeature| {
-        surface(feature, |kind, n| Some(number(side, kind, n))).unwrap_or(feature)
-    };
     match feature {
-        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
-            vertex_of,
-            vertex: number(vertex_of, Kind::Vertex, vertex),
-            face: number(vertex_of.other(), Kind::Face, face),
-        },
-        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
-            edge_a: number(Side::A, Kind::Edge, edge_a),
-            edge_b: number(Side::B, Kind::Edge, edge_b),
-        },
-        ContactFeature::Smooth { center_of, center, against } => {
-            let side = center_of.other();
-            let against = match against {
-                SurfaceFeature::Sphere if compound(side).is_some() => {
-                    SurfaceFeature::Vertex(number(side, Kind::Vertex, 0))
-                }
-                against => global(side, against),
-            };
-            ContactFeature::Smooth { center_of, center: number(center_of, Kind::Vertex, center), against }
-        }
-        ContactFeature::Elements { a, b } => ContactFeature::Elements { a: global(Side::A, a), b: global(Side::B, b) },
         ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => ContactFeature::Spheres {
             center_a: number(Side::A, Kind::Vertex, 0),
             center_b: number(Side::B, Kind::Vertex, 0),
         },
+        ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
+            if compound(center_of.other()).is_some() =>
+        {
+            let against = SurfaceFeature::Vertex(number(center_of.other(), Kind::Vertex, 0));
+            ContactFeature::Smooth { center_of, center: number(center_of, Kind::Vertex, center), against }
+        }
+        other => other.renumbered(|side, kind, n| Some(number(side, kind, n))).unwrap_or(other),
+    }
+}
+
+impl ContactFeature {
+    /// The same contact with other numbers of its elements; nothing when one of them has none.
+    pub(crate) fn renumbered(self, mut number: impl FnMut(Side, Kind, u32) -> Option<u32>) -> Option<Self> {
+        Some(match self {
+            Self::VertexFace { vertex_of, vertex, face } => Self::VertexFace {
+                vertex_of,
+                vertex: number(vertex_of, Kind::Vertex, vertex)?,
+                face: number(vertex_of.other(), Kind::Face, face)?,
+            },
+            Self::EdgeEdge { edge_a, edge_b } => Self::EdgeEdge {
+                edge_a: number(Side::A, Kind::Edge, edge_a)?,
+                edge_b: number(Side::B, Kind::Edge, edge_b)?,
+            },
+            Self::Smooth { center_of, center, against } => Self::Smooth {
+                center_of,
+                center: number(center_of, Kind::Vertex, center)?,
+                against: surface(against, |kind, n| number(center_of.other(), kind, n))?,
+            },
+            Self::Elements { a, b } => Self::Elements {
+                a: surface(a, |kind, n| number(Side::A, kind, n))?,
+                b: surface(b, |kind, n| number(Side::B, kind, n))?,
+            },
+            Self::SphereSphere | Self::Spheres { .. } => self,
+        })
     }
 }
 
@@ -123,7 +119,7 @@ fn surface(feature: SurfaceFeature, mut number: impl FnMut(Kind, u32) -> Option<
 /// Kinds of elements, each numbered by itself. Centres, points and caps are vertices; sides and rims share the numbers of
 /// edges, for no shape has both.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(crate) enum Kind {
     Vertex,
     Edge,
     Face,

@@ -6,6 +6,7 @@ use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::face_border::{Border, at_border};
 use crate::narrow_phase::feature::mesh_feature::Flatness;
+use crate::narrow_phase::feature::part_feature::Kind;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
@@ -211,33 +212,12 @@ impl OnTriangle<'_> {
         let index = self.triangle.index as usize;
         let mesh = self.pair.mesh;
         let patch = mesh.patch_of[index];
-        let (vertex, edge) = (
-            |k: u32| mesh.joined[index].get(k as usize).copied(),
-            |k: u32| mesh.edges_of[index].get(k as usize).copied(),
-        );
-        let of_mesh = |of_triangle: SurfaceFeature| match of_triangle {
-            SurfaceFeature::Face(face) => Some(SurfaceFeature::Face(2 * patch + face)),
-            SurfaceFeature::Edge(k) => edge(k).map(SurfaceFeature::Edge),
-            SurfaceFeature::Vertex(k) => vertex(k).map(SurfaceFeature::Vertex),
-            _ => None,
-        };
-        let feature = match feature {
-            ContactFeature::VertexFace { vertex_of: Side::A, vertex: k, face } => {
-                ContactFeature::VertexFace { vertex_of: Side::A, vertex: vertex(k)?, face }
-            }
-            ContactFeature::VertexFace { vertex_of, vertex, face } => {
-                ContactFeature::VertexFace { vertex_of, vertex, face: 2 * patch + face }
-            }
-            ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge { edge_a: edge(edge_a)?, edge_b },
-            ContactFeature::Smooth { center_of: Side::A, center, against } => {
-                ContactFeature::Smooth { center_of: Side::A, center: vertex(center)?, against }
-            }
-            ContactFeature::Smooth { center_of, center, against } => {
-                ContactFeature::Smooth { center_of, center, against: of_mesh(against)? }
-            }
-            ContactFeature::Elements { a, b } => ContactFeature::Elements { a: of_mesh(a)?, b },
-            ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => return None,
-        };
+        let feature = feature.renumbered(|side, kind, number| match (side, kind) {
+            (Side::A, Kind::Face) => Some(2 * patch + number),
+            (Side::A, Kind::Edge) => mesh.edges_of[index].get(number as usize).copied(),
+            (Side::A, Kind::Vertex) => mesh.joined[index].get(number as usize).copied(),
+            (Side::B, _) => Some(number),
+        })?;
         self.measure_whole(feature)
     }
 
