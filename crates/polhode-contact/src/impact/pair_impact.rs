@@ -20,6 +20,7 @@ use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
@@ -138,14 +139,15 @@ impl Search<'_> {
         self.evaluations += 1;
         let [pose_a, pose_b] = &poses;
         let separation = if let [Shape::Convex(a), Shape::Convex(b)] = self.shapes {
-            let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
+            let axes = search_axes(&mut self.workspace.pair().search, [a, b], [pose_a, pose_b], f64::INFINITY);
             self.axes = Some(axes);
-            axes.separation(a, pose_a, b, pose_b)
+            axes.separation([a, b], [pose_a, pose_b])
         } else if self.shapes.into_iter().any(Shape::is_ring) && !self.shapes.into_iter().any(Shape::is_half_space) {
-            self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
+            self.gap = ring::least(Placed::new(self.shapes[0], pose_a), Placed::new(self.shapes[1], pose_b));
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(Shape::is_half_space) {
-            self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
+            let (a, b) = (Placed::new(self.shapes[0], pose_a), Placed::new(self.shapes[1], pose_b));
+            self.gap = gap::between(a, b, f64::INFINITY);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else {
             separation_with(&mut self.workspace, self.shapes[0], pose_a, self.shapes[1], pose_b)
@@ -267,7 +269,7 @@ impl Search<'_> {
             }
         }
         let edges = axes.edges.filter(|e| e.separation > 0.0);
-        let crossed = edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+        let crossed = edges.and_then(|e| CrossedEdges::new([a, b], [pose_a, pose_b], [e.edge_a, e.edge_b]));
         if let Some(crossed) = crossed {
             step = step.max(window.across_edges(&crossed, a, b));
             if crossed.separation > direction.0 {
@@ -326,7 +328,7 @@ impl Search<'_> {
         let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
         if matches!(a, Shape::Points(_)) || matches!(b, Shape::Points(_)) {
             let mut step = f64::INFINITY;
-            gap::each(a, &pose_a, b, &pose_b, f64::INFINITY, |gap| {
+            gap::each(Placed::new(a, &pose_a), Placed::new(b, &pose_b), f64::INFINITY, |gap| {
                 let (hull_a, hull_b) = (only_point(a, hull_a, gap.a), only_point(b, hull_b, gap.b));
                 step = step.min(window.along_direction(gap.normal, &hull_a, &hull_b));
             });

@@ -11,6 +11,7 @@ use super::found::{EQUAL_ULPS, Found};
 use super::penetration::face_normals;
 use super::signed_distance::{signed, signed_distance};
 use crate::narrow_phase::axis::gap::between;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::query::epa::epa;
 use crate::query::gjk::{GjkStatus, gjk};
 use crate::shape::topology::flat_triangle;
@@ -114,7 +115,8 @@ fn best_axis(a: &Element<'_>, b: &Element<'_>) -> Option<DVec3> {
         }
         _ => None,
     };
-    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
+    let shapes = [shape(&a.core)?, shape(&b.core)?];
+    between(Placed::new(&shapes[0], &a.pose), Placed::new(&shapes[1], &b.pose), f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// Points around the middle of two places.

@@ -6,7 +6,7 @@
 use crate::narrow_phase::dispatch::coherence::Coherence;
 use crate::narrow_phase::dispatch::manifold::near_manifold_into;
 use crate::narrow_phase::dispatch::workspace::Workspace;
-use crate::narrow_phase::pair::measure::Placed;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::pair::polyhedra::along_axes;
 use crate::{Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
@@ -54,6 +54,6 @@ pub fn near_manifold_with(
     }
     let buffers = workspace.pair();
     let axes = coherence.search(&mut buffers.search, polyhedron_a, polyhedron_b, &x_ab, reach);
-    let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
-    along_axes(buffers, (polyhedron_a, a), (polyhedron_b, b), (&axes, Some(&mut coherence.region)), reach, found);
+    let placed = [Placed::new(shape_a, pose_a), Placed::new(shape_b, pose_b)];
+    along_axes(buffers, [polyhedron_a, polyhedron_b], placed, (&axes, Some(&mut coherence.region)), reach, found);
 }

@@ -99,12 +99,9 @@ impl Perpendicular {
 impl CrossedEdges {
     /// Nothing when the edges do not exist or are parallel.
     pub(crate) fn new(
-        a: &ConvexPolyhedron,
-        pose_a: &Pose,
-        edge_a: u32,
-        b: &ConvexPolyhedron,
-        pose_b: &Pose,
-        edge_b: u32,
+        [a, b]: [&ConvexPolyhedron; 2],
+        [pose_a, pose_b]: [&Pose; 2],
+        [edge_a, edge_b]: [u32; 2],
     ) -> Option<Self> {
         let a = PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, pose_a);
         let b = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, pose_b);
