@@ -58,7 +58,7 @@ pub use impact::time_of_impact::{
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential};
-pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with, near_manifold};
+pub use narrow_phase::manifold::{manifold, manifold_into, near_manifold};
 pub use narrow_phase::pair_memory::{PairMemory, near_manifold_with};
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;

@@ -68,7 +68,7 @@ fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64,
             };
         }
         if gap.separation <= reach {
-            round_region::contacts(features, a, b, &gap, reach, &mut found.contacts);
+            round_region::contacts(features, a, b, &gap, reach, |_| true, &mut found.contacts);
         }
     };
     if a.shape.is_half_space() || b.shape.is_half_space() {

@@ -1,6 +1,6 @@
 //! Contacts of one triangle of a mesh with another body. The mesh is body A, and its frame is the frame of computation.
 
-use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest_vertex};
+use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest_vertex, range};
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::ALIKE;
@@ -338,10 +338,7 @@ fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Opti
     }
     let normal = x.rotation.inverse_rotate(triangle.normal);
     let base = triangle.normal.dot(x.translation) - triangle.offset;
-    let (low, high) = centers
-        .iter()
-        .map(|c| normal.dot(*c))
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+    let (low, high) = range(centers, normal);
     let (below, above) = (base + low, base + high);
     (above - below > 4.0 * tolerance).then(|| u32::from(below < -above))
 }
@@ -474,7 +471,7 @@ fn on_own_face(
         let pair = (Placed::new(flat, &Pose::IDENTITY), Placed::new(other, x));
         manifold.contacts.clear();
         let found = &mut manifold.contacts;
-        round_region::contacts_where(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
+        round_region::contacts(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
         let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
         let within = measured.filter(|contact| contact.geometry.margin >= -slack);
         contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));

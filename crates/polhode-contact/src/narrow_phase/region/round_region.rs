@@ -48,20 +48,9 @@ struct Region<'a> {
     features: &'a mut Vec<ContactFeature>,
 }
 
-/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted.
+/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted: of the features
+/// that are wanted alone.
 pub(crate) fn contacts(
-    features: &mut Vec<ContactFeature>,
-    a: Placed<'_>,
-    b: Placed<'_>,
-    gap: &Gap,
-    reach: f64,
-    contacts: &mut Vec<Contact>,
-) {
-    contacts_where(features, a, b, gap, reach, |_| true, contacts);
-}
-
-/// As [`contacts`], of the features that are wanted alone: of two in one place another one may be the first of these.
-pub(crate) fn contacts_where(
     features: &mut Vec<ContactFeature>,
     a: Placed<'_>,
     b: Placed<'_>,

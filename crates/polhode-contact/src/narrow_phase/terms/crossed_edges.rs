@@ -16,7 +16,7 @@
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
 use crate::narrow_phase::terms::tangential::ContactMotion;
-use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge};
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
@@ -50,18 +50,8 @@ pub(crate) struct PlacedEdge {
 }
 
 impl PlacedEdge {
-    fn new(edge: &EdgeLine, pose: &Pose) -> Self {
-        let [from, to] = edge.ends;
-        Self {
-            middle: pose.rotation.rotate(0.5 * (from + to)),
-            along: pose.rotation.rotate(edge.direction),
-            half_length: 0.5 * edge.length,
-            outward: pose.rotation.rotate(edge.outward),
-        }
-    }
-
     #[inline]
-    pub(crate) fn of_polyhedron(edge: &Edge, pose: &Pose) -> Self {
+    pub(crate) fn new(edge: &EdgeLine, pose: &Pose) -> Self {
         Self {
             middle: pose.rotation.rotate(edge.middle),
             along: pose.rotation.rotate(edge.direction),
@@ -103,10 +93,7 @@ impl CrossedEdges {
         [pose_a, pose_b]: [&Pose; 2],
         [edge_a, edge_b]: [u32; 2],
     ) -> Option<Self> {
-        let a = PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, pose_a);
-        let b = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, pose_b);
-        let perpendicular = Perpendicular::new(&a, &b)?;
-        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
+        Self::between(&EdgeLine::of_polyhedron(a, edge_a)?, pose_a, &EdgeLine::of_polyhedron(b, edge_b)?, pose_b)
     }
 
     /// Nothing when the edges are parallel.
