@@ -13,11 +13,16 @@ pub(crate) struct Local<'a> {
 
 /// The parts of a pair that a feature names, and the feature with its numbers within them; nothing when it names none.
 /// Shapes that are no compounds come back as they are.
+#[inline]
 pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape) -> Option<Local<'a>> {
-    let shapes = [a, b];
-    if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
-        return Some(Local { feature, shapes, parts: [0; 2] });
+    match (a, b) {
+        (Shape::Compound(_), _) | (_, Shape::Compound(_)) => in_parts(feature, [a, b]),
+        _ => Some(Local { feature, shapes: [a, b], parts: [0; 2] }),
     }
+}
+
+/// As [`localized`], of a pair with a compound.
+fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
     let index = |side: Side| usize::from(side == Side::B);
     let mut local = Local { feature, shapes, parts: [0; 2] };
     let mut take = |side: Side, kind: Kind, number: u32| -> Option<u32> {

@@ -145,31 +145,41 @@ impl CrossedEdges {
         a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
     }
 
-    /// The rates of the separation, and how the contact moves. Inlined, so that what is not asked for is not computed.
+    /// Velocity of A's material at its nearest place against B's at its own, and `n'`.
     #[inline]
-    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
-        let n = self.normal;
+    fn rates(&self, a: &Velocity, b: &Velocity) -> (DVec3, DVec3) {
+        let (n, rate) = (self.normal, self.normal_rate(a, b));
         let velocity = (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b));
-        let rate = self.normal_rate(a, b);
-        let turning = (rate - n * n.dot(rate)) / self.sine;
+        (velocity, (rate - n * n.dot(rate)) / self.sine)
+    }
+
+    #[inline]
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let n = self.normal;
+        let (velocity, turning) = self.rates(a, b);
         let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
-        let kinematics = ContactKinematics {
+        ContactKinematics {
             geometry: self.geometry(),
             separation_rate: n.dot(velocity),
             acceleration_bias: n.dot(centripetal) + 2.0 * velocity.dot(turning)
                 - self.separation * turning.length_squared(),
-        };
+        }
+    }
+
+    /// How the contact moves.
+    pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
+        let n = self.normal;
+        let (velocity, turning) = self.rates(a, b);
         let along = (turning * self.separation - velocity).dot(self.along_b.cross(n)) / self.sine;
         let half_gap = n * (0.5 * self.separation);
         let from_a = a.angular.cross(self.arm_a) + self.along_a * along
             - turning * (0.5 * self.separation)
             - n * (0.5 * kinematics.separation_rate);
-        let motion = ContactMotion {
+        ContactMotion {
             normal: n,
             normal_rate: turning,
             arms: [self.arm_a - half_gap, self.arm_b + half_gap],
             point_rates: [from_a, from_a + (a.linear - b.linear)],
-        };
-        (kinematics, motion)
+        }
     }
 }

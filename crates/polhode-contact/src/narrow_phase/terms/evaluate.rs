@@ -23,7 +23,6 @@ use crate::narrow_phase::feature::part_feature::{Local, localized};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::narrow_phase::terms::point_on_surface::PointOnSurface;
 use crate::narrow_phase::terms::stationary::Stationary;
-use crate::narrow_phase::terms::tangential::ContactMotion;
 use crate::shape::round::is_round;
 use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, TangentialKinematics};
 use glam::DVec3;
@@ -63,8 +62,14 @@ pub fn kinematics(
     pose_b: &Pose,
     velocity_b: &Velocity,
 ) -> Option<ContactKinematics> {
-    let (a, b) = ((shape_a, pose_a, velocity_a), (shape_b, pose_b, velocity_b));
-    moving(feature, a, b).map(|(kinematics, _)| kinematics)
+    by_kind(
+        feature,
+        (shape_a, pose_a),
+        (shape_b, pose_b),
+        |crossed| Some(crossed.kinematics(velocity_a, velocity_b)),
+        |stationary| stationary.kinematics(pose_a.translation, velocity_a, velocity_b),
+        |point| Some(point.kinematics(velocity_a, velocity_b)),
+    )
 }
 
 /// The contact with its tangential terms too: what [`kinematics`] gives, to the bit, and what friction needs beside it
@@ -97,25 +102,25 @@ pub fn kinematics_with_tangential(
     pose_b: &Pose,
     velocity_b: &Velocity,
 ) -> Option<(ContactKinematics, TangentialKinematics)> {
-    let (a, b) = ((shape_a, pose_a, velocity_a), (shape_b, pose_b, velocity_b));
-    moving(feature, a, b).map(|(kinematics, motion)| (kinematics, motion.tangential(velocity_a, velocity_b)))
-}
-
-/// The rates of a contact's separation, and how the contact moves.
-#[inline]
-fn moving(
-    feature: ContactFeature,
-    (shape_a, pose_a, a): (&Shape, &Pose, &Velocity),
-    (shape_b, pose_b, b): (&Shape, &Pose, &Velocity),
-) -> Option<(ContactKinematics, ContactMotion)> {
-    by_kind(
+    let (a, b) = (velocity_a, velocity_b);
+    let (kinematics, motion) = by_kind(
         feature,
         (shape_a, pose_a),
         (shape_b, pose_b),
-        |crossed| Some(crossed.kinematics(a, b)),
-        |stationary| stationary.kinematics(pose_a.translation, a, b),
-        |point| Some(point.kinematics(a, b)),
-    )
+        |crossed| {
+            let kinematics = crossed.kinematics(a, b);
+            Some((kinematics, crossed.motion(&kinematics, a, b)))
+        },
+        |stationary| {
+            let kinematics = stationary.kinematics(pose_a.translation, a, b)?;
+            Some((kinematics, stationary.motion(&kinematics, a, b)?))
+        },
+        |point| {
+            let kinematics = point.kinematics(a, b);
+            Some((kinematics, point.motion(&kinematics, a, b)))
+        },
+    )?;
+    Some((kinematics, motion.tangential(a, b)))
 }
 
 /// What a contact answers, by the kind of its features; of compounds those of the parts.

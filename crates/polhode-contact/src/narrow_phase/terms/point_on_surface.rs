@@ -91,35 +91,45 @@ impl PointOnSurface {
         }
     }
 
-    /// The rates of the separation, and how the contact moves: `g' = w_E x g + H u`. Inlined, so that what is not asked for
-    /// is not computed.
+    /// The velocities of V and E, and `u`: that of the point relative to the place of E under it.
     #[inline]
-    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
+    fn velocities<'a>(&self, a: &'a Velocity, b: &'a Velocity) -> (&'a Velocity, &'a Velocity, DVec3) {
         let (v, e) = if self.center_of == Side::A { (a, b) } else { (b, a) };
+        (v, e, (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset)))
+    }
+
+    #[inline]
+    pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
+        let (v, e, u) = self.velocities(a, b);
         let Distance { gradient: g, curvature, along, .. } = self.distance;
-        let u = (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset));
         let centripetal = v.angular.cross(v.angular.cross(self.arm)) - e.angular.cross(e.angular.cross(self.offset));
         let (rate, slip) = (g.dot(u), along.dot(u));
         let bending = curvature * (u.length_squared() - rate * rate - slip * slip);
-        let kinematics = ContactKinematics {
+        ContactKinematics {
             geometry: self.geometry(),
             separation_rate: rate,
             acceleration_bias: g.dot(centripetal) + 2.0 * u.dot(e.angular.cross(g)) + bending,
-        };
-        let turning = e.angular.cross(g) + (u - g * rate - along * slip) * curvature;
+        }
+    }
+
+    /// How the contact moves: `g' = w_E x g + H u`.
+    pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
+        let (v, e, u) = self.velocities(a, b);
+        let Distance { gradient: g, curvature, along, .. } = self.distance;
+        let rate = kinematics.separation_rate;
+        let turning = e.angular.cross(g) + (u - g * rate - along * along.dot(u)) * curvature;
         let depth = self.radius_of_point + 0.5 * kinematics.geometry.separation;
         let from_v = v.angular.cross(self.arm) - turning * depth - g * (0.5 * rate);
         let from_e = from_v + (v.linear - e.linear);
         let (arm_v, arm_e) = (self.arm - g * depth, self.offset - g * depth);
-        let motion = match self.center_of {
+        match self.center_of {
             Side::A => {
                 ContactMotion { normal: g, normal_rate: turning, arms: [arm_v, arm_e], point_rates: [from_v, from_e] }
             }
             Side::B => {
                 ContactMotion { normal: -g, normal_rate: -turning, arms: [arm_e, arm_v], point_rates: [from_e, from_v] }
             }
-        };
-        (kinematics, motion)
+        }
     }
 }
 
