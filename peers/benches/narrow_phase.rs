@@ -7,7 +7,7 @@
 //!
 //! | row | one step is |
 //! |---|---|
-//! | `persistent` | boxes of all bodies, [`Bvh`], [`NarrowPhase`]: exact manifolds of all pairs, with what was found before |
+//! | `persistent` | boxes of all bodies, [`Bvh`], `near_manifold_with` for every pair: exact manifolds, with what is remembered of it |
 //! | `fresh` | the same with `manifold_into` for every pair, nothing kept but buffers |
 //! | `rapier` | `CollisionPipeline::step`: its boxes, tree, pairs and manifolds, caches warm; no solver |
 //!
@@ -22,7 +22,9 @@
 //! `persistent` therefore walk in turns, and the ratio of their least times is printed.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use polhode_contact::{Aabb, BroadPhase, Bvh, Manifold, NarrowPhase, Shape, Workspace, manifold_into, swept_aabb};
+use polhode_contact::{
+    Aabb, BroadPhase, Bvh, Manifold, PairMemory, Shape, Workspace, manifold_into, near_manifold_with, swept_aabb,
+};
 use polhode_spatial::{DVec3, Pose, Rotation, Still};
 use rapier3d::prelude as rapier;
 use std::cell::{Cell, RefCell};
@@ -275,13 +277,23 @@ fn aabbs(shapes: &[&Shape], poses: &[Pose], boxes: &mut Vec<Aabb>) {
     }
 }
 
+/// A pair of the persistent row.
+#[derive(Default)]
+struct Remembered {
+    bodies: (u32, u32),
+    memory: PairMemory,
+    manifold: Manifold,
+}
+
 /// What the persistent row keeps from step to step.
 #[derive(Default)]
 struct Persistent {
     boxes: Vec<Aabb>,
     broad_phase: Bvh,
     pairs: Vec<(u32, u32)>,
-    narrow_phase: NarrowPhase<()>,
+    workspace: Workspace,
+    /// Sorted; in boxes, which move in and out of the list.
+    remembered: Vec<Box<Remembered>>,
 }
 
 impl Persistent {
@@ -292,7 +304,16 @@ impl Persistent {
         self.broad_phase.pairs(&self.boxes, &mut self.pairs).expect("few boxes");
         let paired = Instant::now();
         let placed = |body: u32| (shapes[body as usize], &poses[body as usize]);
-        self.narrow_phase.update(&self.pairs, REACH, placed).expect("sorted pairs");
+        let now = Vec::with_capacity(self.pairs.len());
+        let mut before = std::mem::replace(&mut self.remembered, now).into_iter().peekable();
+        for &bodies in &self.pairs {
+            while before.next_if(|pair| pair.bodies < bodies).is_some() {}
+            let known = before.next_if(|pair| pair.bodies == bodies);
+            let mut pair = known.unwrap_or_else(|| Box::new(Remembered { bodies, ..Remembered::default() }));
+            let Remembered { memory, manifold, .. } = &mut *pair;
+            near_manifold_with(&mut self.workspace, memory, placed(bodies.0), placed(bodies.1), REACH, manifold);
+            self.remembered.push(pair);
+        }
         [boxed, paired, Instant::now()]
     }
 }
@@ -373,7 +394,7 @@ fn peers(criterion: &mut Criterion) {
                 let frame = Cell::new(0);
                 bencher.iter_custom(|n| timed(n, |k| frame.set(k), || _ = ours.step(&shapes, &frames[frame.get()])));
             });
-            let contacts: usize = ours.narrow_phase.pairs().map(|pair| pair.manifold.contacts.len()).sum();
+            let contacts: usize = ours.remembered.iter().map(|pair| pair.manifold.contacts.len()).sum();
             println!("persistent: {} pairs, {contacts} contacts", ours.pairs.len());
             if std::env::var_os("POLHODE_SPLIT").is_some() {
                 split(&shapes, &frames);

@@ -1,7 +1,9 @@
 //! A body on a ground of 100,352 triangles: manifold, separation, one contact, and a long flight's time of impact.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use polhode_contact::{ImpactSearch, Shape, Workspace, evaluate, find_impact, manifold_with, separation_with};
+use polhode_contact::{
+    ImpactSearch, Manifold, Shape, Workspace, evaluate, find_impact, manifold, manifold_into, separation_with,
+};
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, Velocity};
 use std::hint::black_box;
 
@@ -38,7 +40,7 @@ impl Motion for Low {
 }
 
 fn mesh_ground(criterion: &mut Criterion) {
-    let mut workspace = Workspace::default();
+    let (mut workspace, mut found) = (Workspace::default(), Manifold::default());
     let flat = ground(|_, _| 0.0);
     let hills = ground(|x, y| 0.2 * x.sin() * y.cos());
     let brick = Shape::cuboid(DVec3::new(1.0, 0.8, 0.5)).expect("a box");
@@ -53,14 +55,14 @@ fn mesh_ground(criterion: &mut Criterion) {
     ] {
         let pose = Pose::new(turned, DVec3::new(10.3, -7.2, height));
         criterion.bench_function(&format!("mesh manifold/{name}"), |bencher| {
-            bencher.iter(|| manifold_with(&mut workspace, body, black_box(&pose), ground, &still, 0.01));
+            bencher.iter(|| manifold_into(&mut workspace, body, black_box(&pose), ground, &still, 0.01, &mut found));
         });
         criterion.bench_function(&format!("mesh separation/{name}"), |bencher| {
             bencher.iter(|| separation_with(&mut workspace, body, black_box(&pose), ground, &still));
         });
     }
     let pose = Pose::new(turned, DVec3::new(10.3, -7.2, 0.25));
-    if let Some(contact) = manifold_with(&mut workspace, &brick, &pose, &flat, &still, 0.01).contacts.first() {
+    if let Some(contact) = manifold(&brick, &pose, &flat, &still, 0.01).contacts.first() {
         criterion.bench_function("mesh evaluate/box on flat", |bencher| {
             bencher.iter(|| evaluate(contact.feature, &brick, black_box(&pose), &flat, &still));
         });

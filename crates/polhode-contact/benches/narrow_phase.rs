@@ -2,8 +2,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode_contact::{
-    ConvexPolyhedron, ImpactSearch, Shape, Workspace, evaluate, find_impact, kinematics, kinematics_with_tangential,
-    manifold_with, separation_with,
+    ConvexPolyhedron, ImpactSearch, Manifold, Shape, Workspace, evaluate, find_impact, kinematics,
+    kinematics_with_tangential, manifold, manifold_into, separation_with,
 };
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, UnitVector, Velocity};
 use std::hint::black_box;
@@ -44,19 +44,19 @@ impl Motion for Fall {
 }
 
 fn narrow_phase(criterion: &mut Criterion) {
-    let mut workspace = Workspace::default();
+    let (mut workspace, mut found) = (Workspace::default(), Manifold::default());
     let turned = Rotation::from_rotation_vector(DVec3::Z * 0.3);
     let above = Pose::new(turned, DVec3::new(0.1, 0.05, 0.999));
     let (cube, gon) = (cuboid(1.0, 1.0, 1.0), prism(32));
     for (name, a, b) in [("box-box", &cube, &cube), ("box-32gon", &cube, &gon), ("32gon-32gon", &gon, &gon)] {
         criterion.bench_function(&format!("manifold/{name}"), |bencher| {
-            bencher.iter(|| manifold_with(&mut workspace, a, black_box(&above), b, &Pose::IDENTITY, 0.01));
+            bencher.iter(|| manifold_into(&mut workspace, a, black_box(&above), b, &Pose::IDENTITY, 0.01, &mut found));
         });
         criterion.bench_function(&format!("separation/{name}"), |bencher| {
             bencher.iter(|| separation_with(&mut workspace, a, black_box(&above), b, &Pose::IDENTITY));
         });
     }
-    let contacts = manifold_with(&mut workspace, &cube, &above, &cube, &Pose::IDENTITY, 0.01).contacts;
+    let contacts = manifold(&cube, &above, &cube, &Pose::IDENTITY, 0.01).contacts;
     let velocity = Velocity::new(DVec3::X, DVec3::Y);
     for contact in [contacts.first(), contacts.last()].into_iter().flatten() {
         let feature = contact.feature;

@@ -13,7 +13,7 @@
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same of a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`tangential()`] and [`kinematics_with_tangential()`]: its slip, and the terms of the slip's derivative, on a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`NarrowPhase`]: all pairs from step to step |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same of a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: its slip too, and the terms of the slip's derivative, on a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`near_manifold_with()`] a [`PairMemory`]: a pair from step to step |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
@@ -82,11 +82,9 @@ pub use impact::time_of_impact::{
 };
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
-pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential, tangential};
-pub use narrow_phase::manifold::{manifold, manifold_into, manifold_with, near_manifold};
-pub use narrow_phase::persistent::{
-    ContactChange, NarrowPhase, NarrowPhaseError, PairContacts, PairMemory, near_manifold_with,
-};
+pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential};
+pub use narrow_phase::manifold::{manifold, manifold_into, near_manifold};
+pub use narrow_phase::pair_memory::{PairMemory, near_manifold_with};
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
 pub use narrow_phase::workspace::Workspace;

@@ -4,7 +4,7 @@
 use crate::clearance::{place_tolerance, resolution, touch_tolerance};
 use crate::impact::arc_cuts::Cuts;
 use crate::impact::fine_time::refined;
-use crate::impact::impact_bounds::Window;
+use crate::impact::impact_bounds::{Points, Window};
 use crate::impact::impact_error::ImpactError;
 use crate::impact::impact_report::ImpactReport;
 use crate::impact::impact_search::ImpactSearch;
@@ -20,6 +20,7 @@ use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
@@ -106,18 +107,24 @@ fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
 }
 
-/// Points of a hull above one plane that is fixed in the other body.
+/// Points of body `of` above one plane that is fixed in the other body.
 fn points_clear_of_plane(
     now: &Moment,
     window: &mut Window<'_>,
     of: Side,
-    hull: &Hull<'_>,
+    (points, radius): Points<'_>,
     (normal, offset): (DVec3, f64),
 ) -> f64 {
     let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
     let x = now.poses[other].relative(&now.poses[this]);
-    let gap = |k: usize| normal.dot(x.transform_point(hull.points[k])) - offset - hull.ball;
-    window.above_planes(of, (&hull.points, hull.ball), |k| (normal, gap(k)))
+    let gap = |k: usize| normal.dot(x.transform_point(points[k])) - offset - radius;
+    window.above_planes(of, (points, radius), |k| (normal, gap(k)))
+}
+
+/// The points and circles of a hull above one plane that is fixed in the other body.
+fn hull_clear_of_plane(now: &Moment, window: &mut Window<'_>, of: Side, hull: &Hull<'_>, plane: (DVec3, f64)) -> f64 {
+    let circles = window.circles_above_plane(of, hull, plane.0, plane.1);
+    circles.min(points_clear_of_plane(now, window, of, (&hull.points, hull.ball), plane))
 }
 
 /// Of a cloud the point that a feature names, of another shape all of it.
@@ -138,14 +145,15 @@ impl Search<'_> {
         self.evaluations += 1;
         let [pose_a, pose_b] = &poses;
         let separation = if let [Shape::Convex(a), Shape::Convex(b)] = self.shapes {
-            let axes = search_axes(&mut self.workspace.pair().search, a, pose_a, b, pose_b, f64::INFINITY);
+            let axes = search_axes(&mut self.workspace.pair().search, [a, b], [pose_a, pose_b], f64::INFINITY);
             self.axes = Some(axes);
-            axes.separation(a, pose_a, b, pose_b)
+            axes.separation([a, b], [pose_a, pose_b])
         } else if self.shapes.into_iter().any(Shape::is_ring) && !self.shapes.into_iter().any(Shape::is_half_space) {
-            self.gap = ring::least(self.shapes[0], pose_a, self.shapes[1], pose_b);
+            self.gap = ring::least(Placed::new(self.shapes[0], pose_a), Placed::new(self.shapes[1], pose_b));
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else if self.shapes.into_iter().any(is_round) && !self.shapes.into_iter().any(Shape::is_half_space) {
-            self.gap = gap::between(self.shapes[0], pose_a, self.shapes[1], pose_b, f64::INFINITY);
+            let (a, b) = (Placed::new(self.shapes[0], pose_a), Placed::new(self.shapes[1], pose_b));
+            self.gap = gap::between(a, b, f64::INFINITY);
             self.gap.map_or(f64::INFINITY, |gap| gap.separation)
         } else {
             separation_with(&mut self.workspace, self.shapes[0], pose_a, self.shapes[1], pose_b)
@@ -252,22 +260,18 @@ impl Search<'_> {
         let mut direction = (f64::NEG_INFINITY, DVec3::ZERO);
         if axes.face_a.separation > 0.0 {
             let face = &a.faces[axes.face_a.face as usize];
-            let x = pose_a.relative(pose_b);
-            let gap = |k: usize| face.normal.dot(x.transform_point(b.vertices[k])) - face.offset;
-            step = step.max(window.above_planes(Side::B, points_b, |k| (face.normal, gap(k))));
+            step = step.max(points_clear_of_plane(now, window, Side::B, points_b, (face.normal, face.offset)));
             direction = (axes.face_a.separation, -pose_a.rotation.rotate(face.normal));
         }
         if axes.face_b.separation > 0.0 {
             let face = &b.faces[axes.face_b.face as usize];
-            let x = pose_b.relative(pose_a);
-            let gap = |k: usize| face.normal.dot(x.transform_point(a.vertices[k])) - face.offset;
-            step = step.max(window.above_planes(Side::A, points_a, |k| (face.normal, gap(k))));
+            step = step.max(points_clear_of_plane(now, window, Side::A, points_a, (face.normal, face.offset)));
             if axes.face_b.separation > direction.0 {
                 direction = (axes.face_b.separation, pose_b.rotation.rotate(face.normal));
             }
         }
         let edges = axes.edges.filter(|e| e.separation > 0.0);
-        let crossed = edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+        let crossed = edges.and_then(|e| CrossedEdges::new([a, b], [pose_a, pose_b], [e.edge_a, e.edge_b]));
         if let Some(crossed) = crossed {
             step = step.max(window.across_edges(&crossed, a, b));
             if crossed.separation > direction.0 {
@@ -286,15 +290,12 @@ impl Search<'_> {
     fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
         let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
         let points = self.shapes[this].centers();
-        let x = now.poses[other].relative(&now.poses[this]);
         let polyhedron = match self.shapes[other] {
-            Shape::HalfSpace(h) => {
-                let gap = |k: usize| h.normal().dot(x.transform_point(points.0[k])) - h.offset() - points.1;
-                return window.above_planes(of, points, |k| (h.normal(), gap(k)));
-            }
+            Shape::HalfSpace(h) => return points_clear_of_plane(now, window, of, points, (h.normal(), h.offset())),
             Shape::Convex(polyhedron) => polyhedron,
             _ => return 0.0,
         };
+        let x = now.poses[other].relative(&now.poses[this]);
         let tolerance = place_tolerance(polyhedron.size(), polyhedron.size(), x.translation);
         let nearest = |k: usize| nearest_feature(polyhedron, x.transform_point(points.0[k]), tolerance);
         let step = window.above_planes(of, points, |k| {
@@ -315,8 +316,7 @@ impl Search<'_> {
         let (of, this, other) = if self.shapes[1].is_half_space() { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
         let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
         let hull = Hull::of(self.shapes[this]);
-        let step = window.circles_above_plane(of, &hull, half_space.normal(), half_space.offset());
-        step.min(points_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset())))
+        hull_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset()))
     }
 
     /// A round shape and another convex one: the best axis held still, or the plane of the face or disc that decides. A
@@ -326,7 +326,7 @@ impl Search<'_> {
         let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
         if matches!(a, Shape::Points(_)) || matches!(b, Shape::Points(_)) {
             let mut step = f64::INFINITY;
-            gap::each(a, &pose_a, b, &pose_b, f64::INFINITY, |gap| {
+            gap::each(Placed::new(a, &pose_a), Placed::new(b, &pose_b), f64::INFINITY, |gap| {
                 let (hull_a, hull_b) = (only_point(a, hull_a, gap.a), only_point(b, hull_b, gap.b));
                 step = step.min(window.along_direction(gap.normal, &hull_a, &hull_b));
             });
@@ -347,8 +347,7 @@ impl Search<'_> {
             (_, Some(plane)) => (Side::A, hull_a, plane),
             _ => return step,
         };
-        let circles = window.circles_above_plane(of, &hull, plane.0, plane.1);
-        step.max(circles.min(points_clear_of_plane(now, window, of, &hull, plane)))
+        step.max(hull_clear_of_plane(now, window, of, &hull, plane))
     }
 
     /// A ball and a ring. At a distance `rho` from the ring's axis the distance from its middle line bends towards the axis

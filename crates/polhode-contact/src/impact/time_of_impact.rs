@@ -48,7 +48,7 @@ pub fn time_of_impact(
     t1: f64,
     settings: &ImpactSearch,
 ) -> Result<Option<f64>, ImpactError> {
-    search([shape_a, shape_b], [motion_a, motion_b], (t0, t1), settings).map(|report| report.time)
+    search([shape_a, shape_b], [motion_a, motion_b], (t0, t1), settings, Parts::All).map(|report| report.time)
 }
 
 /// As [`time_of_impact`], with the work it took.
@@ -65,7 +65,7 @@ pub fn find_impact(
     settings: &ImpactSearch,
 ) -> Result<ImpactReport, ImpactError> {
     let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
-    let mut report = search(shapes, motions, (t0, t1), settings)?;
+    let mut report = search(shapes, motions, (t0, t1), settings, Parts::All)?;
     if report.time.is_none() && shapes.into_iter().any(is_composite) {
         let end = motions.map(|motion| motion.pose(t1));
         report.separation = separation_with(&mut Workspace::default(), shape_a, &end[0], shape_b, &end[1]);
@@ -80,14 +80,18 @@ fn search(
     motions: [&dyn Motion; 2],
     (t0, t1): (f64, f64),
     settings: &ImpactSearch,
+    parts: Parts,
 ) -> Result<ImpactReport, ImpactError> {
     if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
         return Err(ImpactError::Interval { t0, t1 });
     }
     if shapes.into_iter().any(is_composite) {
-        return find_composite(shapes, motions, (t0, t1), settings, Parts::All);
+        return find_composite(shapes, motions, (t0, t1), settings, parts);
     }
-    find_in_parts(shapes, shapes, motions, (t0, t1), settings)
+    match parts {
+        Parts::All => find_in_parts(shapes, shapes, motions, (t0, t1), settings),
+        Parts::Clear => Ok(ImpactReport { time: None, separation: f64::INFINITY, evaluations: 0, cuts: 0 }),
+    }
 }
 
 /// First time in `(t0, t1]` at which parts that are clear of each other at `t0` close and their bodies approach: for bodies
@@ -105,12 +109,5 @@ pub fn time_of_further_impact(
     t1: f64,
     settings: &ImpactSearch,
 ) -> Result<Option<f64>, ImpactError> {
-    let (shapes, motions) = ([shape_a, shape_b], [motion_a, motion_b]);
-    if !(t0.is_finite() && t1.is_finite() && t0 <= t1) {
-        return Err(ImpactError::Interval { t0, t1 });
-    }
-    if !shapes.into_iter().any(is_composite) {
-        return Ok(None);
-    }
-    find_composite(shapes, motions, (t0, t1), settings, Parts::Clear).map(|report| report.time)
+    search([shape_a, shape_b], [motion_a, motion_b], (t0, t1), settings, Parts::Clear).map(|report| report.time)
 }

@@ -6,6 +6,7 @@ use super::piece::{Core, Piece};
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::axis::gap::between;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::query::gjk::gjk;
 use crate::shape::support::unit;
 use crate::{Capsule, Shape};
@@ -51,7 +52,8 @@ pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
         Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
         core => Some(Shape::Convex(core.polyhedron()?.into_owned())),
     };
-    between(&shape(&a.core)?, &a.pose, &shape(&b.core)?, &b.pose, f64::INFINITY).map(|gap| gap.normal)
+    let shapes = [shape(&a.core)?, shape(&b.core)?];
+    between(Placed::new(&shapes[0], &a.pose), Placed::new(&shapes[1], &b.pose), f64::INFINITY).map(|gap| gap.normal)
 }
 
 /// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest

@@ -41,11 +41,13 @@ pub enum Shape {
 }
 
 impl Shape {
+    #[inline]
     pub(crate) const fn is_half_space(&self) -> bool {
         matches!(self, Self::HalfSpace(_))
     }
 
     /// Whether it is a torus.
+    #[inline]
     pub(crate) const fn is_ring(&self) -> bool {
         matches!(self, Self::Torus(_))
     }

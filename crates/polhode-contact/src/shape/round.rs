@@ -150,6 +150,7 @@ pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
 }
 
 /// Whether the shape is one of the smooth convex ones whose contacts are found element by element.
+#[inline]
 pub(crate) const fn is_round(shape: &Shape) -> bool {
     matches!(shape, Shape::Capsule(_) | Shape::Cylinder(_) | Shape::Cone(_))
 }

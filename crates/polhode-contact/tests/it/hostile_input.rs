@@ -1,8 +1,8 @@
 //! NaN, infinity, huge and tiny numbers: answers without meaning are marked as such, and nothing panics or hangs.
 
-use crate::support::{Flight, Random, at, cuboid, prism};
+use crate::support::{Flight, Random, at, cuboid, prism, tangential};
 use polhode_contact::{
-    ImpactSearch, Shape, Workspace, find_impact, kinematics, manifold, manifold_with, separation, tangential,
+    ImpactSearch, Manifold, Shape, Workspace, find_impact, kinematics, manifold, manifold_into, separation,
 };
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use proptest::prelude::*;
@@ -40,13 +40,13 @@ fn poses_that_are_not_finite() {
 #[test]
 fn workspaces_carry_nothing_over() {
     let mut random = Random(23);
-    let mut workspace = Workspace::default();
+    let (mut workspace, mut kept) = (Workspace::default(), Manifold::default());
     let shapes = shapes();
     for _ in 0..500 {
         let (i, j) = ((random.unit() * 9.0) as usize, (random.unit() * 9.0) as usize);
         let (pose_a, pose_b) =
             (Pose::new(random.rotation(), random.vector()), Pose::new(random.rotation(), random.vector()));
-        let kept = manifold_with(&mut workspace, &shapes[i], &pose_a, &shapes[j], &pose_b, 0.5);
+        manifold_into(&mut workspace, &shapes[i], &pose_a, &shapes[j], &pose_b, 0.5, &mut kept);
         assert_eq!(kept, manifold(&shapes[i], &pose_a, &shapes[j], &pose_b, 0.5));
     }
 }

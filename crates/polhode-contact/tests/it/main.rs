@@ -11,7 +11,6 @@ mod face_contacts;
 mod general_poses;
 mod hostile_input;
 mod impact_closed_forms;
-
 mod impact_random;
 mod line_contacts;
 mod mesh_impacts;
@@ -19,7 +18,7 @@ mod mesh_valleys;
 mod meshes;
 mod nearest_normals;
 mod needles;
-mod persistent;
+mod pair_memory;
 mod polyhedra;
 mod query_parts;
 mod rays;

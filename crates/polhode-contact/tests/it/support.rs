@@ -1,6 +1,6 @@
 //! Random numbers, bodies and motions for the tests.
 
-use polhode_contact::{ConvexPolyhedron, Shape};
+use polhode_contact::{ContactFeature, ConvexPolyhedron, Shape, TangentialKinematics, kinematics_with_tangential};
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, SplitMix64, Velocity};
 
 /// Random numbers from a fixed seed, so that a failing case can be found again; the seed of those still to be drawn.
@@ -113,4 +113,17 @@ impl Motion for Flight {
             angular_acceleration: self.precession.length() * self.velocity.angular.length(),
         }
     }
+}
+
+/// The tangential terms of a contact alone.
+pub(crate) fn tangential(
+    feature: ContactFeature,
+    shape_a: &Shape,
+    pose_a: &Pose,
+    velocity_a: &Velocity,
+    shape_b: &Shape,
+    pose_b: &Pose,
+    velocity_b: &Velocity,
+) -> Option<TangentialKinematics> {
+    kinematics_with_tangential(feature, shape_a, pose_a, velocity_a, shape_b, pose_b, velocity_b).map(|both| both.1)
 }

@@ -4,10 +4,8 @@
 
 use crate::derivatives::{Path, each_kind};
 use crate::round_derivatives::{POSES, each_pair_of_elements};
-use crate::support::Random;
-use polhode_contact::{
-    ContactFeature, Shape, TangentialKinematics, evaluate, kinematics, kinematics_with_tangential, tangential,
-};
+use crate::support::{Random, tangential};
+use polhode_contact::{ContactFeature, Shape, TangentialKinematics, evaluate, kinematics, kinematics_with_tangential};
 use polhode_spatial::DVec3;
 
 /// Steps of the differences, s: three tell where the motion of a contact is too curved for them (two may agree by chance).

@@ -82,9 +82,13 @@ impl Axes {
     /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts
     /// when it is more by more than the rounding of their axis. Of edges that are nearly parallel that rounding is large, and
     /// the separation of all vertices counts.
-    pub(crate) fn separation(&self, a: &ConvexPolyhedron, pose_a: &Pose, b: &ConvexPolyhedron, pose_b: &Pose) -> f64 {
-        let crossed = self.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
-        self.largest(crossed.as_ref())
+    pub(crate) fn separation(&self, polyhedra: [&ConvexPolyhedron; 2], poses: [&Pose; 2]) -> f64 {
+        self.largest(self.crossed_edges(polyhedra, poses).as_ref())
+    }
+
+    /// The best pair of edges at their nearest places.
+    pub(crate) fn crossed_edges(&self, polyhedra: [&ConvexPolyhedron; 2], poses: [&Pose; 2]) -> Option<CrossedEdges> {
+        self.edges.and_then(|edges| CrossedEdges::new(polyhedra, poses, [edges.edge_a, edges.edge_b]))
     }
 
     /// The same when the edges have been placed.

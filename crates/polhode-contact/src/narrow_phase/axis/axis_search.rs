@@ -55,6 +55,12 @@ pub(crate) fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
     range(points, direction).0
 }
 
+/// The first of the points that are lowest along a direction, by its index; 0 when there is none.
+pub(crate) fn lowest_vertex(points: &[DVec3], direction: DVec3) -> u32 {
+    let heights = points.iter().map(|p| direction.dot(*p)).enumerate();
+    heights.min_by(|(_, p), (_, q)| p.total_cmp(q)).map_or(0, |(index, _)| index as u32)
+}
+
 /// Least and largest coordinate of some points along a direction.
 #[inline]
 pub(crate) fn range(points: &[DVec3], direction: DVec3) -> (f64, f64) {

@@ -1,6 +1,7 @@
 //! A convex body in the frame of a search for its separation from another one.
 
 use crate::narrow_phase::feature::element::{Border, Element, Locus};
+use crate::narrow_phase::feature::placed::Placed;
 use crate::shape::round::{support, support_point};
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
@@ -110,15 +111,10 @@ impl<'a> Body<'a> {
 }
 
 /// The bodies of a pair in the frame of the polyhedron, or of A when there is none, and that frame's pose in the world.
-pub(crate) fn framed<'a>(
-    shape_a: &'a Shape,
-    pose_a: &Pose,
-    shape_b: &'a Shape,
-    pose_b: &Pose,
-) -> (Body<'a>, Body<'a>, Pose) {
-    if matches!(shape_b, Shape::Convex(_)) {
-        (Body::whole(shape_a, pose_b.relative(pose_a)), Body::whole(shape_b, Pose::IDENTITY), *pose_b)
+pub(crate) fn framed<'a>(a: Placed<'a>, b: Placed<'a>) -> (Body<'a>, Body<'a>, Pose) {
+    if matches!(b.shape, Shape::Convex(_)) {
+        (Body::whole(a.shape, b.pose.relative(a.pose)), Body::whole(b.shape, Pose::IDENTITY), *b.pose)
     } else {
-        (Body::whole(shape_a, Pose::IDENTITY), Body::whole(shape_b, pose_a.relative(pose_b)), *pose_a)
+        (Body::whole(a.shape, Pose::IDENTITY), Body::whole(b.shape, a.pose.relative(b.pose)), *a.pose)
     }
 }

@@ -13,7 +13,7 @@
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
-use crate::narrow_phase::axis::axis_search::{AxisSearch, EdgeBuffers, plane_of_b};
+use crate::narrow_phase::axis::axis_search::{AxisSearch, EdgeBuffers, lowest, plane_of_b, range};
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -98,9 +98,10 @@ impl AxisSearch {
                 let is_nearly_parallel = along.sine <= NEARLY_PARALLEL_SINE;
                 if is_nearly_parallel && along.separation > axes.face_separation() + axes.rounding {
                     let v = self.perpendicular(a, pair);
-                    let [highest, lowest] = self.outermost(a, b, v);
-                    if lowest - highest > axes.along_nearly_parallel.0 {
-                        axes.along_nearly_parallel = (lowest - highest, v);
+                    // From A's highest vertex to B's lowest.
+                    let apart = lowest(&self.vertices, v) - range(&a.vertices, v).1;
+                    if apart > axes.along_nearly_parallel.0 {
+                        axes.along_nearly_parallel = (apart, v);
                     }
                 }
                 if along.sine <= PARALLEL_SINE {
@@ -127,13 +128,6 @@ impl AxisSearch {
         let cross = edge_a.direction.cross(self.directions[j]).normalize();
         let across = (cross - edge_a.direction * cross.dot(edge_a.direction)).normalize();
         if across.dot(edge_a.outward) >= 0.0 { across } else { -across }
-    }
-
-    /// Heights, along a direction out of A, of A's highest vertex and of B's lowest, m.
-    fn outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, v: DVec3) -> [f64; 2] {
-        debug_assert_eq!(self.vertices.len(), b.vertices.len());
-        let highest = a.vertices.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p.dot(v)));
-        [highest, self.vertices.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(v)))]
     }
 
     /// Whether two edges are the outermost of their bodies along their common perpendicular. Where an edge of one body is

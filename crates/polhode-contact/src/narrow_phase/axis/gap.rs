@@ -14,9 +14,9 @@ use crate::narrow_phase::axis::sieve::{Pass, Sieve, is_worse};
 use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::common_normal::places::places;
 use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::feature::placed::Placed;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
-use polhode_spatial::Pose;
 
 /// The best axis.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +30,15 @@ pub(crate) struct Gap {
     pub(crate) b: SurfaceFeature,
     /// Distance up to which features are in one place, m.
     pub(crate) tolerance: f64,
+}
+
+impl Gap {
+    /// Takes the place of one that is not less; of equal ones the first stays.
+    pub(crate) fn take_if_less(self, least: &mut Option<Self>) {
+        if least.is_none_or(|least| self.separation < least.separation) {
+            *least = Some(self);
+        }
+    }
 }
 
 /// The best axis; the search ends early, with what it has, when a face or disc separates by more than `stop` (m).
@@ -176,37 +185,26 @@ fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place
 
 /// The best axis of a pair of which at least one is round; of a cloud that of its nearest point. The normal is in the
 /// world. Nothing for pairs of other kinds.
-pub(crate) fn between(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, stop: f64) -> Option<Gap> {
-    let mut least: Option<Gap> = None;
-    each(shape_a, pose_a, shape_b, pose_b, stop, |gap| {
-        if least.is_none_or(|least| gap.separation < least.separation) {
-            least = Some(gap);
-        }
-    });
+pub(crate) fn between(a: Placed<'_>, b: Placed<'_>, stop: f64) -> Option<Gap> {
+    let mut least = None;
+    each(a, b, stop, |gap| gap.take_if_less(&mut least));
     least
 }
 
 /// Calls `visit` with the best axis of a pair, or of each point of a cloud with the other body.
-pub(crate) fn each(
-    shape_a: &Shape,
-    pose_a: &Pose,
-    shape_b: &Shape,
-    pose_b: &Pose,
-    stop: f64,
-    mut visit: impl FnMut(Gap),
-) {
+pub(crate) fn each(placed_a: Placed<'_>, placed_b: Placed<'_>, stop: f64, mut visit: impl FnMut(Gap)) {
     let convex = |shape: &Shape| {
         crate::shape::round::is_round(shape) || matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_))
     };
-    if !(convex(shape_a) && convex(shape_b)) {
+    if !(convex(placed_a.shape) && convex(placed_b.shape)) {
         return;
     }
-    let (a, b, frame) = framed(shape_a, pose_a, shape_b, pose_b);
+    let (a, b, frame) = framed(placed_a, placed_b);
     let mut report = |a: Body<'_>, b: Body<'_>| {
         let gap = search(a, b, stop);
         visit(Gap { normal: frame.rotation.rotate(gap.normal), ..gap });
     };
-    match (shape_a, shape_b) {
+    match (a.shape, b.shape) {
         (Shape::Points(cloud), _) => {
             (0..).zip(&cloud.points).for_each(|(k, &p)| report(Body { point: Some((k, p)), ..a }, b));
         }
@@ -218,17 +216,16 @@ pub(crate) fn each(
 }
 
 /// The one axis of a half-space and a round shape.
-pub(crate) fn above_half_space((shape_a, pose_a): (&Shape, &Pose), (shape_b, pose_b): (&Shape, &Pose)) -> Gap {
-    let on_a = shape_a.is_half_space();
-    let (plane, plane_pose, shape, pose) =
-        if on_a { (shape_a, pose_a, shape_b, pose_b) } else { (shape_b, pose_b, shape_a, pose_a) };
-    let (up, separation) = match plane {
+pub(crate) fn above_half_space(a: Placed<'_>, b: Placed<'_>) -> Gap {
+    let on_a = a.shape.is_half_space();
+    let (plane, Placed { shape, pose }) = if on_a { (a, b) } else { (b, a) };
+    let (up, separation) = match plane.shape {
         Shape::HalfSpace(half_space) => {
-            (plane_pose.rotation.rotate(half_space.normal), height_above(half_space, plane_pose, shape, pose))
+            (plane.pose.rotation.rotate(half_space.normal), height_above(half_space, plane.pose, shape, pose))
         }
         _ => (DVec3::Z, f64::INFINITY),
     };
-    let between = pose.translation - plane_pose.translation;
+    let between = pose.translation - plane.pose.translation;
     let lowest = Body::whole(shape, *pose).farthest(-up);
     let face = SurfaceFeature::Face(0);
     Gap {

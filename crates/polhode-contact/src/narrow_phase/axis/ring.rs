@@ -24,6 +24,7 @@ use crate::narrow_phase::common_normal::places::places;
 use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
+use crate::narrow_phase::feature::placed::Placed;
 use crate::shape::circle::Circle;
 use crate::shape::round::{circles, support};
 use crate::shape::support::across;
@@ -101,17 +102,10 @@ pub(crate) struct Ring<'a> {
 /// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach` (m);
 /// normals in the world. Of those at which the middle line runs inside the other body, beside a lower one, some may be
 /// missing. Nothing for a half-space, and when neither shape is a ring.
-pub(crate) fn each(
-    shape_a: &Shape,
-    pose_a: &Pose,
-    shape_b: &Shape,
-    pose_b: &Pose,
-    reach: f64,
-    mut visit: impl FnMut(Gap),
-) {
-    match (shape_a, shape_b) {
-        (Shape::Torus(_), other) => of_ring((shape_a, pose_a), (other, pose_b), reach, visit),
-        (other, Shape::Torus(_)) => of_ring((shape_b, pose_b), (other, pose_a), reach, |gap| {
+pub(crate) fn each(a: Placed<'_>, b: Placed<'_>, reach: f64, mut visit: impl FnMut(Gap)) {
+    match (a.shape, b.shape) {
+        (Shape::Torus(_), _) => of_ring(a, b, reach, visit),
+        (_, Shape::Torus(_)) => of_ring(b, a, reach, |gap| {
             visit(Gap { normal: -gap.normal, a: gap.b, b: gap.a, ..gap });
         }),
         _ => {}
@@ -119,19 +113,15 @@ pub(crate) fn each(
 }
 
 /// As [`each`], for the least one.
-pub(crate) fn least(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> Option<Gap> {
-    let mut least: Option<Gap> = None;
-    each(shape_a, pose_a, shape_b, pose_b, f64::NEG_INFINITY, |gap| {
-        if least.is_none_or(|least| gap.separation < least.separation) {
-            least = Some(gap);
-        }
-    });
+pub(crate) fn least(a: Placed<'_>, b: Placed<'_>) -> Option<Gap> {
+    let mut least = None;
+    each(a, b, f64::NEG_INFINITY, |gap| gap.take_if_less(&mut least));
     least
 }
 
 fn of_ring(
-    (shape, pose): (&Shape, &Pose),
-    (other, other_pose): (&Shape, &Pose),
+    Placed { shape, pose }: Placed<'_>,
+    Placed { shape: other, pose: other_pose }: Placed<'_>,
     reach: f64,
     mut visit: impl FnMut(Gap),
 ) {

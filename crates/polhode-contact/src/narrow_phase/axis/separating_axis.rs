@@ -85,10 +85,8 @@ fn lowest_of(heights: &mut Vec<f64>, points: &[DVec3], direction: DVec3) -> f64 
 /// Best separating axes of two polyhedra, in A's frame; see [`AxisSearch::search`].
 pub(crate) fn search_axes(
     search: &mut AxisSearch,
-    a: &ConvexPolyhedron,
-    pose_a: &Pose,
-    b: &ConvexPolyhedron,
-    pose_b: &Pose,
+    [a, b]: [&ConvexPolyhedron; 2],
+    [pose_a, pose_b]: [&Pose; 2],
     stop: f64,
 ) -> Axes {
     let x_ab = pose_a.relative(pose_b);

@@ -9,7 +9,6 @@ use crate::Shape;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::axis::separating_axis::search_axes;
 use crate::narrow_phase::dispatch::workspace::Workspace;
-use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::query::distance;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
@@ -72,22 +71,17 @@ pub fn separation_by(
         return None;
     }
     if let (ConvexMethod::SeparatingAxis, Shape::Convex(a), Shape::Convex(b)) = (method, shape_a, shape_b) {
-        return Some(along_best_axis(&mut workspace.pair().search, a, pose_a, b, pose_b));
+        return Some(along_best_axis(&mut workspace.pair().search, [a, b], [pose_a, pose_b]));
     }
     let found = distance(shape_a, pose_a, shape_b, pose_b).ok()?;
     Some(Separation { distance: found.distance, normal: found.normal })
 }
 
 /// Largest separation over the axes, and that axis.
-fn along_best_axis(
-    search: &mut AxisSearch,
-    a: &ConvexPolyhedron,
-    pose_a: &Pose,
-    b: &ConvexPolyhedron,
-    pose_b: &Pose,
-) -> Separation {
-    let axes = search_axes(search, a, pose_a, b, pose_b, f64::INFINITY);
-    let crossed = axes.edges.and_then(|e| CrossedEdges::new(a, pose_a, e.edge_a, b, pose_b, e.edge_b));
+fn along_best_axis(search: &mut AxisSearch, polyhedra: [&ConvexPolyhedron; 2], poses: [&Pose; 2]) -> Separation {
+    let axes = search_axes(search, polyhedra, poses, f64::INFINITY);
+    let crossed = axes.crossed_edges(polyhedra, poses);
+    let ([a, b], [pose_a, pose_b]) = (polyhedra, poses);
     let (nearly_parallel, out_of_a) = axes.along_nearly_parallel;
     let others = axes.face_separation().max(nearly_parallel);
     if let Some(crossed) = crossed.filter(|crossed| crossed.separation > others) {

@@ -17,20 +17,8 @@ use polhode_spatial::Pose;
 
 /// All contacts of two shapes whose separation is at most `reach` (m).
 pub fn manifold(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, reach: f64) -> Manifold {
-    manifold_with(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b, reach)
-}
-
-/// As [`manifold`], with buffers that the caller keeps.
-pub fn manifold_with(
-    workspace: &mut Workspace,
-    shape_a: &Shape,
-    pose_a: &Pose,
-    shape_b: &Shape,
-    pose_b: &Pose,
-    reach: f64,
-) -> Manifold {
     let mut found = Manifold::default();
-    manifold_into(workspace, shape_a, pose_a, shape_b, pose_b, reach, &mut found);
+    manifold_into(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b, reach, &mut found);
     found
 }
 

@@ -7,11 +7,11 @@
 //! | [`manifold`] | all contacts of two shapes |
 //! | [`convex_method`] | the separation of two convex shapes by a chosen method |
 //! | `coherence` | what a search leaves for the next one |
-//! | [`persistent`] | the contacts of many bodies from step to step |
+//! | [`pair_memory`] | the contacts of a pair, with what is remembered of it |
 
 pub(crate) mod coherence;
 pub mod convex_method;
 pub mod manifold;
-pub mod persistent;
+pub mod pair_memory;
 pub mod separation;
 pub mod workspace;

@@ -1,11 +1,11 @@
 //! An edge of a polyhedron or of a triangle mesh, in its body's frame.
 
-use crate::{ConvexPolyhedron, Shape, TriangleMesh};
+use crate::{ConvexPolyhedron, Edge, Shape, TriangleMesh};
 use glam::DVec3;
 
 /// An edge in its body's frame.
 pub(crate) struct EdgeLine {
-    pub(crate) ends: [DVec3; 2],
+    pub(crate) middle: DVec3,
     pub(crate) direction: DVec3,
     pub(crate) length: f64,
     /// A direction out of the body.
@@ -13,16 +13,21 @@ pub(crate) struct EdgeLine {
 }
 
 impl EdgeLine {
+    #[inline]
+    pub(crate) const fn of_edge(edge: &Edge) -> Self {
+        Self { middle: edge.middle, direction: edge.direction, length: edge.length, outward: edge.outward }
+    }
+
+    #[inline]
     pub(crate) fn of_polyhedron(polyhedron: &ConvexPolyhedron, index: u32) -> Option<Self> {
-        let edge = polyhedron.edges.get(index as usize)?;
-        let ends = edge.vertices.map(|v| polyhedron.vertices[v as usize]);
-        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+        polyhedron.edges.get(index as usize).map(Self::of_edge)
     }
 
     pub(crate) fn of_mesh(mesh: &TriangleMesh, index: u32) -> Option<Self> {
         let edge = mesh.edges.get(index as usize)?;
-        let ends = edge.vertices.map(|v| mesh.vertices[v as usize]);
-        Some(Self { ends, direction: edge.direction, length: edge.length, outward: edge.outward })
+        let [from, to] = edge.vertices.map(|v| mesh.vertices[v as usize]);
+        let middle = 0.5 * (from + to);
+        Some(Self { middle, direction: edge.direction, length: edge.length, outward: edge.outward })
     }
 }
 

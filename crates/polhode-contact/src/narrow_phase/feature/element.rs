@@ -191,8 +191,7 @@ fn face<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
 
 fn edge<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
     let edge = shape.edge_line(index)?;
-    let middle = 0.5 * (edge.ends[0] + edge.ends[1]);
-    let line = Locus::Line(pose.transform_point(middle), pose.rotation.rotate(edge.direction));
+    let line = Locus::Line(pose.transform_point(edge.middle), pose.rotation.rotate(edge.direction));
     let mut element = Element::new(line, 0.0, Border::Ends(0.5 * edge.length));
     element.outward = pose.rotation.rotate(edge.outward);
     Some(element)

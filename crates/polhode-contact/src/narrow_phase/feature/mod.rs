@@ -6,6 +6,7 @@
 //! | `contact_name` | the name of a contact of two parts of surfaces |
 //! | `alike` | the angle within which two normals belong to one region |
 //! | `edge_line` | an edge of a polyhedron or of a mesh |
+//! | `placed` | a shape at a pose |
 //! | `face_border` | how far a place is from the border of a polyhedron's face |
 //! | `mesh_feature` | faces, edges and vertices of a triangle mesh |
 //! | `branch` | names of two places of a circle |
@@ -23,3 +24,4 @@ pub(crate) mod element;
 pub(crate) mod face_border;
 pub(crate) mod mesh_feature;
 pub(crate) mod part_feature;
+pub(crate) mod placed;

@@ -13,34 +13,42 @@ pub(crate) struct Local<'a> {
 
 /// The parts of a pair that a feature names, and the feature with its numbers within them; nothing when it names none.
 /// Shapes that are no compounds come back as they are.
+#[inline]
 pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape) -> Option<Local<'a>> {
-    let shapes = [a, b];
-    if !shapes.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
-        return Some(Local { feature, shapes, parts: [0; 2] });
+    match (a, b) {
+        (Shape::Compound(_), _) | (_, Shape::Compound(_)) => in_parts(feature, [a, b]),
+        _ => Some(Local { feature, shapes: [a, b], parts: [0; 2] }),
     }
-    // Two spheres of which one is a part bear the numbers of their centres.
-    if feature == ContactFeature::SphereSphere {
-        return None;
-    }
+}
+
+/// As [`localized`], of a pair with a compound.
+fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
+    let index = |side: Side| usize::from(side == Side::B);
     let mut local = Local { feature, shapes, parts: [0; 2] };
-    let of_part = renumbered(feature, |side, kind, number| {
-        let at = usize::from(side == Side::B);
+    let mut take = |side: Side, kind: Kind, number: u32| -> Option<u32> {
+        let at = index(side);
         let Shape::Compound(compound) = shapes[at] else { return Some(number) };
         let (part, shape, number) = compound.owner(number, |first| kind.of(first))?;
         local.parts[at] = part;
         local.shapes[at] = shape;
         Some(number)
-    })?;
-    local.feature = match of_part {
-        ContactFeature::Spheres { .. } => ContactFeature::SphereSphere,
-        // The sphere of a part bears the number of its centre.
-        ContactFeature::Smooth { center_of, center, .. }
-            if matches!(local.shapes[usize::from(center_of == Side::A)], Shape::Sphere(_)) =>
-        {
-            ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
-        }
-        other => other,
     };
+    let mut feature = match feature {
+        ContactFeature::Spheres { center_a, center_b } => {
+            take(Side::A, Kind::Vertex, center_a)?;
+            take(Side::B, Kind::Vertex, center_b)?;
+            ContactFeature::SphereSphere
+        }
+        ContactFeature::SphereSphere => return None,
+        other => other.renumbered(take)?,
+    };
+    if let ContactFeature::Smooth { center_of, against, .. } = &mut feature {
+        // The sphere of a part bears the number of its centre.
+        if matches!(local.shapes[index(center_of.other())], Shape::Sphere(_)) {
+            *against = SurfaceFeature::Sphere;
+        }
+    }
+    local.feature = feature;
     Some(local)
 }
 
@@ -53,52 +61,49 @@ pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [u
         let at = usize::from(side == Side::B);
         if let Shape::Compound(c) = bodies[at] { Some((c, parts[at])) } else { None }
     };
-    let feature = match feature {
-        ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
-            if compound(center_of.other()).is_some() =>
-        {
-            ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Vertex(0) }
-        }
-        ContactFeature::SphereSphere => ContactFeature::Spheres { center_a: 0, center_b: 0 },
-        other => other,
-    };
     let number = |side: Side, kind: Kind, number: u32| {
         compound(side).and_then(|(c, part)| c.first.get(part)).map_or(number, |first| kind.of(first) + number)
     };
-    renumbered(feature, |side, kind, n| Some(number(side, kind, n))).unwrap_or(feature)
+    match feature {
+        ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => ContactFeature::Spheres {
+            center_a: number(Side::A, Kind::Vertex, 0),
+            center_b: number(Side::B, Kind::Vertex, 0),
+        },
+        ContactFeature::Smooth { center_of, center, against: SurfaceFeature::Sphere }
+            if compound(center_of.other()).is_some() =>
+        {
+            let against = SurfaceFeature::Vertex(number(center_of.other(), Kind::Vertex, 0));
+            ContactFeature::Smooth { center_of, center: number(center_of, Kind::Vertex, center), against }
+        }
+        other => other.renumbered(|side, kind, n| Some(number(side, kind, n))).unwrap_or(other),
+    }
 }
 
-/// A contact whose features have other numbers: `number` gives that of an element of a kind of a body. Nothing when it gives
-/// none.
-fn renumbered(
-    feature: ContactFeature,
-    mut number: impl FnMut(Side, Kind, u32) -> Option<u32>,
-) -> Option<ContactFeature> {
-    Some(match feature {
-        ContactFeature::VertexFace { vertex_of, vertex, face } => ContactFeature::VertexFace {
-            vertex_of,
-            vertex: number(vertex_of, Kind::Vertex, vertex)?,
-            face: number(vertex_of.other(), Kind::Face, face)?,
-        },
-        ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge {
-            edge_a: number(Side::A, Kind::Edge, edge_a)?,
-            edge_b: number(Side::B, Kind::Edge, edge_b)?,
-        },
-        ContactFeature::Smooth { center_of, center, against } => ContactFeature::Smooth {
-            center_of,
-            center: number(center_of, Kind::Vertex, center)?,
-            against: surface(against, |kind, n| number(center_of.other(), kind, n))?,
-        },
-        ContactFeature::Spheres { center_a, center_b } => ContactFeature::Spheres {
-            center_a: number(Side::A, Kind::Vertex, center_a)?,
-            center_b: number(Side::B, Kind::Vertex, center_b)?,
-        },
-        ContactFeature::Elements { a, b } => ContactFeature::Elements {
-            a: surface(a, |kind, n| number(Side::A, kind, n))?,
-            b: surface(b, |kind, n| number(Side::B, kind, n))?,
-        },
-        ContactFeature::SphereSphere => feature,
-    })
+impl ContactFeature {
+    /// The same contact with other numbers of its elements; nothing when one of them has none.
+    pub(crate) fn renumbered(self, mut number: impl FnMut(Side, Kind, u32) -> Option<u32>) -> Option<Self> {
+        Some(match self {
+            Self::VertexFace { vertex_of, vertex, face } => Self::VertexFace {
+                vertex_of,
+                vertex: number(vertex_of, Kind::Vertex, vertex)?,
+                face: number(vertex_of.other(), Kind::Face, face)?,
+            },
+            Self::EdgeEdge { edge_a, edge_b } => Self::EdgeEdge {
+                edge_a: number(Side::A, Kind::Edge, edge_a)?,
+                edge_b: number(Side::B, Kind::Edge, edge_b)?,
+            },
+            Self::Smooth { center_of, center, against } => Self::Smooth {
+                center_of,
+                center: number(center_of, Kind::Vertex, center)?,
+                against: surface(against, |kind, n| number(center_of.other(), kind, n))?,
+            },
+            Self::Elements { a, b } => Self::Elements {
+                a: surface(a, |kind, n| number(Side::A, kind, n))?,
+                b: surface(b, |kind, n| number(Side::B, kind, n))?,
+            },
+            Self::SphereSphere | Self::Spheres { .. } => self,
+        })
+    }
 }
 
 /// A part of a surface with its number replaced; nothing when there is none.
@@ -119,7 +124,7 @@ fn surface(feature: SurfaceFeature, mut number: impl FnMut(Kind, u32) -> Option<
 /// Kinds of elements, each numbered by itself. Centres, points and caps are vertices; sides and rims share the numbers of
 /// edges, for no shape has both.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(crate) enum Kind {
     Vertex,
     Edge,
     Face,

@@ -65,6 +65,7 @@ pub(super) fn facing(
     pose_a: &Pose,
 ) -> (u32, u32) {
     let least = axes.face_separation() - axes.tolerance;
+    let limits = (axes.tolerance, SAME_DIRECTION);
     let mut best: Option<(f64, DVec3, (u32, u32))> = None;
     let mut offer = |pair: (u32, u32), normal: DVec3, parallel: f64| {
         let direction = pose_a.rotation.rotate(normal).abs();
@@ -74,12 +75,12 @@ pub(super) fn facing(
     };
     for (face, _) in search.along_faces_a.iter().enumerate().filter(|(_, s)| **s >= least) {
         let normal = a.faces[face].normal;
-        let (other, parallel) = opposing(b, &search.vertices, |f| search.normals[f], normal, axes.tolerance);
+        let (other, parallel) = opposing(b, &search.vertices, |f| search.normals[f], normal, limits);
         offer((face as u32, other), normal, parallel);
     }
     for (face, _) in search.along_faces_b.iter().enumerate().filter(|(_, s)| **s >= least) {
         let normal = search.normals[face];
-        let (other, parallel) = opposing(a, &a.vertices, |f| a.faces[f].normal, normal, axes.tolerance);
+        let (other, parallel) = opposing(a, &a.vertices, |f| a.faces[f].normal, normal, limits);
         offer((other, face as u32), normal, parallel);
     }
     best.map_or((0, 0), |(_, _, pair)| pair)
@@ -92,13 +93,15 @@ pub(super) fn is_better(first: (f64, DVec3), second: (f64, DVec3)) -> bool {
 }
 
 /// Of the faces at the lowest vertices along `normal`, the one that lies most nearly against it, and how nearly (1 when
-/// antiparallel).
-fn opposing(
+/// antiparallel). Vertices are as low within `tolerance` (m); of faces that are as parallel within `same` the one with the
+/// lowest number counts.
+#[inline]
+pub(crate) fn opposing(
     polyhedron: &ConvexPolyhedron,
     vertices: &[DVec3],
     normal_of: impl Fn(usize) -> DVec3,
     normal: DVec3,
-    tolerance: f64,
+    (tolerance, same): (f64, f64),
 ) -> (u32, f64) {
     let lowest = vertices.iter().map(|v| v.dot(normal)).fold(f64::INFINITY, f64::min);
     let mut best = (0, f64::NEG_INFINITY);
@@ -108,7 +111,7 @@ fn opposing(
         }
         for &face in polyhedron.faces_at.of(vertex) {
             let parallel = -normal_of(face as usize).dot(normal);
-            if parallel > best.1 + SAME_DIRECTION || (parallel > best.1 - SAME_DIRECTION && face < best.0) {
+            if parallel > best.1 + same || (parallel > best.1 - same && face < best.0) {
                 best = (face, parallel);
             }
         }

@@ -1,15 +1,9 @@
 //! Features measured: their geometry at the poses of the bodies.
 
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::{Contact, ContactFeature, Shape};
 use polhode_spatial::Pose;
-
-/// A shape at a pose.
-#[derive(Clone, Copy)]
-pub(crate) struct Placed<'a> {
-    pub(crate) shape: &'a Shape,
-    pub(crate) pose: &'a Pose,
-}
 
 /// The features with their geometry, as far as they are within reach, sorted, instead of what the list held.
 pub(crate) fn measure(

@@ -5,40 +5,32 @@ use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
-use crate::narrow_phase::pair::measure::{Placed, measure};
+use crate::narrow_phase::feature::placed::Placed;
+use crate::narrow_phase::pair::measure::measure;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::pair::polyhedra::along_axes;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::narrow_phase::region::round_region;
 use crate::shape::round::is_round;
 use crate::{ContactFeature, Manifold, SeparatingAxis, Shape, Side, SurfaceFeature};
-use polhode_spatial::Pose;
 
 /// The contacts of two shapes of which neither is a compound or a mesh; see [`crate::manifold()`].
-pub(crate) fn pair_manifold(
-    buffers: &mut PairBuffers,
-    shape_a: &Shape,
-    pose_a: &Pose,
-    shape_b: &Shape,
-    pose_b: &Pose,
-    reach: f64,
-    found: &mut Manifold,
-) {
+pub(crate) fn pair_manifold(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
+    let (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b }) = (a, b);
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return found.set_empty(f64::NAN, SeparatingAxis::None);
     }
-    let (a, b) = (Placed { shape: shape_a, pose: pose_a }, Placed { shape: shape_b, pose: pose_b });
     buffers.features.clear();
     if let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (shape_a, shape_b) {
         let x_ab = pose_a.relative(pose_b);
         buffers.search.place(polyhedron_b, &x_ab);
         let axes = buffers.search.search_deciding(polyhedron_a, polyhedron_b, &x_ab, reach);
-        return along_axes(buffers, (polyhedron_a, a), (polyhedron_b, b), (&axes, None), reach, found);
+        return along_axes(buffers, [polyhedron_a, polyhedron_b], [a, b], (&axes, None), reach, found);
     }
     if [shape_a, shape_b].into_iter().any(|shape| is_round(shape) || shape.is_ring()) {
         return of_round(buffers, a, b, reach, found);
     }
-    let separation = pair_separation(&mut buffers.search, shape_a, pose_a, shape_b, pose_b);
+    let separation = pair_separation(&mut buffers.search, a, b);
     let axis = match (shape_a, shape_b) {
         _ if separation == f64::INFINITY => SeparatingAxis::None,
         (Shape::HalfSpace(_), _) => SeparatingAxis::FaceA(0),
@@ -65,7 +57,6 @@ pub(crate) fn pair_manifold(
 /// that of every place at which it is nearest.
 fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
     let features = &mut buffers.features;
-    let (pair_a, pair_b) = ((a.shape, a.pose), (b.shape, b.pose));
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
     let mut add = |gap: Gap| {
         if gap.separation < found.separation {
@@ -77,17 +68,17 @@ fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64,
             };
         }
         if gap.separation <= reach {
-            round_region::contacts(features, pair_a, pair_b, &gap, reach, &mut found.contacts);
+            round_region::contacts(features, a, b, &gap, reach, |_| true, &mut found.contacts);
         }
     };
     if a.shape.is_half_space() || b.shape.is_half_space() {
-        add(gap::above_half_space(pair_a, pair_b));
+        add(gap::above_half_space(a, b));
     } else if a.shape.is_ring() || b.shape.is_ring() {
-        ring::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+        ring::each(a, b, reach, add);
         found.contacts.sort_unstable_by_key(|contact| contact.feature);
         found.contacts.dedup_by_key(|contact| contact.feature);
     } else {
-        gap::each(a.shape, a.pose, b.shape, b.pose, reach, add);
+        gap::each(a, b, reach, add);
     }
     found.contacts.sort_unstable_by_key(|contact| contact.feature);
 }

@@ -7,37 +7,32 @@ use crate::narrow_phase::axis::half_space::height_above;
 use crate::narrow_phase::axis::separating_axis::search_axes;
 use crate::narrow_phase::axis::{gap, ring};
 use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::round::is_round;
 use polhode_spatial::Pose;
 
 /// The separation of two shapes of which neither is a compound or a mesh, m; see [`crate::separation()`].
-pub(crate) fn pair_separation(
-    search: &mut AxisSearch,
-    shape_a: &Shape,
-    pose_a: &Pose,
-    shape_b: &Shape,
-    pose_b: &Pose,
-) -> f64 {
+pub(crate) fn pair_separation(search: &mut AxisSearch, a: Placed<'_>, b: Placed<'_>) -> f64 {
+    let (pose_a, pose_b) = (a.pose, b.pose);
     if !(pose_a.is_finite() && pose_b.is_finite()) {
         return f64::NAN;
     }
-    match (shape_a, shape_b) {
+    match (a.shape, b.shape) {
         (Shape::Convex(a), Shape::Convex(b)) => {
-            search_axes(search, a, pose_a, b, pose_b, f64::INFINITY).separation(a, pose_a, b, pose_b)
+            let (polyhedra, poses) = ([a, b], [pose_a, pose_b]);
+            search_axes(search, polyhedra, poses, f64::INFINITY).separation(polyhedra, poses)
         }
         (Shape::HalfSpace(h), other) => height_above(h, pose_a, other, pose_b),
         (other, Shape::HalfSpace(h)) => height_above(h, pose_b, other, pose_a),
-        (Shape::Torus(_), _) | (_, Shape::Torus(_)) => {
-            ring::least(shape_a, pose_a, shape_b, pose_b).map_or(f64::INFINITY, |gap| gap.separation)
-        }
-        (a, b) if is_round(a) || is_round(b) => {
-            gap::between(a, pose_a, b, pose_b, f64::INFINITY).map_or(f64::INFINITY, |gap| gap.separation)
+        (Shape::Torus(_), _) | (_, Shape::Torus(_)) => ring::least(a, b).map_or(f64::INFINITY, |gap| gap.separation),
+        (shape_a, shape_b) if is_round(shape_a) || is_round(shape_b) => {
+            gap::between(a, b, f64::INFINITY).map_or(f64::INFINITY, |gap| gap.separation)
         }
         (Shape::Convex(p), other) => from_polyhedron(p, pose_a, other, pose_b),
         (other, Shape::Convex(p)) => from_polyhedron(p, pose_b, other, pose_a),
         (Shape::Points(_), Shape::Points(_)) => f64::INFINITY,
-        (a, b) => between_centers(a, pose_a, b, pose_b),
+        _ => between_centers(a, b),
     }
 }
 
@@ -51,8 +46,9 @@ fn from_polyhedron(polyhedron: &ConvexPolyhedron, pose: &Pose, shape: &Shape, po
 }
 
 /// Distance of two spheres, or of a sphere from the nearest point of a cloud.
-fn between_centers(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
-    let ((centers_a, radius_a), (centers_b, radius_b)) = (shape_a.centers(), shape_b.centers());
+fn between_centers(a: Placed<'_>, b: Placed<'_>) -> f64 {
+    let (pose_a, pose_b) = (a.pose, b.pose);
+    let ((centers_a, radius_a), (centers_b, radius_b)) = (a.shape.centers(), b.shape.centers());
     let between = pose_a.translation - pose_b.translation;
     let mut least = f64::INFINITY;
     for &a in centers_a {

@@ -2,10 +2,11 @@
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};
-use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest_vertex};
 use crate::narrow_phase::feature::alike::ALIKE;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::pair::facing::{deciding_faces, faces_beside, facing, is_better, normals_of};
-use crate::narrow_phase::pair::measure::{Placed, measure};
+use crate::narrow_phase::pair::measure::measure;
 use crate::narrow_phase::region::face_contacts::FacePair;
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::kept_region::KeptRegion;
@@ -13,24 +14,22 @@ use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::narrow_phase::region::tied_faces;
 use crate::narrow_phase::region::upward::is_upward;
-use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
 use glam::DVec3;
-use polhode_spatial::Pose;
 
 /// The contacts of two polyhedra whose best axes are known. B must have been placed.
 pub(crate) fn along_axes(
     buffers: &mut PairBuffers,
-    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
-    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    polyhedra: [&ConvexPolyhedron; 2],
+    [a, b]: [Placed<'_>; 2],
     (axes, kept): (&Axes, Option<&mut KeptRegion>),
     reach: f64,
     found: &mut Manifold,
 ) {
-    let crossed =
-        axes.edges.and_then(|e| CrossedEdges::new(polyhedron_a, a.pose, e.edge_a, polyhedron_b, b.pose, e.edge_b));
+    let [polyhedron_a, polyhedron_b] = polyhedra;
+    let crossed = axes.crossed_edges(polyhedra, [a.pose, b.pose]);
     let separation = axes.largest(crossed.as_ref());
     // Edges in a tie with a face do not decide.
     let edges = axes.deciding_edges();
@@ -68,7 +67,7 @@ pub(crate) fn along_axes(
         let alike = normals.map(|normal| crossed.is_none_or(|c| c.normal.dot(normal) >= ALIKE));
         let deciding = deciding_faces(&buffers.search, axes, pair, alike);
         let faces = FacePair {
-            polyhedra: [polyhedron_a, polyhedron_b],
+            polyhedra,
             poses: [a.pose, b.pose],
             faces: [pair.0, pair.1],
             deciding: [0, 1].map(|k| deciding[k].then_some(normals[k])),
@@ -87,7 +86,7 @@ pub(crate) fn along_axes(
         contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
     }
     if contacts.len() < 2 && separation <= axes.tolerance {
-        touching(buffers, (polyhedron_a, a), (polyhedron_b, b), axes, reach, found);
+        touching(buffers, polyhedra, [a, b], axes, reach, found);
     }
 }
 
@@ -95,8 +94,8 @@ pub(crate) fn along_axes(
 /// share more, and tolerances may leave none, but bodies that touch have a contact.
 fn touching(
     buffers: &mut PairBuffers,
-    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
-    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    polyhedra: [&ConvexPolyhedron; 2],
+    [a, b]: [Placed<'_>; 2],
     axes: &Axes,
     reach: f64,
     found: &mut Manifold,
@@ -104,11 +103,11 @@ fn touching(
     let contacts = &mut found.contacts;
     if axes.deciding_edges().is_none() && found.separation.abs() <= SAME_PLACE * axes.tolerance {
         let which = (found.separation, axes.tolerance, reach);
-        along_best_tied_face(buffers, (polyhedron_a, a), (polyhedron_b, b), which, contacts);
+        along_best_tied_face(buffers, polyhedra, [a, b], which, contacts);
     }
     if contacts.is_empty() {
         buffers.features.clear();
-        buffers.features.push(deciding_contact(&buffers.search, polyhedron_a, axes));
+        buffers.features.push(deciding_contact(&buffers.search, polyhedra[0], axes));
         measure(&mut buffers.features, a, b, f64::INFINITY, contacts);
     }
 }
@@ -117,22 +116,21 @@ fn touching(
 /// most, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
 fn along_best_tied_face(
     buffers: &mut PairBuffers,
-    (polyhedron_a, a): (&ConvexPolyhedron, Placed<'_>),
-    (polyhedron_b, b): (&ConvexPolyhedron, Placed<'_>),
+    polyhedra: [&ConvexPolyhedron; 2],
+    [a, b]: [Placed<'_>; 2],
     (separation, tolerance, reach): (f64, f64, f64),
     contacts: &mut Vec<Contact>,
 ) {
-    let pair = [polyhedron_a, polyhedron_b];
     let few = contacts.len() as f64;
     let mut best: Option<(f64, DVec3, (Side, u32))> = None;
     tied_faces::each(buffers, separation, tolerance, |buffers, side, face| {
         buffers.features.clear();
-        tied_faces::features(buffers, pair, (side, face), tolerance);
+        tied_faces::features(buffers, polyhedra, (side, face), tolerance);
         let within = |feature: &&ContactFeature| {
             evaluate(**feature, a.shape, a.pose, b.shape, b.pose).is_some_and(|g| g.separation <= reach)
         };
         let number = buffers.features.iter().filter(within).count() as f64;
-        let of_a = || polyhedron_a.faces[face as usize].normal;
+        let of_a = || polyhedra[0].faces[face as usize].normal;
         let normal = if side == Side::A { of_a() } else { buffers.search.normals[face as usize] };
         let direction = a.pose.rotation.rotate(normal).abs();
         if number > few && best.is_none_or(|(n, d, _)| is_better((number, direction), (n, d))) {
@@ -141,28 +139,21 @@ fn along_best_tied_face(
     });
     if let Some((_, _, face)) = best {
         buffers.features.clear();
-        tied_faces::features(buffers, pair, face, tolerance);
+        tied_faces::features(buffers, polyhedra, face, tolerance);
         measure(&mut buffers.features, a, b, reach, contacts);
     }
 }
 
 /// The contacts of two polyhedra along each of the faces that separate them equally well, instead of those that the
 /// manifold held (`tied_faces.rs`). The buffers must be as the search that gave the manifold left it.
-pub(crate) fn along_tied_faces(
-    buffers: &mut PairBuffers,
-    (a, pose_a): (&Shape, &Pose),
-    (b, pose_b): (&Shape, &Pose),
-    reach: f64,
-    found: &mut Manifold,
-) {
+pub(crate) fn along_tied_faces(buffers: &mut PairBuffers, [a, b]: [Placed<'_>; 2], reach: f64, found: &mut Manifold) {
     found.contacts.clear();
-    let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (a, b) else { return };
+    let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (a.shape, b.shape) else { return };
     let tolerance = place_tolerance(polyhedron_a.size, polyhedron_b.size, buffers.search.x_ab.translation);
     buffers.features.clear();
     tied_faces::each(buffers, found.separation, tolerance, |buffers, side, face| {
         tied_faces::features(buffers, [polyhedron_a, polyhedron_b], (side, face), tolerance);
     });
-    let (a, b) = (Placed { shape: a, pose: pose_a }, Placed { shape: b, pose: pose_b });
     measure(&mut buffers.features, a, b, reach, &mut found.contacts);
 }
 
@@ -190,6 +181,5 @@ fn deciding_contact(search: &AxisSearch, a: &ConvexPolyhedron, axes: &Axes) -> C
     } else {
         (Side::A, axes.face_b.face, &a.vertices, search.normals[axes.face_b.face as usize])
     };
-    let deepest = points.iter().enumerate().min_by(|(_, p), (_, q)| normal.dot(**p).total_cmp(&normal.dot(**q)));
-    ContactFeature::VertexFace { vertex_of, vertex: deepest.map_or(0, |(i, _)| i as u32), face }
+    ContactFeature::VertexFace { vertex_of, vertex: lowest_vertex(points, normal), face }
 }

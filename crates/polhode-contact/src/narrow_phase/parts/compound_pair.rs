@@ -16,6 +16,7 @@
 use crate::bounding::aabb::Aabb;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::feature::part_feature::globalized;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::pair::measure::measure_again;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
@@ -55,8 +56,13 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
         _ => None,
     });
     let Some((at, compound)) = compound else {
-        return mesh_separation(buffers, shapes, poses)
-            .unwrap_or_else(|| pair_separation(&mut buffers.pair.search, shapes[0], poses[0], shapes[1], poses[1]));
+        return mesh_separation(buffers, shapes, poses).unwrap_or_else(|| {
+            pair_separation(
+                &mut buffers.pair.search,
+                Placed::new(shapes[0], poses[0]),
+                Placed::new(shapes[1], poses[1]),
+            )
+        });
     };
     let other = 1 - at;
     let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
@@ -96,7 +102,8 @@ fn without_compounds(
     if shapes.iter().any(|shape| matches!(shape, Shape::TriangleMesh(_))) {
         mesh_manifold(buffers, shapes, poses, reach, found);
     } else {
-        pair_manifold(&mut buffers.pair, shapes[0], poses[0], shapes[1], poses[1], reach, found);
+        let (a, b) = (Placed::new(shapes[0], poses[0]), Placed::new(shapes[1], poses[1]));
+        pair_manifold(&mut buffers.pair, a, b, reach, found);
     }
 }
 
@@ -135,7 +142,7 @@ fn of_compound(
         candidates.extend(of_parts.contacts.iter().map(candidate));
         if !keep(&of_parts.contacts) {
             // Another axis that separates the parts equally well may give contacts of the whole body.
-            along_tied_faces(&mut mesh.pair, (pair[0], near[0]), (pair[1], near[1]), reach, of_parts);
+            along_tied_faces(&mut mesh.pair, [0, 1].map(|k| Placed::new(pair[k], near[k])), reach, of_parts);
             keep(&of_parts.contacts);
         }
     }

@@ -1,11 +1,14 @@
 //! Contacts of one triangle of a mesh with another body. The mesh is body A, and its frame is the frame of computation.
 
-use crate::narrow_phase::axis::axis_search::AxisSearch;
+use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest_vertex, range};
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::face_border::{Border, at_border};
 use crate::narrow_phase::feature::mesh_feature::Flatness;
+use crate::narrow_phase::feature::part_feature::Kind;
+use crate::narrow_phase::feature::placed::Placed;
+use crate::narrow_phase::pair::facing::opposing;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
@@ -97,7 +100,7 @@ pub(crate) fn of_polyhedron(
     buffers.features.clear();
     let mut deciding: Option<[Option<DVec3>; 2]> = None;
     if let Some((side, face)) = faces_of(&buffers.search, triangle, polyhedron, axes, tolerance) {
-        let outward = if side == 0 { triangle.normal } else { -triangle.normal };
+        let outward = triangle.outward(side);
         let upper = if is_upward(-outward) { Side::A } else { Side::B };
         let Shape::Convex(flat) = flat.set(triangle) else { return };
         face_pair::collect(buffers, flat, polyhedron, (side, face), (tolerance, reach), upper);
@@ -139,19 +142,15 @@ pub(crate) fn deciding_contact(
     triangle: &Triangle,
     axes: &TriangleAxes,
 ) -> Option<Contact> {
-    let deepest = |points: &[DVec3], normal: DVec3| {
-        let lowest = points.iter().enumerate().min_by(|(_, p), (_, q)| normal.dot(**p).total_cmp(&normal.dot(**q)));
-        lowest.map_or(0, |(i, _)| i as u32)
-    };
     let feature = match axes.decision {
         Decision::Edges(k, edge_b, _) => ContactFeature::EdgeEdge { edge_a: k as u32, edge_b },
         Decision::Face(face) => {
-            let vertex = deepest(&triangle.corners, search.normals[face as usize]);
+            let vertex = lowest_vertex(&triangle.corners, search.normals[face as usize]);
             ContactFeature::VertexFace { vertex_of: Side::A, vertex, face }
         }
         Decision::Side(face) => {
-            let outward = if face == 0 { triangle.normal } else { -triangle.normal };
-            ContactFeature::VertexFace { vertex_of: Side::B, vertex: deepest(&search.vertices, outward), face }
+            let vertex = lowest_vertex(&search.vertices, triangle.outward(face));
+            ContactFeature::VertexFace { vertex_of: Side::B, vertex, face }
         }
     };
     OnTriangle { pair, triangle }.measure(feature)
@@ -165,9 +164,14 @@ fn faces_of(
     axes: &TriangleAxes,
     tolerance: f64,
 ) -> Option<(u32, u32)> {
-    let outward = |side: u32| if side == 0 { triangle.normal } else { -triangle.normal };
     match axes.decision {
-        Decision::Side(side) => Some((side, lowest_face(search, polyhedron, outward(side), tolerance))),
+        Decision::Side(side) => {
+            let outward = triangle.outward(side);
+            let normal_of = |face: usize| search.normals[face];
+            // Of faces that lie equally against it the first.
+            let (face, _) = opposing(polyhedron, &search.vertices, normal_of, outward, (tolerance, 0.0));
+            Some((side, face))
+        }
         Decision::Face(face) => {
             let normal = search.normals[face as usize];
             Some((u32::from(normal.dot(triangle.normal) > 0.0), face))
@@ -177,26 +181,9 @@ fn faces_of(
             let faces = polyhedron.edges[edge as usize].faces;
             let against = |f: u32| -search.normals[f as usize].dot(v);
             let face = if against(faces[1]) > against(faces[0]) { faces[1] } else { faces[0] };
-            (outward(side).dot(v) >= ALIKE && against(face) >= ALIKE).then_some((side, face))
+            (triangle.outward(side).dot(v) >= ALIKE && against(face) >= ALIKE).then_some((side, face))
         }
     }
-}
-
-/// Among the faces at the support points along a direction, the face whose normal is closest to the opposite direction.
-fn lowest_face(search: &AxisSearch, polyhedron: &ConvexPolyhedron, outward: DVec3, tolerance: f64) -> u32 {
-    let least = search.vertices.iter().map(|v| v.dot(outward)).fold(f64::INFINITY, f64::min);
-    let mut best = (0, f64::NEG_INFINITY);
-    for (vertex, place) in search.vertices.iter().enumerate() {
-        if place.dot(outward) <= least + tolerance {
-            for &face in polyhedron.faces_at.of(vertex) {
-                let against = -search.normals[face as usize].dot(outward);
-                if against > best.1 {
-                    best = (face, against);
-                }
-            }
-        }
-    }
-    best.0
 }
 
 /// Decides which contacts of a triangle are contacts of the whole surface.
@@ -211,33 +198,12 @@ impl OnTriangle<'_> {
         let index = self.triangle.index as usize;
         let mesh = self.pair.mesh;
         let patch = mesh.patch_of[index];
-        let (vertex, edge) = (
-            |k: u32| mesh.joined[index].get(k as usize).copied(),
-            |k: u32| mesh.edges_of[index].get(k as usize).copied(),
-        );
-        let of_mesh = |of_triangle: SurfaceFeature| match of_triangle {
-            SurfaceFeature::Face(face) => Some(SurfaceFeature::Face(2 * patch + face)),
-            SurfaceFeature::Edge(k) => edge(k).map(SurfaceFeature::Edge),
-            SurfaceFeature::Vertex(k) => vertex(k).map(SurfaceFeature::Vertex),
-            _ => None,
-        };
-        let feature = match feature {
-            ContactFeature::VertexFace { vertex_of: Side::A, vertex: k, face } => {
-                ContactFeature::VertexFace { vertex_of: Side::A, vertex: vertex(k)?, face }
-            }
-            ContactFeature::VertexFace { vertex_of, vertex, face } => {
-                ContactFeature::VertexFace { vertex_of, vertex, face: 2 * patch + face }
-            }
-            ContactFeature::EdgeEdge { edge_a, edge_b } => ContactFeature::EdgeEdge { edge_a: edge(edge_a)?, edge_b },
-            ContactFeature::Smooth { center_of: Side::A, center, against } => {
-                ContactFeature::Smooth { center_of: Side::A, center: vertex(center)?, against }
-            }
-            ContactFeature::Smooth { center_of, center, against } => {
-                ContactFeature::Smooth { center_of, center, against: of_mesh(against)? }
-            }
-            ContactFeature::Elements { a, b } => ContactFeature::Elements { a: of_mesh(a)?, b },
-            ContactFeature::SphereSphere | ContactFeature::Spheres { .. } => return None,
-        };
+        let feature = feature.renumbered(|side, kind, number| match (side, kind) {
+            (Side::A, Kind::Face) => Some(2 * patch + number),
+            (Side::A, Kind::Edge) => mesh.edges_of[index].get(number as usize).copied(),
+            (Side::A, Kind::Vertex) => mesh.joined[index].get(number as usize).copied(),
+            (Side::B, _) => Some(number),
+        })?;
         self.measure_whole(feature)
     }
 
@@ -372,10 +338,7 @@ fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Opti
     }
     let normal = x.rotation.inverse_rotate(triangle.normal);
     let base = triangle.normal.dot(x.translation) - triangle.offset;
-    let (low, high) = centers
-        .iter()
-        .map(|c| normal.dot(*c))
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+    let (low, high) = range(centers, normal);
     let (below, above) = (base + low, base + high);
     (above - below > 4.0 * tolerance).then(|| u32::from(below < -above))
 }
@@ -402,7 +365,7 @@ impl NearTriangle {
             Some(side) => side,
             None => u32::from(height < -POINT_DEPTH * tolerance),
         };
-        let outward = if side == 0 { triangle.normal } else { -triangle.normal };
+        let outward = triangle.outward(side);
         if over || part == Part::Face {
             let distance = if side == 0 { height } else { -height };
             return Self { part, side, distance, direction: outward, lateral };
@@ -431,7 +394,7 @@ pub(crate) fn separation_of_part(
             let near = |&c: &DVec3| NearTriangle::new(triangle, x.transform_point(c), side, tolerance).distance;
             centers.iter().map(near).fold(f64::INFINITY, f64::min) - radius
         }
-        _ => pair_separation(search, flat.set(triangle), &Pose::IDENTITY, other, x),
+        _ => pair_separation(search, Placed::new(flat.set(triangle), &Pose::IDENTITY), Placed::new(other, x)),
     }
 }
 
@@ -444,7 +407,8 @@ pub(crate) fn of_parts(
     contacts: &mut Vec<MeshContact>,
 ) -> f64 {
     let MeshPair { mesh, other, x, reach, .. } = pair;
-    pair_manifold(buffers, flat.set(triangle), &Pose::IDENTITY, other, x, *reach, manifold);
+    let flat_triangle = Placed::new(flat.set(triangle), &Pose::IDENTITY);
+    pair_manifold(buffers, flat_triangle, Placed::new(other, x), *reach, manifold);
     let judge = OnTriangle { pair, triangle };
     let mut lost = false;
     for local in &manifold.contacts {
@@ -504,10 +468,10 @@ fn on_own_face(
             b: body.farthest(-outward),
             tolerance: *tolerance,
         };
-        let pair = ((flat, &Pose::IDENTITY), (*other, x));
+        let pair = (Placed::new(flat, &Pose::IDENTITY), Placed::new(other, x));
         manifold.contacts.clear();
         let found = &mut manifold.contacts;
-        round_region::contacts_where(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
+        round_region::contacts(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
         let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
         let within = measured.filter(|contact| contact.geometry.margin >= -slack);
         contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));

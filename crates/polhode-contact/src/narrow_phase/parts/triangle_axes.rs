@@ -30,6 +30,11 @@ impl Triangle {
         let patch = mesh.patches[mesh.patch_of[index as usize] as usize];
         Self { index, corners: mesh.corner_places(index), normal: patch.normal, offset: patch.offset }
     }
+
+    /// Normal of its outer (0) or inner (1) side.
+    pub(crate) fn outward(&self, side: u32) -> DVec3 {
+        if side == 0 { self.normal } else { -self.normal }
+    }
 }
 
 /// The kind of axis that decides the separation.

@@ -5,6 +5,7 @@
 //! they are measured.
 
 use crate::narrow_phase::feature::alike::ALIKE;
+use crate::narrow_phase::feature::edge_line::EdgeLine;
 use crate::narrow_phase::terms::crossed_edges::{CrossedEdges, Perpendicular, PlacedEdge};
 use crate::narrow_phase::terms::point_on_surface::vertex_above_face;
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
@@ -75,12 +76,12 @@ impl FacePair<'_> {
         let [a, b] = self.polyhedra;
         let a = match placed_a {
             Some((edge, placed)) if *edge == edge_a => *placed,
-            _ => placed_a.insert((edge_a, PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, self.poses[0]))).1,
+            _ => placed_a.insert((edge_a, PlacedEdge::new(&EdgeLine::of_polyhedron(a, edge_a)?, self.poses[0]))).1,
         };
         let b = if let Some((_, placed)) = placed_b.iter().find(|(edge, _)| *edge == edge_b) {
             *placed
         } else {
-            let placed = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, self.poses[1]);
+            let placed = PlacedEdge::new(&EdgeLine::of_polyhedron(b, edge_b)?, self.poses[1]);
             placed_b.push((edge_b, placed));
             placed
         };

@@ -68,20 +68,16 @@ pub(crate) fn collect(
     drop_coincident(buffers, &face_a, &face_b, (index_a, index_b), tolerance, upper);
     let highest = reach + axis_slack(a, b, x_ab);
     let plane_b = plane_of_b(b, index_b as usize, normal_b, x_ab);
-    for ((&vertex, corner), _) in
-        face_a.vertices.iter().zip(&buffers.a.corners).zip(&buffers.a.kept).filter(|(_, k)| **k)
-    {
-        let height = normal_b.dot(*corner) - plane_b;
+    for (vertex, corner) in buffers.a.contacts(&face_a) {
+        let height = normal_b.dot(corner) - plane_b;
         if height <= highest {
             features.push(ContactFeature::VertexFace { vertex_of: Side::A, vertex, face: index_b });
         } else {
             buffers.clearances[1] = buffers.clearances[1].min(height - highest);
         }
     }
-    for ((&vertex, corner), _) in
-        face_b.vertices.iter().zip(&buffers.b.corners).zip(&buffers.b.kept).filter(|(_, k)| **k)
-    {
-        let height = face_a.normal.dot(*corner) - face_a.offset;
+    for (vertex, corner) in buffers.b.contacts(&face_b) {
+        let height = face_a.normal.dot(corner) - face_a.offset;
         if height <= highest {
             features.push(ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: index_a });
         } else {

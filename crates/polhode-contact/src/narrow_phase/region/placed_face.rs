@@ -4,6 +4,7 @@
 //! measured in the face's plane, is inside all sides by the difference; and a line that passes a circle round a face crosses
 //! none of its edges. Only what lies near the border of the other face is measured against single sides.
 
+use crate::shape::polyhedron::Face;
 use glam::DVec3;
 
 /// A corner is deep inside the other face when it is inside every side by this many tolerances: too far for a crossing
@@ -41,6 +42,13 @@ pub(super) struct PlacedFace {
 }
 
 impl PlacedFace {
+    /// The vertices of the face that are contacts, with their places.
+    #[inline]
+    pub(super) fn contacts<'a>(&'a self, face: &'a Face<'_>) -> impl Iterator<Item = (u32, DVec3)> + 'a {
+        let corners = face.vertices.iter().zip(&self.corners).zip(&self.kept);
+        corners.filter(|(_, kept)| **kept).map(|((&vertex, &corner), _)| (vertex, corner))
+    }
+
     /// Distance of a point outside a side, m.
     pub(super) fn outside(&self, point: DVec3, side: usize) -> f64 {
         self.sides[side].dot(point - self.corners[side])

@@ -20,13 +20,13 @@
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::{ALIKE, ALIKE_SINE};
 use crate::narrow_phase::feature::contact_name::named;
+use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::shape::circle::RIM_POINTS;
 use crate::shape::round::circles;
 use crate::{Contact, ContactFeature, Shape, SurfaceFeature};
 use glam::DVec3;
-use polhode_spatial::Pose;
 
 /// What of a body touches along a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,40 +43,29 @@ enum Part {
 
 /// The bodies of a region and the candidates found so far.
 struct Region<'a> {
-    a: (&'a Shape, &'a Pose),
-    b: (&'a Shape, &'a Pose),
+    a: Placed<'a>,
+    b: Placed<'a>,
     features: &'a mut Vec<ContactFeature>,
 }
 
-/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted.
+/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted: of the features
+/// that are wanted alone.
 pub(crate) fn contacts(
     features: &mut Vec<ContactFeature>,
-    body_a: (&Shape, &Pose),
-    body_b: (&Shape, &Pose),
-    gap: &Gap,
-    reach: f64,
-    contacts: &mut Vec<Contact>,
-) {
-    contacts_where(features, body_a, body_b, gap, reach, |_| true, contacts);
-}
-
-/// As [`contacts`], of the features that are wanted alone: of two in one place another one may be the first of these.
-pub(crate) fn contacts_where(
-    features: &mut Vec<ContactFeature>,
-    (shape_a, pose_a): (&Shape, &Pose),
-    (shape_b, pose_b): (&Shape, &Pose),
+    a: Placed<'_>,
+    b: Placed<'_>,
     gap: &Gap,
     reach: f64,
     wanted: impl Fn(ContactFeature) -> bool,
     contacts: &mut Vec<Contact>,
 ) {
     features.clear();
-    let mut region = Region { a: (shape_a, pose_a), b: (shape_b, pose_b), features };
+    let mut region = Region { a, b, features };
     region.collect(gap.normal);
     region.features.push(named(gap.a, gap.b));
     region.features.retain(|&feature| wanted(feature));
     let measure = |feature: ContactFeature| {
-        evaluate(feature, shape_a, pose_a, shape_b, pose_b).map(|geometry| Contact { feature, geometry })
+        evaluate(feature, a.shape, a.pose, b.shape, b.pose).map(|geometry| Contact { feature, geometry })
     };
     // Those of other places of the pair stand before.
     let first = contacts.len();
@@ -90,11 +79,11 @@ pub(crate) fn contacts_where(
             let lateral = between - gap.normal * gap.normal.dot(between);
             lateral.length() <= SAME_PLACE * gap.tolerance
         };
-        if fits && !contacts[first..].iter().any(near) && !grazes(&contact, (shape_a, pose_a), (shape_b, pose_b), gap) {
+        if fits && !contacts[first..].iter().any(near) && !grazes(&contact, a, b, gap) {
             contacts.push(contact);
         }
     }
-    for feature in level_points(shape_a, shape_b, gap) {
+    for feature in level_points(a.shape, b.shape, gap) {
         let Some(contact) = measure(feature) else { continue };
         let geometry = &contact.geometry;
         let level = (geometry.separation - gap.separation).abs() <= SAME_PLACE * gap.tolerance;
@@ -126,12 +115,7 @@ fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> imp
 }
 
 /// Whether a crossing of a rim is one of two in one place: the other curve only grazes the disc, within the tolerance.
-fn grazes(
-    contact: &Contact,
-    (shape_a, pose_a): (&Shape, &Pose),
-    (shape_b, pose_b): (&Shape, &Pose),
-    gap: &Gap,
-) -> bool {
+fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &Gap) -> bool {
     use SurfaceFeature::{RimEntry, RimExit};
     let ContactFeature::Elements { a, b } = contact.feature else { return false };
     let other_branch = |feature| match feature {
@@ -145,19 +129,20 @@ fn grazes(
         RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
         _ => f64::INFINITY,
     };
-    let least = radius(shape_a, a).min(radius(shape_b, b));
+    let least = radius(placed_a.shape, a).min(radius(placed_b.shape, b));
     if least.is_infinite() {
         return false;
     }
     let twin = ContactFeature::Elements { a: other_branch(a), b: other_branch(b) };
-    let Some(twin) = evaluate(twin, shape_a, pose_a, shape_b, pose_b) else { return true };
+    let twin = evaluate(twin, placed_a.shape, placed_a.pose, placed_b.shape, placed_b.pose);
+    let Some(twin) = twin else { return true };
     // The height of the arc over the chord between the two places.
     let chord = twin.point.distance_squared(contact.geometry.point);
     chord <= 8.0 * least * SAME_PLACE * gap.tolerance
 }
 
 /// What of a shape touches along an outward unit vector in the world.
-fn part_of((shape, pose): (&Shape, &Pose), outward: DVec3) -> Part {
+fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
     let outward = pose.rotation.inverse_rotate(outward);
     let side = |axis: DVec3, sine: f64| {
         let lies = (outward.dot(axis) - sine).abs() <= ALIKE_SINE;
@@ -244,7 +229,7 @@ impl Region<'_> {
     /// Lists the candidates.
     fn collect(&mut self, normal: DVec3) {
         let (part_a, part_b) = (part_of(self.a, -normal), part_of(self.b, normal));
-        let (shape_a, shape_b) = (self.a.0, self.b.0);
+        let (shape_a, shape_b) = (self.a.shape, self.b.shape);
         let base = |part: Part| match part {
             Part::Flat(face) => Some(SurfaceFeature::Face(face)),
             Part::Strip(line) => Some(line),

@@ -16,7 +16,7 @@
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
 use crate::narrow_phase::terms::tangential::ContactMotion;
-use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron, Edge};
+use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
@@ -50,18 +50,8 @@ pub(crate) struct PlacedEdge {
 }
 
 impl PlacedEdge {
-    fn new(edge: &EdgeLine, pose: &Pose) -> Self {
-        let [from, to] = edge.ends;
-        Self {
-            middle: pose.rotation.rotate(0.5 * (from + to)),
-            along: pose.rotation.rotate(edge.direction),
-            half_length: 0.5 * edge.length,
-            outward: pose.rotation.rotate(edge.outward),
-        }
-    }
-
     #[inline]
-    pub(crate) fn of_polyhedron(edge: &Edge, pose: &Pose) -> Self {
+    pub(crate) fn new(edge: &EdgeLine, pose: &Pose) -> Self {
         Self {
             middle: pose.rotation.rotate(edge.middle),
             along: pose.rotation.rotate(edge.direction),
@@ -99,17 +89,11 @@ impl Perpendicular {
 impl CrossedEdges {
     /// Nothing when the edges do not exist or are parallel.
     pub(crate) fn new(
-        a: &ConvexPolyhedron,
-        pose_a: &Pose,
-        edge_a: u32,
-        b: &ConvexPolyhedron,
-        pose_b: &Pose,
-        edge_b: u32,
+        [a, b]: [&ConvexPolyhedron; 2],
+        [pose_a, pose_b]: [&Pose; 2],
+        [edge_a, edge_b]: [u32; 2],
     ) -> Option<Self> {
-        let a = PlacedEdge::of_polyhedron(a.edges.get(edge_a as usize)?, pose_a);
-        let b = PlacedEdge::of_polyhedron(b.edges.get(edge_b as usize)?, pose_b);
-        let perpendicular = Perpendicular::new(&a, &b)?;
-        Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
+        Self::between(&EdgeLine::of_polyhedron(a, edge_a)?, pose_a, &EdgeLine::of_polyhedron(b, edge_b)?, pose_b)
     }
 
     /// Nothing when the edges are parallel.
@@ -161,28 +145,18 @@ impl CrossedEdges {
         a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
     }
 
-    /// Velocity of A's material at its nearest place against B's at its own.
+    /// Velocity of A's material at its nearest place against B's at its own, and `n'`.
     #[inline]
-    fn relative_velocity(&self, a: &Velocity, b: &Velocity) -> DVec3 {
-        (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b))
+    fn rates(&self, a: &Velocity, b: &Velocity) -> (DVec3, DVec3) {
+        let (n, rate) = (self.normal, self.normal_rate(a, b));
+        let velocity = (a.linear - b.linear) + (a.angular.cross(self.arm_a) - b.angular.cross(self.arm_b));
+        (velocity, (rate - n * n.dot(rate)) / self.sine)
     }
 
-    /// `n'`.
     #[inline]
-    fn turning(&self, a: &Velocity, b: &Velocity) -> DVec3 {
-        let n = self.normal;
-        let rate = self.normal_rate(a, b);
-        (rate - n * n.dot(rate)) / self.sine
-    }
-
     pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
-        self.kinematics_at(self.relative_velocity(a, b), self.turning(a, b), a, b)
-    }
-
-    /// `velocity` is [`Self::relative_velocity`].
-    #[inline]
-    fn kinematics_at(&self, velocity: DVec3, turning: DVec3, a: &Velocity, b: &Velocity) -> ContactKinematics {
         let n = self.normal;
+        let (velocity, turning) = self.rates(a, b);
         let centripetal = a.angular.cross(a.angular.cross(self.arm_a)) - b.angular.cross(b.angular.cross(self.arm_b));
         ContactKinematics {
             geometry: self.geometry(),
@@ -192,22 +166,20 @@ impl CrossedEdges {
         }
     }
 
-    /// The same with how the contact moves.
-    pub(crate) fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
+    /// How the contact moves.
+    pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
         let n = self.normal;
-        let (velocity, turning) = (self.relative_velocity(a, b), self.turning(a, b));
-        let kinematics = self.kinematics_at(velocity, turning, a, b);
+        let (velocity, turning) = self.rates(a, b);
         let along = (turning * self.separation - velocity).dot(self.along_b.cross(n)) / self.sine;
         let half_gap = n * (0.5 * self.separation);
         let from_a = a.angular.cross(self.arm_a) + self.along_a * along
             - turning * (0.5 * self.separation)
             - n * (0.5 * kinematics.separation_rate);
-        let motion = ContactMotion {
+        ContactMotion {
             normal: n,
             normal_rate: turning,
             arms: [self.arm_a - half_gap, self.arm_b + half_gap],
             point_rates: [from_a, from_a + (a.linear - b.linear)],
-        };
-        (kinematics, motion)
+        }
     }
 }

@@ -76,6 +76,23 @@ pub fn kinematics(
 /// ([`TangentialKinematics`]), from one evaluation.
 ///
 /// Nothing in the same cases as [`evaluate`].
+///
+/// A ball that slides without spin slips with its own velocity; one that rolls does not slip:
+/// ```
+/// use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, kinematics_with_tangential};
+/// use polhode_contact::{DVec3, Pose, UnitVector, Velocity};
+/// let (ball, floor) = (Shape::sphere(0.5)?, Shape::half_space(UnitVector::Z));
+/// let feature = ContactFeature::Smooth { center_of: Side::A, center: 0, against: SurfaceFeature::Face(0) };
+/// let pose = Pose::from_translation(DVec3::Z * 0.5);
+/// let slip = |spin: DVec3| {
+///     let velocity = Velocity::new(DVec3::X, spin);
+///     kinematics_with_tangential(feature, &ball, &pose, &velocity, &floor, &Pose::IDENTITY, &Velocity::ZERO)
+///         .map(|(_, terms)| terms.slip_velocity)
+/// };
+/// assert_eq!(slip(DVec3::ZERO), Some(DVec3::X));
+/// assert_eq!(slip(DVec3::Y * 2.0), Some(DVec3::ZERO));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn kinematics_with_tangential(
     feature: ContactFeature,
     shape_a: &Shape,
@@ -85,48 +102,25 @@ pub fn kinematics_with_tangential(
     pose_b: &Pose,
     velocity_b: &Velocity,
 ) -> Option<(ContactKinematics, TangentialKinematics)> {
-    let (kinematics, moving) = by_kind(
+    let (a, b) = (velocity_a, velocity_b);
+    let (kinematics, motion) = by_kind(
         feature,
         (shape_a, pose_a),
         (shape_b, pose_b),
-        |crossed| Some(crossed.with_motion(velocity_a, velocity_b)),
-        |stationary| stationary.with_motion(pose_a.translation, velocity_a, velocity_b),
-        |point| Some(point.with_motion(velocity_a, velocity_b)),
+        |crossed| {
+            let kinematics = crossed.kinematics(a, b);
+            Some((kinematics, crossed.motion(&kinematics, a, b)))
+        },
+        |stationary| {
+            let kinematics = stationary.kinematics(pose_a.translation, a, b)?;
+            Some((kinematics, stationary.motion(&kinematics, a, b)?))
+        },
+        |point| {
+            let kinematics = point.kinematics(a, b);
+            Some((kinematics, point.motion(&kinematics, a, b)))
+        },
     )?;
-    Some((kinematics, moving.tangential(velocity_a, velocity_b)))
-}
-
-/// The tangential terms of a contact alone: those of [`kinematics_with_tangential`].
-///
-/// Nothing in the same cases as [`evaluate`].
-///
-/// A ball that slides without spin slips with its own velocity; one that rolls does not slip:
-/// ```
-/// use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, tangential};
-/// use polhode_contact::{DVec3, Pose, UnitVector, Velocity};
-/// let (ball, floor) = (Shape::sphere(0.5)?, Shape::half_space(UnitVector::Z));
-/// let feature = ContactFeature::Smooth { center_of: Side::A, center: 0, against: SurfaceFeature::Face(0) };
-/// let pose = Pose::from_translation(DVec3::Z * 0.5);
-/// let slip = |spin: DVec3| {
-///     let velocity = Velocity::new(DVec3::X, spin);
-///     tangential(feature, &ball, &pose, &velocity, &floor, &Pose::IDENTITY, &Velocity::ZERO)
-///         .map(|terms| terms.slip_velocity)
-/// };
-/// assert_eq!(slip(DVec3::ZERO), Some(DVec3::X));
-/// assert_eq!(slip(DVec3::Y * 2.0), Some(DVec3::ZERO));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn tangential(
-    feature: ContactFeature,
-    shape_a: &Shape,
-    pose_a: &Pose,
-    velocity_a: &Velocity,
-    shape_b: &Shape,
-    pose_b: &Pose,
-    velocity_b: &Velocity,
-) -> Option<TangentialKinematics> {
-    let both = kinematics_with_tangential(feature, shape_a, pose_a, velocity_a, shape_b, pose_b, velocity_b)?;
-    Some(both.1)
+    Some((kinematics, motion.tangential(a, b)))
 }
 
 /// What a contact answers, by the kind of its features; of compounds those of the parts.

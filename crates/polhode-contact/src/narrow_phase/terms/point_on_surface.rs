@@ -91,30 +91,16 @@ impl PointOnSurface {
         }
     }
 
-    /// The velocity `u` of the point relative to the place of E under it. `v` moves the body V of the point, `e` the body
-    /// E of the surface.
+    /// The velocities of V and E, and `u`: that of the point relative to the place of E under it.
     #[inline]
-    fn relative_velocity(&self, v: &Velocity, e: &Velocity) -> DVec3 {
-        (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset))
+    fn velocities<'a>(&self, a: &'a Velocity, b: &'a Velocity) -> (&'a Velocity, &'a Velocity, DVec3) {
+        let (v, e) = if self.center_of == Side::A { (a, b) } else { (b, a) };
+        (v, e, (v.linear - e.linear) + (v.angular.cross(self.arm) - e.angular.cross(self.offset)))
     }
 
-    /// The velocities of V and E, from those of A and B.
     #[inline]
-    fn of_point_and_surface<'a>(&self, a: &'a Velocity, b: &'a Velocity) -> (&'a Velocity, &'a Velocity) {
-        match self.center_of {
-            Side::A => (a, b),
-            Side::B => (b, a),
-        }
-    }
-
     pub(crate) fn kinematics(&self, a: &Velocity, b: &Velocity) -> ContactKinematics {
-        let (v, e) = self.of_point_and_surface(a, b);
-        self.kinematics_at(self.relative_velocity(v, e), v, e)
-    }
-
-    /// `u` is [`Self::relative_velocity`].
-    #[inline]
-    fn kinematics_at(&self, u: DVec3, v: &Velocity, e: &Velocity) -> ContactKinematics {
+        let (v, e, u) = self.velocities(a, b);
         let Distance { gradient: g, curvature, along, .. } = self.distance;
         let centripetal = v.angular.cross(v.angular.cross(self.arm)) - e.angular.cross(e.angular.cross(self.offset));
         let (rate, slip) = (g.dot(u), along.dot(u));
@@ -126,27 +112,24 @@ impl PointOnSurface {
         }
     }
 
-    /// The same with how the contact moves: `g' = w_E x g + H u`.
-    pub(crate) fn with_motion(&self, a: &Velocity, b: &Velocity) -> (ContactKinematics, ContactMotion) {
-        let (v, e) = self.of_point_and_surface(a, b);
+    /// How the contact moves: `g' = w_E x g + H u`.
+    pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
+        let (v, e, u) = self.velocities(a, b);
         let Distance { gradient: g, curvature, along, .. } = self.distance;
-        let u = self.relative_velocity(v, e);
-        let kinematics = self.kinematics_at(u, v, e);
         let rate = kinematics.separation_rate;
         let turning = e.angular.cross(g) + (u - g * rate - along * along.dot(u)) * curvature;
         let depth = self.radius_of_point + 0.5 * kinematics.geometry.separation;
         let from_v = v.angular.cross(self.arm) - turning * depth - g * (0.5 * rate);
         let from_e = from_v + (v.linear - e.linear);
         let (arm_v, arm_e) = (self.arm - g * depth, self.offset - g * depth);
-        let motion = match self.center_of {
+        match self.center_of {
             Side::A => {
                 ContactMotion { normal: g, normal_rate: turning, arms: [arm_v, arm_e], point_rates: [from_v, from_e] }
             }
             Side::B => {
                 ContactMotion { normal: -g, normal_rate: -turning, arms: [arm_e, arm_v], point_rates: [from_e, from_v] }
             }
-        };
-        (kinematics, motion)
+        }
     }
 }
 

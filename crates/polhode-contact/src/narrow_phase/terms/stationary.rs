@@ -129,38 +129,21 @@ impl Stationary {
     }
 
     /// Never nothing, for [`Self::new`] has asked for what the rates need.
+    #[inline]
     pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
+        let n = self.place.normal;
+        let [arm_a, arm_b] = self.place_arms();
         let velocity = self.relative_velocity(a, b);
         let bending = match self.plane_of {
             Some(plane) => self.bending_over_plane(plane, velocity, a, b),
             None => self.bending(&self.rates(velocity, a, b)?, velocity, a, b),
         };
-        Some(self.kinematics_with(bending, velocity, origin_a, a, b))
-    }
-
-    /// The same with how the contact moves.
-    pub(crate) fn with_motion(
-        &self,
-        origin_a: DVec3,
-        a: &Velocity,
-        b: &Velocity,
-    ) -> Option<(ContactKinematics, ContactMotion)> {
-        let velocity = self.relative_velocity(a, b);
-        let (rates, bending) = if let Some(plane) = self.plane_of {
-            (self.rates_over_plane(plane, a, b), self.bending_over_plane(plane, velocity, a, b))
-        } else {
-            let rates = self.rates(velocity, a, b)?;
-            let bending = self.bending(&rates, velocity, a, b);
-            (rates, bending)
-        };
-        let kinematics = self.kinematics_with(bending, velocity, origin_a, a, b);
-        Some((kinematics, self.motion(&rates, kinematics.separation_rate, a, b)))
-    }
-
-    /// From the centres of mass to the places on the two loci.
-    #[inline]
-    fn place_arms(&self) -> [DVec3; 2] {
-        [self.place.on_a, self.place.on_b - self.origin_b]
+        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
+        Some(ContactKinematics {
+            geometry: self.geometry(origin_a),
+            separation_rate: n.dot(velocity),
+            acceleration_bias: n.dot(centripetal) + bending,
+        })
     }
 
     /// `v_A(x_A) - v_B(x_B)`.
@@ -170,30 +153,20 @@ impl Stationary {
         (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b))
     }
 
-    /// `velocity` is [`Self::relative_velocity`].
+    /// From the centres of mass to the places on the two loci.
     #[inline]
-    fn kinematics_with(
-        &self,
-        bending: f64,
-        velocity: DVec3,
-        origin_a: DVec3,
-        a: &Velocity,
-        b: &Velocity,
-    ) -> ContactKinematics {
-        let n = self.place.normal;
-        let [arm_a, arm_b] = self.place_arms();
-        let centripetal = a.angular.cross(a.angular.cross(arm_a)) - b.angular.cross(b.angular.cross(arm_b));
-        ContactKinematics {
-            geometry: self.geometry(origin_a),
-            separation_rate: n.dot(velocity),
-            acceleration_bias: n.dot(centripetal) + bending,
-        }
+    fn place_arms(&self) -> [DVec3; 2] {
+        [self.place.on_a, self.place.on_b - self.origin_b]
     }
 
     /// How the contact point moves: with a place on a locus, which wanders, and from there along the normal, which turns.
     /// The place is A's; on a plane there is nothing that wanders of its own accord, and the place is the other one.
-    fn motion(&self, rates: &Rates, separation_rate: f64, a: &Velocity, b: &Velocity) -> ContactMotion {
+    pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> Option<ContactMotion> {
         let n = self.place.normal;
+        let rates = match self.plane_of {
+            Some(plane) => self.rates_over_plane(plane, a, b),
+            None => self.rates(self.relative_velocity(a, b), a, b)?,
+        };
         let from = if self.plane_of == Some(Side::A) { Side::B } else { Side::A };
         let [place_a, place_b] = self.place_arms();
         let (velocity, arm, on_locus, outwards) = match from {
@@ -201,7 +174,7 @@ impl Stationary {
             Side::B => (b, place_b, self.place.on_b, 1.0),
         };
         let mut wandering = DVec3::ZERO;
-        let mut growth = 0.5 * separation_rate;
+        let mut growth = 0.5 * kinematics.separation_rate;
         for (parameter, rate) in self.parameters[..self.count].iter().zip(rates.parameters) {
             if parameter.of == from {
                 wandering += parameter.along * rate;
@@ -212,7 +185,7 @@ impl Stationary {
         let stand_off = n.dot(self.middle - on_locus);
         let rate = velocity.angular.cross(arm) + wandering + rates.normal * stand_off + n * (outwards * growth);
         let approach = a.linear - b.linear;
-        ContactMotion {
+        Some(ContactMotion {
             normal: n,
             normal_rate: rates.normal,
             arms: [self.middle, self.middle - self.origin_b],
@@ -220,10 +193,11 @@ impl Stationary {
                 Side::A => [rate, rate + approach],
                 Side::B => [rate - approach, rate],
             },
-        }
+        })
     }
 
-    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2.
+    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2. `velocity` is
+    /// `v_A(x_A) - v_B(x_B)`.
     #[inline]
     fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;

@@ -30,7 +30,13 @@ pub(crate) fn distance(shape: &Shape, feature: SurfaceFeature, y: DVec3) -> Opti
             let face = p.face(face as usize)?;
             Some(from_plane(face.normal, face.normal.dot(y) - face.offset, face_margin(p, &face, y)))
         }
-        (Shape::Convex(p), SurfaceFeature::Edge(edge)) => from_edge(p, edge as usize, y),
+        (Shape::Convex(p), SurfaceFeature::Edge(edge)) => {
+            let edge = p.edges.get(edge as usize)?;
+            let [left, right] = edge.faces.map(|f| p.faces[f as usize].normal);
+            let sides = [edge.direction.cross(left), -edge.direction.cross(right)];
+            let w = y - p.vertices[edge.vertices[0] as usize];
+            from_edge(w, (edge.direction, edge.length), sides, COINCIDENCE * p.size)
+        }
         (Shape::Convex(p), SurfaceFeature::Vertex(vertex)) => from_vertex(p, vertex as usize, y),
         (Shape::TriangleMesh(mesh), feature) => from_mesh(mesh, feature, y),
         (Shape::Sphere(s), SurfaceFeature::Sphere) => {
@@ -44,17 +50,19 @@ pub(crate) fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
     Distance { value, gradient: normal, curvature: 0.0, along: DVec3::ZERO, margin }
 }
 
-/// The Voronoi region of an edge ends at its two vertices and where either of its faces begins.
-fn from_edge(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<Distance> {
-    let edge = polyhedron.edges.get(index)?;
-    let w = y - polyhedron.vertices[edge.vertices[0] as usize];
-    let along = edge.direction.dot(w);
-    let mut distance = from_point(w - edge.direction * along, COINCIDENCE * polyhedron.size, f64::INFINITY)?;
-    distance.along = edge.direction;
-    let [left, right] = edge.faces.map(|f| polyhedron.faces[f as usize].normal);
-    let (side_left, side_right) = (edge.direction.cross(left), -edge.direction.cross(right));
-    distance.margin = along.min(edge.length - along).min(side_left.dot(w)).min(side_right.dot(w));
-    Some(distance)
+/// Distance from an edge along `w` (m) from its first end. Its Voronoi region ends at its two vertices and where either of
+/// its faces begins; `sides` are the unit vectors out of the faces, across the edge.
+fn from_edge(
+    w: DVec3,
+    (direction, length): (DVec3, f64),
+    sides: impl IntoIterator<Item = DVec3>,
+    least: f64,
+) -> Option<Distance> {
+    let along = direction.dot(w);
+    let ends = along.min(length - along);
+    let margin = sides.into_iter().map(|side| side.dot(w)).fold(ends, f64::min);
+    let found = from_point(w - direction * along, least, margin)?;
+    Some(Distance { along: direction, ..found })
 }
 
 /// The Voronoi region of a vertex ends where one of its edges begins.
@@ -78,14 +86,9 @@ fn from_mesh(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<D
         }
         SurfaceFeature::Edge(edge) => {
             let line = mesh.edges.get(edge as usize)?;
-            let from = mesh.vertices[line.vertices[0] as usize];
-            let w = y - from;
-            let along = line.direction.dot(w);
-            let mut found = from_point(w - line.direction * along, COINCIDENCE * line.length, f64::INFINITY)?;
-            found.along = line.direction;
-            let ends = along.min(line.length - along);
-            found.margin = mesh.sides_at_edge(edge).map(|side| side.dot(w)).fold(ends, f64::min);
-            Some(found)
+            let w = y - mesh.vertices[line.vertices[0] as usize];
+            let least = COINCIDENCE * line.length;
+            from_edge(w, (line.direction, line.length), mesh.sides_at_edge(edge), least)
         }
         SurfaceFeature::Vertex(vertex) => {
             let x = *mesh.vertices.get(vertex as usize)?;

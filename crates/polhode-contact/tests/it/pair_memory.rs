@@ -1,12 +1,11 @@
-//! The narrow phase with memory gives what one without gives, bit for bit, however the bodies move; and it tells what became
-//! of contacts.
+//! The narrow phase with memory gives what one without gives, bit for bit, however the bodies move.
 
 use crate::support::{Random, at, cuboid, prism, yaw};
 use polhode_contact::{
-    ContactChange, ConvexPolyhedron, Manifold, NarrowPhase, NarrowPhaseError, PairMemory, Shape, Workspace, manifold,
-    near_manifold, near_manifold_with,
+    ConvexPolyhedron, Manifold, PairMemory, Shape, Workspace, manifold, near_manifold, near_manifold_with,
 };
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+use std::collections::BTreeMap;
 
 /// All numbers of the contacts as bits, so that even signs of zeros count.
 fn bits(manifold: &Manifold) -> Vec<(polhode_contact::ContactFeature, [u64; 8])> {
@@ -24,31 +23,40 @@ fn bits(manifold: &Manifold) -> Vec<(polhode_contact::ContactFeature, [u64; 8])>
 struct World {
     shapes: Vec<Shape>,
     poses: Vec<Pose>,
-    narrow_phase: NarrowPhase,
+    workspace: Workspace,
+    memories: BTreeMap<(u32, u32), PairMemory>,
+    found: Manifold,
     /// How many contacts have been compared.
     compared: usize,
 }
 
 impl World {
     fn new(shapes: Vec<Shape>, poses: Vec<Pose>) -> Self {
-        Self { shapes, poses, narrow_phase: NarrowPhase::default(), compared: 0 }
+        let (workspace, memories, found) = (Workspace::default(), BTreeMap::new(), Manifold::default());
+        Self { shapes, poses, workspace, memories, found, compared: 0 }
+    }
+
+    /// Finds the contacts of a pair with what is remembered of it.
+    fn find(&mut self, pair: (u32, u32), reach: f64) {
+        let Self { shapes, poses, workspace, memories, found, .. } = self;
+        let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
+        let memory = memories.entry(pair).or_default();
+        near_manifold_with(workspace, memory, placed(pair.0), placed(pair.1), reach, found);
     }
 
     /// Updates the pairs and compares every one with a fresh search.
     fn check(&mut self, pairs: &[(u32, u32)], reach: f64, context: &str) {
-        let (shapes, poses) = (&self.shapes, &self.poses);
-        let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
-        self.narrow_phase.update(pairs, reach, placed).expect("sorted pairs");
-        assert_eq!(self.narrow_phase.pairs().map(|pair| pair.bodies).collect::<Vec<_>>(), pairs);
-        for pair in self.narrow_phase.pairs() {
-            let ((shape_a, pose_a), (shape_b, pose_b)) = (placed(pair.bodies.0), placed(pair.bodies.1));
+        for &pair in pairs {
+            self.find(pair, reach);
+            let placed = |body: u32| (&self.shapes[body as usize], &self.poses[body as usize]);
+            let ((shape_a, pose_a), (shape_b, pose_b)) = (placed(pair.0), placed(pair.1));
             let fresh = manifold(shape_a, pose_a, shape_b, pose_b, reach);
-            assert_eq!(bits(pair.manifold), bits(&fresh), "{context}, pair {:?}", pair.bodies);
+            assert_eq!(bits(&self.found), bits(&fresh), "{context}, pair {pair:?}");
             if fresh.separation <= reach {
-                assert_eq!(pair.manifold.separation.to_bits(), fresh.separation.to_bits(), "{context}");
-                assert_eq!(pair.manifold.axis, fresh.axis, "{context}");
+                assert_eq!(self.found.separation.to_bits(), fresh.separation.to_bits(), "{context}");
+                assert_eq!(self.found.axis, fresh.axis, "{context}");
             } else {
-                assert!(pair.manifold.separation > reach, "{context}: {}", pair.manifold.separation);
+                assert!(self.found.separation > reach, "{context}: {}", self.found.separation);
             }
             self.compared += fresh.contacts.len();
         }
@@ -250,83 +258,20 @@ fn pairs_that_come_and_go() {
         let reach = [0.01, 0.2, 0.0, -0.01][k % 4];
         if k % 50 == 20 {
             world.shapes[k % 12] = hull(&mut random, 9);
-            world.narrow_phase.forget((k % 12) as u32);
+            let changed = (k % 12) as u32;
+            world.memories.retain(|&(a, b), _| a != changed && b != changed);
         }
         if k % 50 == 30 {
             let kept = world.poses[3];
             world.poses[3].translation.x = f64::NAN;
-            let (shapes, poses) = (&world.shapes, &world.poses);
-            let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
-            world.narrow_phase.update(&pairs, reach, placed).expect("sorted pairs");
-            let with_nan = world.narrow_phase.pairs().filter(|pair| pair.bodies.0 == 3 || pair.bodies.1 == 3);
-            assert!(with_nan.into_iter().all(|pair| pair.manifold.contacts.is_empty()));
+            for &pair in pairs.iter().filter(|pair| pair.0 == 3 || pair.1 == 3) {
+                world.find(pair, reach);
+                assert!(world.found.contacts.is_empty());
+            }
             world.poses[3] = kept;
         }
         world.check(&pairs, reach, &format!("{k}"));
         world.poses.iter_mut().for_each(|pose| *pose = moved(pose, &mut random, 3e-3));
     }
     assert!(world.compared > 1000);
-}
-
-/// A box that slides off a slab: values stay with their contacts, new ones start from the default, and each contact's
-/// beginning and end is told once.
-#[test]
-fn values_follow_their_contacts() {
-    let shapes = [cuboid(4.0, 4.0, 1.0), cuboid(1.0, 1.0, 1.0)];
-    let mut narrow_phase = NarrowPhase::<f64>::default();
-    let mut known: Vec<(polhode_contact::ContactFeature, f64)> = Vec::new();
-    let mut next = 1.0;
-    let mut told = [0; 3];
-    for k in 0..400 {
-        let poses = [Pose::IDENTITY, Pose::new(yaw(0.1), DVec3::new(0.01 * f64::from(k), 0.3, 1.0))];
-        let apart = k > 350;
-        let pairs: &[(u32, u32)] = if apart { &[] } else { &[(0, 1)] };
-        let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
-        narrow_phase.update(pairs, 1e-6, placed).expect("sorted pairs");
-        let pair = if apart { narrow_phase.ended_pairs().next() } else { narrow_phase.pair(0, 1) };
-        let mut remembered = known.clone();
-        for change in pair.iter().flat_map(polhode_contact::PairContacts::changes) {
-            match change {
-                ContactChange::Begun(feature) => {
-                    told[0] += 1;
-                    assert!(remembered.iter().all(|(f, _)| *f != feature));
-                }
-                ContactChange::Persisted(feature) => {
-                    told[1] += 1;
-                    assert!(remembered.iter().any(|(f, _)| *f == feature));
-                }
-                ContactChange::Ended(feature) => {
-                    told[2] += 1;
-                    remembered.retain(|(f, _)| *f != feature);
-                }
-            }
-        }
-        let now = pair.map_or_else(Vec::new, |pair| {
-            pair.manifold.contacts.iter().map(|c| c.feature).zip(pair.data.iter().copied()).collect()
-        });
-        for (feature, value) in &now {
-            let before = known.iter().find(|(f, _)| f == feature).map_or(0.0, |(_, v)| *v);
-            assert_eq!(*value, before, "{feature:?}");
-        }
-        known = now;
-        for (value, (_, mine)) in narrow_phase.data_mut(0, 1).iter_mut().zip(&mut known) {
-            if *value == 0.0 {
-                (*value, *mine) = (next, next);
-                next += 1.0;
-            }
-        }
-    }
-    assert!(known.is_empty() && told[0] > 4 && told[0] == told[2] && told[1] > 1000, "{told:?}");
-}
-
-/// Unsorted pairs are refused, with their place.
-#[test]
-fn unsorted_pairs() {
-    let shape = cuboid(1.0, 1.0, 1.0);
-    let pose = at(0.0, 0.0, 0.0);
-    let mut narrow_phase = NarrowPhase::<()>::default();
-    let error = narrow_phase.update(&[(0, 1), (0, 3), (0, 2)], 0.1, |_| (&shape, &pose));
-    assert_eq!(error, Err(NarrowPhaseError::NotSorted { index: 2, pair: (0, 2), before: (0, 3) }));
-    assert!(narrow_phase.update(&[(0, 1), (0, 1)], 0.1, |_| (&shape, &pose)).is_err());
-    assert_eq!(narrow_phase.pairs().count(), 0);
 }
