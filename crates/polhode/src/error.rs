@@ -142,9 +142,9 @@ pub enum SimulationError {
     },
     /// Many steps have advanced time by almost nothing.
     #[error(
-        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of {body_a} \
-         and {body_b} at {point} m change faster than steps can resolve: raise method.tolerance, change the initial \
-         poses a little, or let method.crowding be \"step\""
+        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of \
+         {body_a} and {body_b} at {point} m change faster than steps can resolve: raise method.tolerance, change the \
+         initial poses a little, or let method.crowding be \"step\""
     )]
     NoProgress {
         /// When, s.
