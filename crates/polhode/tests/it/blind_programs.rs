@@ -327,7 +327,7 @@ fn plans_count_the_bodies_that_are_there() {
     simulation.remove_body(added).unwrap();
     let facts: Vec<&str> = simulation.plan().effects.iter().map(|effect| effect.fact.as_str()).collect();
     assert!(facts.contains(&"0 bodies with different principal moments, 1 with equal ones"), "{facts:?}");
-    assert!(facts.contains(&"1 of 1 movable bodies are under no force but gravity between contacts"), "{facts:?}");
+    assert!(facts.contains(&"1 of 1 movable bodies are under gravity alone between contacts"), "{facts:?}");
     assert!(facts.contains(&"1 pairs may collide, 0 touch at t = 0.25"), "{facts:?}");
 }
 
