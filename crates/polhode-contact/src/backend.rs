@@ -8,7 +8,7 @@ use parry3d::transformation::vhacd::{VHACD, VHACDParameters};
 use parry3d::transformation::voxelization::FillMode;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What V-HACD is asked for.
+/// Settings of V-HACD.
 pub(crate) struct ClusterSettings {
     pub(crate) concavity: f64,
     pub(crate) resolution: u32,
@@ -44,8 +44,8 @@ pub(crate) struct AabbTree {
 }
 
 impl AabbTree {
-    /// Takes new boxes: moves the leaves when their number is unchanged, builds the tree anew otherwise. The order of
-    /// the steps is rapier3d's: fitting comes last and puts the nodes in the order in which they are visited.
+    /// Replaces the boxes: moves the leaves when their number is unchanged, rebuilds the tree otherwise. The order of
+    /// the steps is that of rapier3d: the refit comes last, and it stores the nodes in the order of traversal.
     pub(crate) fn set(&mut self, boxes: &[Aabb]) {
         let convert = |aabb: &Aabb| ParryAabb::new(aabb.min(), aabb.max());
         if self.leaves == 0 || boxes.len() > 2 * self.leaves {
@@ -59,7 +59,7 @@ impl AabbTree {
             self.tree.remove(leaf as u32);
         }
         if is_smaller {
-            // Nodes that are no longer used must go before leaves are collected from all nodes.
+            // A refit removes unused nodes, which the rebuild would otherwise take for leaves.
             self.tree.refit(&mut self.workspace);
         }
         for (leaf, aabb) in boxes.iter().enumerate() {

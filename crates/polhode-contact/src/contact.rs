@@ -3,23 +3,24 @@
 use crate::ContactFeature;
 use glam::DVec3;
 
-/// Where and how a contact stands.
+/// Point, normal and separation of a contact at one pose of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactGeometry {
-    /// Point of the contact in the world, m: the middle of the gap (or of the overlap) along the normal. The velocities
-    /// along the normal are the same at every point of that line.
+    /// Contact point in the world, m: the midpoint of the gap (or of the overlap) along the normal. The choice of the
+    /// point on that line does not matter to the velocity along the normal.
     pub point: DVec3,
     /// Unit normal in the world, from B to A.
     pub normal: DVec3,
     /// Signed distance of the two features along the normal, m; negative when they overlap.
     pub separation: f64,
-    /// Distance of the contact from the border of its features, m: of a vertex from the border of its face, of a
-    /// crossing from the ends of its edges, of a sphere's centre from the border of the feature's Voronoi region.
-    /// Negative when the contact has left its features; infinite where there is no border.
+    /// Distance of the contact from the border of its features, m: of a vertex from the border of the face, of the
+    /// crossing of two edges from their ends, of a sphere's centre from the border of the feature's Voronoi region.
+    /// Negative when the contact is beyond that border, so that other features touch; infinite where there is no
+    /// border.
     pub margin: f64,
 }
 
-/// A contact: its identity and where it stands.
+/// A contact: its identity and its geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Which features touch.
@@ -35,7 +36,7 @@ pub struct Contact {
 /// the bodies do not touch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactKinematics {
-    /// Where the contact stands.
+    /// Point, normal and separation.
     pub geometry: ContactGeometry,
     /// `chi'`, m/s; negative when the bodies approach.
     pub separation_rate: f64,
@@ -43,34 +44,35 @@ pub struct ContactKinematics {
     pub acceleration_bias: f64,
 }
 
-/// The tangential terms of a contact, as friction needs them: which way it slips, and how that changes.
+/// The tangential terms of a contact, as friction needs them: the slip velocity and the terms of its derivative.
 ///
-/// Let `p` be the contact point ([`ContactGeometry::point`], which wanders over both bodies), `r_A` and `r_B` the arms
-/// from the centres of mass to it, `V = v_A + w_A x r_A - v_B - w_B x r_B` the velocity of A's material there against
-/// B's, and `P = 1 - n n^T` the projection on the tangent plane. Then
+/// Let `p` be the contact point ([`ContactGeometry::point`], which moves over the surfaces of both bodies), `r_A` and
+/// `r_B` the arms from the centres of mass to it, `V = v_A + w_A x r_A - v_B - w_B x r_B` the velocity of A's material
+/// point there relative to B's, and `P = 1 - n n^T` the projection on the tangent plane. Then
 ///
 /// `u_T = P V`,  `u_T' = P (v_A' + w_A' x r_A - v_B' - w_B' x r_B) + acceleration_bias`.
 ///
-/// `u_T'` is the derivative of the slip at the contact as it wanders and its normal turns, not that of two points fixed
-/// to the bodies. It is what a contact that sticks or rolls keeps at zero. All vectors are in world axes. Swapping A and B
-/// turns the slip, the bias and the rate of the normal round, and of the basis the second vector.
+/// `u_T'` is the derivative of the slip at the contact point as that point moves and its normal turns, not that of two
+/// points fixed to the bodies. A contact that sticks or rolls keeps it at zero. All vectors are in world axes. Swapping
+/// A and B reverses the slip, the bias, the rate of the normal and the second vector of the basis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TangentialKinematics {
-    /// [`tangent_basis`](crate::tangent_basis) of the normal: `t_1 x t_2 = n`. It is a choice of axes, made from the normal
-    /// alone; no other field depends on it.
+    /// [`tangent_basis`](crate::tangent_basis) of the normal: `t_1 x t_2 = n`. It depends on the normal alone, and no
+    /// other field depends on it.
     pub basis: [DVec3; 2],
-    /// `u_T`, m/s: how A slips over B.
+    /// `u_T`, m/s: the velocity at which A slips over B.
     pub slip_velocity: DVec3,
-    /// All terms of `u_T'` that are not linear in the accelerations, m/s^2. It has a part along n, `-(n'.u_T) n`, with
-    /// which the slip stays in the tangent plane as that turns; of a contact that does not slip this part is zero.
+    /// All terms of `u_T'` that are not linear in the accelerations, m/s^2. Its component along n, `-(n'.u_T) n`, keeps
+    /// the slip in the tangent plane as the plane turns; it is zero without slip.
     pub acceleration_bias: DVec3,
-    /// `p'`, m/s. Where a whole circle is as near as its nearest place, that place is held still on its body.
+    /// `p'`, m/s. Where all points of a circle are equally near, the contact point is taken as fixed to the circle's
+    /// body.
     pub point_velocity: DVec3,
     /// `n'`, 1/s.
     pub normal_rate: DVec3,
 }
 
-/// What decided the separation of a pair.
+/// The axis along which the separation of a pair was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SeparatingAxis {
     /// The normal of a face of A (a half-space is face 0).
@@ -79,35 +81,36 @@ pub enum SeparatingAxis {
     FaceB(u32),
     /// The common perpendicular of an edge of A and an edge of B.
     Edges(u32, u32),
-    /// The line between nearest points of a smooth shape or a cloud and the other body.
+    /// The line between the nearest points of the two bodies, one of which is a smooth shape or a point cloud.
     Nearest,
     /// The pair never touches (two half-spaces, two clouds), or the poses are not finite.
     None,
 }
 
-/// All contacts of a pair within a reach.
+/// All contacts of a pair whose separation is at most a limit (`reach`).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Manifold {
-    /// The contacts, sorted by feature, one for each place.
+    /// The contacts, sorted by feature, one at each point of contact.
     pub contacts: Vec<Contact>,
-    /// Signed separation, m: the depth of penetration (negative) when the bodies overlap; apart, a lower bound of their
-    /// distance that is zero exactly when they touch (and the distance itself when a face or a smooth shape decides).
-    /// Beyond the reach the search stops at the first axis that shows it, and this is the separation along that axis.
+    /// Signed separation, m: minus the depth of penetration when the bodies overlap; apart, a lower bound of their
+    /// distance that is zero exactly when they touch (and the distance itself when the axis is a face normal or belongs
+    /// to a smooth shape). A search that finds an axis with a separation beyond the reach stops there, and this is the
+    /// separation along that axis.
     pub separation: f64,
-    /// What decided the contacts: of two polyhedra the axis with this separation, and a face where edges separate by no more
-    /// than the clearance of places above the best one.
+    /// The axis from which the contacts follow. Of two polyhedra it is the axis with this separation; a face is
+    /// preferred when the best pair of edges separates by less than the place tolerance more than the best face.
     pub axis: SeparatingAxis,
 }
 
 impl Default for Manifold {
-    /// No contact, and nothing known.
+    /// No contact, and an unknown separation.
     fn default() -> Self {
         Self { contacts: Vec::new(), separation: f64::NAN, axis: SeparatingAxis::None }
     }
 }
 
 impl Manifold {
-    /// Forgets the contacts, and takes a separation.
+    /// Removes the contacts, and sets the separation and its axis.
     pub(crate) fn set_empty(&mut self, separation: f64, axis: SeparatingAxis) {
         self.contacts.clear();
         (self.separation, self.axis) = (separation, axis);

@@ -1,12 +1,12 @@
 //! Which features of two bodies touch: the persistent identity of a contact.
 //!
-//! Identities are of the bodies, not of the pose: the same vertex on the same face is the same contact one step later.
-//! The kinds are those of thesis 3.3 (end): vertex-face and edge-edge, and what smooth shapes add. Vertices, edges and
-//! faces are numbered as in the shape ([`crate::ConvexPolyhedron`]); a half-space is face 0; the points of a cloud are
-//! vertices; the centre of a sphere is centre 0. A compound numbers its elements part after part, centres among the
-//! vertices; a part that is a sphere is named by the vertex number of its centre. The flat patch `p` of a triangle
-//! mesh is face `2 p` seen from outside and face `2 p + 1` seen from inside. What capsules, cylinders, cones and tori have
-//! is listed at [`crate::shape::round`].
+//! The identity depends on the features alone, not on the pose: the same vertex on the same face is the same contact
+//! one step later. The kinds are those of thesis 3.3 (end): vertex-face and edge-edge, and what smooth shapes add.
+//! Vertices, edges and faces are numbered as in the shape ([`crate::ConvexPolyhedron`]); a half-space is face 0; the
+//! points of a cloud are vertices; the centre of a sphere is centre 0. A compound numbers the features of its parts one
+//! part after the other; centres are counted as vertices, and a part that is a sphere is named by the vertex number of
+//! its centre. The flat patch `p` of a triangle mesh is face `2 p` seen from outside and face `2 p + 1` seen from
+//! inside. [`crate::shape::round`] lists the features of capsules, cylinders, cones and tori.
 
 /// One of the two bodies of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -27,28 +27,29 @@ impl Side {
     }
 }
 
-/// A part of a surface: one side of a contact, or what a query met.
+/// A feature of a surface: one of the two that make a contact, or the one that a query found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SurfaceFeature {
     /// A face of a polyhedron, a disc, a side of a patch of a mesh, or face 0 of a half-space.
     Face(u32),
     /// An edge of a polyhedron or a mesh.
     Edge(u32),
-    /// A vertex of a polyhedron or a mesh, a cone's apex, a stated point of a rim.
+    /// A vertex of a polyhedron or a mesh, a cone's apex, one of the sample points of a rim.
     Vertex(u32),
-    /// A sphere; in a contact with a point of a cloud.
+    /// A sphere, touched by a point of a cloud.
     Sphere,
     /// The half-ball at an end of a capsule.
     Cap(u32),
     /// The side of a capsule, cylinder or cone.
     Side(u32),
-    /// The rim of a disc, where it is nearest; or the middle line of a ring.
+    /// The rim of a disc, at its nearest point; or the centre circle of a torus.
     Rim(u32),
-    /// The rim of a disc that lies almost flat, where an edge leaves the disc in its own direction; against another rim,
-    /// where that leaves it as it runs anticlockwise about the outward normal of its disc. Of a ring the place nearest to an
-    /// edge, a side or another circle, on the half towards which the edge or axis points.
+    /// The rim of a disc that lies almost flat on the other body, at the point where an edge, followed in its own
+    /// direction, leaves the disc. Against another rim: where that rim, followed anticlockwise about the outward normal
+    /// of its disc, leaves this disc. Of a torus: the point of its centre circle nearest to an edge, a side or another
+    /// circle, on the half towards which the edge or axis points.
     RimExit(u32),
-    /// The same where the edge or the other rim enters the disc, and on the other half of a ring.
+    /// The same where the edge or the other rim enters the disc, and on the other half of a torus.
     RimEntry(u32),
 }
 
@@ -88,7 +89,7 @@ pub enum ContactFeature {
         /// Edge of B.
         edge_b: u32,
     },
-    /// A sphere, or a point of a cloud beyond a face's border, nearest to a feature of the other body.
+    /// A sphere, or a point of a cloud beyond a face's border, against the nearest feature of the other body.
     Smooth {
         /// The body that owns the centre; the other one owns the surface.
         center_of: Side,
@@ -99,18 +100,18 @@ pub enum ContactFeature {
     },
     /// Two spheres.
     SphereSphere,
-    /// Two spheres of which one at least is a part of a compound, by the numbers of their centres.
+    /// Two spheres, at least one of them a part of a compound, by the numbers of their centres.
     Spheres {
         /// Centre of A's sphere.
         center_a: u32,
         /// Centre of B's sphere.
         center_b: u32,
     },
-    /// Any other two parts of the surfaces.
+    /// Any other two features.
     Elements {
-        /// Part of A.
+        /// Feature of A.
         a: SurfaceFeature,
-        /// Part of B.
+        /// Feature of B.
         b: SurfaceFeature,
     },
 }

@@ -2,8 +2,8 @@
 //!
 //! The crate takes shapes, poses and motions; it knows no mass and no force. Shapes stand in the body's central frame
 //! (axes of the body, origin at its centre of mass, [`Shape::translated`]), and a pose is `X_WC`. All lengths are in
-//! metres. A contact normal is of unit length, in world axes, and points from B to A; a separation is negative when
-//! the bodies overlap. Swapping A and B mirrors every answer: normals turn round, features change sides.
+//! metres. A contact normal is of unit length, in world axes, and points from B to A; a separation is negative when the
+//! bodies overlap. Swapping A and B reverses every normal and exchanges the two sides of every feature.
 //!
 //! Everything is computed from the difference of the two poses, so that a pair far from the origin loses nothing
 //! beyond the rounding of its poses, and every tolerance is relative to the size of the pair ([`clearance`]).
@@ -13,18 +13,18 @@
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same of a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: its slip too, and the terms of the slip's derivative, on a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`near_manifold_with()`] a [`PairMemory`]: a pair from step to step |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same, cheaper for a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative, with a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`near_manifold_with()`] a [`PairMemory`]: a pair followed from step to step |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
-//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes close; [`time_of_further_impact()`]: the same of parts of shapes that touch |
+//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes touch; [`time_of_further_impact()`]: the next impact of shapes that touch already |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
 //!
-//! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
-//! polhode-spatial under [`spatial`], that of polhode-mesh under [`mesh`]. Bodies move by whatever is a [`Motion`]; those in
-//! closed form are [`Still`], [`ConstantVelocity`], [`ConstantScrew`] and [`SteadyFlight`]. Programs of ten lines stand in
-//! the folder `examples` of the crate: `contacts_of_two_boxes`,
-//! `impact_of_two_boxes` and `impact_of_a_box_on_a_turntable`.
+//! A program needs to depend on this crate alone: the types in its signatures are exported here, the rest of
+//! polhode-spatial under [`spatial`], that of polhode-mesh under [`mesh`]. A moving body is given by a [`Motion`];
+//! motions in closed form are [`Still`], [`ConstantVelocity`], [`ConstantScrew`] and [`SteadyFlight`]. Programs of ten
+//! lines are in the folder `examples` of the crate: `contacts_of_two_boxes`, `impact_of_two_boxes` and
+//! `impact_of_a_box_on_a_turntable`.
 //!
 //! ```
 //! use polhode_contact::{DVec3, Pose, Shape, UnitVector, manifold};
@@ -45,8 +45,8 @@
 //! | shape | checks a shape, and stores what queries need: faces, edges, hull | `shape/construction.rs` |
 //! | boxes | bounds each body over an interval of time | `bounding/aabb.rs` |
 //! | broad phase | finds the pairs whose boxes overlap | `broad_phase` |
-//! | dispatch | chooses by the kinds of the two shapes, with buffers and the memory of the pair | `narrow_phase/dispatch/persistent.rs`, `narrow_phase/dispatch/manifold.rs` |
-//! | parts | takes compounds and meshes apart, and keeps the contacts that lie on the whole surface | `narrow_phase/parts/compound_pair.rs`, `narrow_phase/parts/mesh_pair.rs` |
+//! | dispatch | chooses the algorithm by the kinds of the two shapes; holds the buffers and the memory of the pair | `narrow_phase/dispatch/persistent.rs`, `narrow_phase/dispatch/manifold.rs` |
+//! | parts | splits compounds and meshes into pairs of parts, and keeps the contacts that lie on the whole surface | `narrow_phase/parts/compound_pair.rs`, `narrow_phase/parts/mesh_pair.rs` |
 //! | axis | searches for the axis of largest separation | `narrow_phase/axis/separating_axis.rs`, `narrow_phase/axis/gap.rs`, `narrow_phase/axis/ring.rs` |
 //! | region | collects the features that touch around that axis | `narrow_phase/region/face_pair.rs`, `narrow_phase/region/round_region.rs` |
 //! | terms | evaluates each contact: point, normal, separation, and later its time derivatives | `narrow_phase/terms/evaluate.rs` |
@@ -55,11 +55,11 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | search | checks arguments, and takes compounds and meshes apart | `impact/time_of_impact.rs`, `impact/composite_impact.rs` |
+//! | search | checks arguments, and splits compounds and meshes into pairs of parts | `impact/time_of_impact.rs`, `impact/composite_impact.rs` |
 //! | separation | evaluates the separation at a time, with the axis that attains it | `impact/pair_impact.rs` |
 //! | bound | computes how long the pair certainly stays separated along that axis | `impact/impact_bounds.rs`, `impact/quadratic_bound.rs` |
-//! | advancement | advances by that time and repeats, until the separation is rounding | `impact/pair_impact.rs` |
-//! | refinement | resolves the time more finely than poses are rounded | `impact/fine_time.rs` |
+//! | advancement | advances by that time and repeats, until the separation is no larger than its rounding error | `impact/pair_impact.rs` |
+//! | refinement | resolves the time more finely than the rounding of poses would allow | `impact/fine_time.rs` |
 
 mod backend;
 pub mod bounding;

@@ -1,9 +1,10 @@
-//! A box along the world's axes.
+//! An axis-aligned box.
 
 use glam::DVec3;
 use thiserror::Error;
 
-/// Boxes are blown up by this many ulps of their largest coordinate, because their bounds are computed with rounding.
+/// Boxes are enlarged by this many epsilons of their largest coordinate, because their bounds are computed with
+/// rounding.
 pub(crate) const ROUNDING_ULPS: f64 = 16.0;
 
 /// Why two corners make no box.
@@ -27,7 +28,7 @@ pub enum AabbError {
     },
 }
 
-/// A box along the world's axes. Bounds may be infinite (a half-space), never NaN.
+/// An axis-aligned box in the world. Bounds may be infinite (a half-space), never NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
     pub(crate) min: DVec3,
@@ -38,7 +39,7 @@ impl Aabb {
     /// All of space.
     pub const UNBOUNDED: Self = Self { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
 
-    /// Contains nothing: where the box around several things starts from.
+    /// Contains nothing: the neutral element of [`Self::merged`].
     pub(crate) const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
     /// From its lower and upper bounds, m.
@@ -89,7 +90,7 @@ impl Aabb {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The box blown up by a distance on every side, m.
+    /// The box enlarged by a distance on every side, m.
     ///
     /// # Errors
     /// When the distance is NaN, or so negative that nothing is left.

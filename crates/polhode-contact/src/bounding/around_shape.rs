@@ -1,4 +1,4 @@
-//! Axis-aligned bounding boxes of still and moving shapes.
+//! Axis-aligned bounding boxes of shapes at rest and in motion.
 
 use super::aabb::{Aabb, AabbError, ROUNDING_ULPS};
 use crate::Shape;
@@ -29,8 +29,9 @@ pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
 /// A box that contains the shape at every time of `[t0, t1]` (s).
 ///
 /// The centre of mass stays within `a T^2/8` of the chord between its two ends (a the bound of its acceleration, T the
-/// duration) and within `v T` of its start; a point at distance `r` from it strays from its place at the middle of the
-/// interval by at most `r min(w T/2, 2)`. A half-space is unbounded.
+/// duration) and within `v T` of its start; a point at distance `r` from it deviates from its position relative to it
+/// at the middle of the interval by at most `r min(w T/2, 2)` (w the bound of the angular speed). A half-space is
+/// unbounded.
 ///
 /// # Errors
 /// When the interval is not finite or reversed, or the motion is not finite.
@@ -38,17 +39,17 @@ pub fn swept_aabb(shape: &Shape, motion: &dyn Motion, t0: f64, t1: f64) -> Resul
     Sweep::new(motion, t0, t1)?.of(shape)
 }
 
-/// A motion over an interval as boxes need it: the same for all parts of a body.
+/// Bounds of a motion over an interval, computed once for all parts of a body.
 pub(crate) struct Sweep<'a> {
     motion: &'a dyn Motion,
-    /// Where the centre of mass may be.
+    /// Bounds of the centre of mass, m.
     low: DVec3,
     high: DVec3,
-    /// Half of the angle that the body may turn by, at most so much that any point may be anywhere (rad).
+    /// `min(w T/2, 2)`, half of the largest angle of rotation (rad); at 2 a point may be anywhere on its sphere.
     turn: f64,
     /// Middle of the interval, s.
     middle: f64,
-    /// Rotation there, once a part has asked for it: the box of a ball does not.
+    /// Rotation at the middle, computed when first needed: the box of a ball does not need it.
     rotation: OnceCell<(Rotation, DMat3)>,
 }
 
@@ -70,7 +71,7 @@ impl<'a> Sweep<'a> {
         Ok(Self { motion, low, high, turn, middle: t0 + 0.5 * duration, rotation: OnceCell::new() })
     }
 
-    /// The rotation at the middle of the interval, and the world's axes seen from there.
+    /// The rotation at the middle of the interval, and the world's axes in the body's frame.
     fn rotation(&self) -> &(Rotation, DMat3) {
         self.rotation.get_or_init(|| {
             let rotation = self.motion.pose(self.middle).rotation;
@@ -100,7 +101,7 @@ impl<'a> Sweep<'a> {
 
     /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
     fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
-        // A ball about the centre of mass is the same however it turns.
+        // A ball about the centre of mass does not change under rotation.
         if let Shape::Sphere(sphere) = shape
             && sphere.center == DVec3::ZERO
         {
@@ -111,7 +112,7 @@ impl<'a> Sweep<'a> {
         let stray = DVec3::splat(radius * self.turn);
         let (rotation, axes) = self.rotation();
         if let Shape::TriangleMesh(mesh) = shape {
-            // The corners of the box around it stand in for many vertices.
+            // The corners of the mesh's bounding box bound its many vertices.
             let around = turned(mesh.bounds(), &Pose { rotation: *rotation, translation: DVec3::ZERO });
             return (around.min - stray, around.max + stray);
         }
@@ -127,7 +128,7 @@ fn axes_seen(rotation: Rotation) -> DMat3 {
 }
 
 /// Least and largest `d . x` over the points of a bounded shape for three unit vectors d of its frame, the columns of
-/// `axes`, m. Vertices are gone through once for all three.
+/// `axes`, m. One pass over the vertices serves all three.
 fn extents(shape: &Shape, axes: &DMat3) -> (DVec3, DVec3) {
     match shape {
         Shape::TriangleMesh(mesh) => spread(mesh.places(), axes),
@@ -148,7 +149,7 @@ fn extents(shape: &Shape, axes: &DMat3) -> (DVec3, DVec3) {
     }
 }
 
-/// The same of points.
+/// The same for points.
 fn spread(points: impl Iterator<Item = DVec3>, axes: &DMat3) -> (DVec3, DVec3) {
     let across = axes.transpose();
     let heights = Aabb::of_points(points.map(|point| across * point));

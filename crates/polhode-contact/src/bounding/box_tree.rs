@@ -1,7 +1,7 @@
-//! A tree of axis-aligned boxes that never changes: which boxes meet a given one, and which come nearest first.
+//! A static tree of axis-aligned boxes: finds the boxes that overlap a given one, or visits the nearest first.
 //!
-//! Boxes are halved by number at the median of their centres along the longest side, ties by index, so that any input,
-//! also coincident boxes, gives a balanced tree and the same one on every machine.
+//! Each node is split into halves of equal number at the median of the boxes' centres along its longest side, ties by
+//! index. So any input, also coincident boxes, gives a balanced tree, and the same one on every machine.
 
 use super::aabb::Aabb;
 
@@ -11,7 +11,7 @@ const LEAF: usize = 4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Node {
     bounds: Aabb,
-    /// First of its items for a leaf, the second child otherwise (the first child follows the node).
+    /// Index of the first item of a leaf, or of the second child of an inner node (the first child follows the node).
     link: u32,
     /// Number of items, zero for an inner node.
     count: u32,
@@ -60,15 +60,16 @@ impl BoxTree {
         self.nodes.first().map_or(Aabb::EMPTY, |node| node.bounds)
     }
 
-    /// Calls `visit` with the items of every leaf that meets a box, in no stated order; some of them may not.
+    /// Calls `visit` with the items of every leaf that overlaps a box, in no stated order; single items of such a leaf
+    /// need not overlap it.
     pub(crate) fn overlaps(&self, with: &Aabb, visit: &mut impl FnMut(u32)) {
         self.passing(&|bounds| bounds.overlaps(with), visit);
     }
 
-    /// Calls `visit` with the items of every leaf whose box passes, as those of all nodes above it do; boxes within one
+    /// Calls `visit` with the items of every leaf for whose box `passes` is true. It must be monotone: a box inside one
     /// that does not pass must not pass either.
     pub(crate) fn passing(&self, passes: &impl Fn(&Aabb) -> bool, visit: &mut impl FnMut(u32)) {
-        // The depth is that of halving, at most 32.
+        // The recursion is as deep as the tree: at most 32 levels.
         self.descend(0, passes, visit);
     }
 
@@ -85,8 +86,8 @@ impl BoxTree {
         self.descend(node.link as usize, passes, visit);
     }
 
-    /// The least value of `measure` over the items, nearest boxes first. `bound` is a lower bound of the values in a box;
-    /// boxes with a bound above the least value found and above `floor` are left out.
+    /// The least value of `measure` over the items and `start`, by branch and bound, nearest boxes first. `bound` is a
+    /// lower bound of the values in a box; boxes with a bound above both the least value found and `floor` are skipped.
     pub(crate) fn least(
         &self,
         start: f64,

@@ -1,9 +1,9 @@
-//! Boxes that bound shapes, still and moving.
+//! Boxes that bound shapes at rest and in motion.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`aabb`] | a box along the world's axes |
-//! | [`around_shape`] | such boxes around a shape, at a pose and over an interval of a motion |
+//! | [`aabb`] | an axis-aligned box |
+//! | [`around_shape`] | the box around a shape at a pose, or over an interval of a motion |
 //! | `box_tree` | many boxes in a tree |
 //!
 //! Boxes are rounded outwards: a box contains every point of its shape, and an overlap is never missed.

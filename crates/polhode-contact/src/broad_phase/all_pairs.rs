@@ -1,7 +1,7 @@
 //! No broad phase: every box is compared with every other.
 //!
-//! n (n - 1)/2 comparisons, of which nothing can go wrong: what the other methods are tested against, and the fastest
-//! one for a few dozen boxes.
+//! It takes n (n - 1)/2 comparisons. The other methods are tested against it, and it is the fastest for a few dozen
+//! boxes.
 
 use super::{BroadPhase, BroadPhaseError, begin};
 use crate::Aabb;

@@ -1,19 +1,19 @@
 //! Binary space partition: space is halved by planes in any direction.
 //!
-//! A plane stands across the direction in which the boxes' middles vary most, where as many lie on one side as on the
-//! other; where that is not worth it, across an axis (docs/REFERENCES.md, Fuchs, Kedem and Naylor 1980). Planes in general directions follow
-//! walls and rows that stand askew, and cut more of the boxes, which stand along the axes: of the partitions this is
-//! the slowest on the boxes of the bench.
+//! The splitting plane is perpendicular to the direction of largest variance of the boxes' centres, at their median;
+//! where that split is not worth it, perpendicular to an axis (docs/REFERENCES.md, Fuchs, Kedem and Naylor 1980).
+//! Planes in general directions follow oblique walls and rows, but cut more of the axis-aligned boxes: of the three
+//! partitions this is the slowest in the benchmark.
 //!
-//! Sides are decided without a tolerance: `n . p` is summed in one order for points and for boxes, every rounded
-//! product and sum grows with its arguments, so that the rounded value of a point of a box lies between the rounded
+//! Sides are decided without a tolerance. `n . p` is summed in the same order for points and for boxes; rounded
+//! products and sums are monotone in their arguments, so the rounded value of a point of a box lies between the rounded
 //! bounds of the box.
 
 use super::partition::{Cell, Split, SplitRule};
 use crate::Aabb;
 use glam::DVec3;
 
-/// Multiplications by the covariance that bring a direction close to that of the largest variance; it need not be met.
+/// Steps of the power iteration for the direction of largest variance; an approximation is enough.
 const POWER_ITERATIONS: usize = 6;
 
 /// The rule of a binary space partition.
@@ -54,7 +54,7 @@ fn sum(terms: DVec3) -> f64 {
     terms.x + terms.y + terms.z
 }
 
-/// About the direction in which the middles of boxes vary most: unit, or an axis when they do not vary.
+/// Approximate unit direction of largest variance of the boxes' centres; an axis when they do not vary.
 fn principal_direction(cell: &Cell<'_>) -> DVec3 {
     let around = Aabb::of_points(cell.middles());
     let (low, high) = (around.min(), around.max());

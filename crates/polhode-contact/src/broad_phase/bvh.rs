@@ -1,9 +1,10 @@
 //! A hierarchy of bounding boxes, parry3d's, refitted from call to call.
 //!
-//! A binary tree whose leaves are the boxes and whose inner nodes bound their children; it is walked against itself,
-//! and a pair of nodes that do not overlap ends the walk. From call to call the leaves are moved, a part of the tree is
-//! built anew by the surface-area heuristic, and inner nodes are fitted to their children (all as rapier3d does). A
-//! changed number of boxes builds the tree anew. While no box moves far, the tree rests (`candidates.rs`).
+//! A binary tree whose leaves are the boxes and whose inner nodes bound their children; it is traversed against itself,
+//! and a pair of nodes that do not overlap is not followed further. At each call the leaves are moved, a part of the
+//! tree is rebuilt by the surface-area heuristic, and inner nodes are refitted to their children (as rapier3d does).
+//! The tree is rebuilt when the number of boxes changes. While no box moves far, the tree is not used at all
+//! (`candidates.rs`).
 
 use super::candidates::Candidates;
 use super::far_boxes::{self, FarBoxes};
@@ -12,7 +13,7 @@ use super::{AllPairs, BroadPhase, BroadPhaseError, begin};
 use crate::Aabb;
 use crate::backend::AabbTree;
 
-/// Up to so many boxes, all are compared, without a tree: at most 496 comparisons.
+/// Up to this many boxes are compared with each other without a tree: at most 496 comparisons.
 const FEW: usize = 32;
 
 /// A bounding-volume hierarchy. The pairs depend on the boxes alone, not on the tree's history: leaves are the boxes
@@ -23,7 +24,7 @@ pub struct Bvh {
     search: Sorted<TreeSearch>,
 }
 
-/// The tree, and the boxes that it leaves out.
+/// The tree, and the far boxes that are not in it.
 #[derive(Debug, Default, Clone)]
 struct TreeSearch {
     tree: AabbTree,

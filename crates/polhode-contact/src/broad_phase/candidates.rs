@@ -1,44 +1,44 @@
 //! Pairs that may overlap while no box has moved far.
 //!
-//! All boxes are blown up, and the pairs of which the blown-up boxes overlap are the candidates. As long as every box is
-//! inside its blown-up one, no other pair can overlap, and only the candidates need be compared. How long that is depends
-//! on the motion alone; where it is too short to pay, boxes are left as they are for a while.
+//! All boxes are enlarged, and the pairs whose enlarged boxes overlap are the candidates. As long as every box is
+//! inside its enlarged box, no other pair can overlap, and only the candidates need be compared. How long that lasts
+//! depends on the motion alone; where it is too short to pay, searches are made without candidates for a while.
 
 use crate::Aabb;
 
-/// Boxes are blown up on every side by this share of their shortest side: so little that cubes have only 1.25^3 = 1.95 times as
-/// many candidates as pairs, so much that bodies stay inside for some steps while these move them by a few hundredths of
-/// their size.
+/// Boxes are enlarged on every side by this fraction of their shortest side: little enough that cubes have only 1.25^3
+/// = 1.95 times as many candidates as pairs, enough that bodies stay inside for some steps that move them by a few
+/// hundredths of their size.
 const GROWTH: f64 = 0.125;
 
-/// Candidates that hold for fewer calls than this, the one that searches for them included, cost more than they save.
+/// Candidates that are valid for fewer calls than this, including the call that finds them, cost more than they save.
 const SHORTEST_LIFE: u32 = 3;
 
-/// So many searches are made without candidates after some that did not hold.
+/// Number of searches without candidates after candidates that were valid too briefly.
 const WAIT: u32 = 16;
 
-/// Blown-up boxes and the pairs of them that overlap.
+/// Enlarged boxes and the pairs of them that overlap.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Candidates {
-    /// Blown-up boxes; none when candidates do not pay.
+    /// Enlarged boxes; empty when candidates do not pay.
     pub(crate) grown: Vec<Aabb>,
-    /// Those of which the blown-up boxes overlap, sorted.
+    /// Pairs whose enlarged boxes overlap, sorted.
     pub(crate) pairs: Vec<(u32, u32)>,
-    /// Calls for which these have held.
+    /// Calls for which these have been valid.
     life: u32,
-    /// Searches for which boxes are left as they are.
+    /// Searches still to be made without candidates.
     wait: u32,
 }
 
 impl Candidates {
-    /// Whether no pairs of these boxes but the candidates can overlap.
+    /// Whether the candidates are valid: no other pairs of these boxes can overlap.
     pub(crate) fn hold(&mut self, boxes: &[Aabb]) -> bool {
         let hold = self.grown.len() == boxes.len() && self.grown.iter().zip(boxes).all(|(g, b)| g.encloses(b));
         self.life = self.life.saturating_add(u32::from(hold));
         hold
     }
 
-    /// Blows the boxes up, for a new search for candidates; false when candidates do not pay.
+    /// Enlarges the boxes for a new search for candidates; false when candidates do not pay.
     pub(crate) fn grow(&mut self, boxes: &[Aabb]) -> bool {
         let same_count = self.grown.len() == boxes.len();
         self.grown.clear();
@@ -61,7 +61,7 @@ impl Candidates {
     }
 }
 
-/// A box blown up by a share of its shortest side; itself where that is no number.
+/// A box enlarged by a fraction of its shortest side; unchanged where that is NaN.
 fn grown(aabb: &Aabb) -> Aabb {
     let shortest = (aabb.max() - aabb.min()).min_element();
     aabb.inflated(GROWTH * shortest).unwrap_or(*aabb)

@@ -1,13 +1,13 @@
-//! Boxes that are infinite or reach too far for arithmetic, kept apart from the others.
+//! Boxes that are infinite or so far away that arithmetic on them would overflow, separated from the others.
 
 use super::pair_collector::PairCollector;
 use crate::Aabb;
 
-/// Boxes that reach farther than this (m) are compared with every other: costs of trees multiply three lengths, and
-/// planes add three products, which must not overflow.
+/// Boxes with a coordinate beyond this (m) are compared with every other box: tree costs multiply three lengths and
+/// plane distances add three products, and neither may overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Whether none of the boxes is far.
+/// Whether all boxes are within [`FARTHEST`].
 pub(crate) fn are_near(boxes: &[Aabb]) -> bool {
     boxes.iter().all(is_near)
 }
@@ -42,7 +42,7 @@ impl FarBoxes {
         }
     }
 
-    /// Pairs of which at least one box is far.
+    /// Adds the overlapping pairs of which at least one box is far.
     pub(crate) fn pairs(&self, boxes: &[Aabb], pairs: &mut PairCollector) {
         for (k, &i) in self.far.iter().enumerate() {
             let others = self.index.iter().chain(&self.far[k + 1..]);

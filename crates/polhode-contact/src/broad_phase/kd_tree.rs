@@ -1,8 +1,8 @@
-//! k-d tree: space is halved across one axis, where as many boxes' middles lie on one side as on the other.
+//! k-d tree: space is halved across one axis, at the median of the boxes' centres.
 //!
-//! The axis is the one along which the middles spread most and on which the split is worth it (docs/REFERENCES.md,
-//! Bentley 1975). Planes follow the boxes, so that clusters and wide spreads of sizes cost a few levels more, not more
-//! comparisons. Libraries of k-d trees (kiddo and its like) hold points, not boxes.
+//! The axis is the one with the largest extent of the centres for which the split is worthwhile (docs/REFERENCES.md,
+//! Bentley 1975). Planes follow the boxes, so that clusters and a wide range of sizes cost a few more levels, not more
+//! comparisons. No library is used: those of k-d trees (such as kiddo) store points, not boxes.
 
 use super::partition::{Cell, Split, SplitRule};
 use crate::Aabb;

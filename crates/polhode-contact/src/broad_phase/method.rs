@@ -12,7 +12,7 @@ use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// A way to find pairs that may touch. All find the same pairs; they differ in time.
+/// A broad-phase algorithm. All find the same pairs; they differ in time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BroadPhaseMethod {
     /// A hierarchy of bounding boxes.
@@ -32,7 +32,7 @@ pub enum BroadPhaseMethod {
     AllPairs,
 }
 
-/// A name that no broad phase bears.
+/// No broad phase has this name.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("there is no broad phase `{name}`: use one of {}", BroadPhaseMethod::ALL.map(BroadPhaseMethod::name).join(", "))]
 pub struct UnknownBroadPhase {
@@ -41,7 +41,7 @@ pub struct UnknownBroadPhase {
 }
 
 impl BroadPhaseMethod {
-    /// All of them, the default first.
+    /// All methods, the default first.
     pub const ALL: [Self; 7] = [
         Self::Bvh,
         Self::VoxelGrid,
@@ -52,7 +52,7 @@ impl BroadPhaseMethod {
         Self::AllPairs,
     ];
 
-    /// The word for it in scenes and reports.
+    /// Its name in scenes and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Bvh => "bvh",
@@ -65,7 +65,7 @@ impl BroadPhaseMethod {
         }
     }
 
-    /// A fresh broad phase of this kind.
+    /// A new broad phase of this kind.
     pub fn build(self) -> Box<dyn BroadPhase> {
         match self {
             Self::Bvh => Box::new(Bvh::default()),

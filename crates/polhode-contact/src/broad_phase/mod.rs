@@ -2,7 +2,7 @@
 //!
 //! | module | method |
 //! |---|---|
-//! | `bvh` | hierarchy of bounding boxes, which rests while they stay close by, or else is refitted (default) |
+//! | `bvh` | hierarchy of bounding boxes, refitted only when some box has moved far (default) |
 //! | `voxel_grid` | uniform cells in a hash table |
 //! | `octree` | space halved along three axes at once |
 //! | `kd_tree` | space halved along one axis, at the median |
@@ -10,12 +10,12 @@
 //! | `sweep_and_prune` | intervals on one axis, kept in order from call to call |
 //! | `all_pairs` | `none` in scenes: every box against every other |
 //!
-//! `partition` holds what the three partitions of space share, `pair_collector` what sorts pairs found in any order;
-//! `far_boxes` and `candidates` hold boxes out of reach of arithmetic, and pairs of boxes that have hardly moved.
+//! `partition` holds what the three partitions of space share; `pair_collector` sorts the pairs; `far_boxes` separates
+//! boxes whose coordinates would overflow; `candidates` keeps pairs of boxes that have hardly moved.
 //!
-//! All give the same pairs in the same order, whatever their history, so that the choice is one of time alone. Boxes
-//! may be infinite, of any spread of sizes, flat, or coincident. After the first calls none allocates, unless there are
-//! more boxes, or pairs that overlap or nearly do, than ever before.
+//! All give the same pairs in the same order, whatever the earlier calls were, so that the methods differ in time
+//! alone. Boxes may be infinite, of any sizes, flat, or coincident. After the first calls no method allocates, unless
+//! there are more boxes, or pairs that overlap or nearly do, than ever before.
 
 mod all_pairs;
 mod binary_space_partition;
@@ -52,15 +52,15 @@ pub enum BroadPhaseError {
 
 /// A way to find the pairs of boxes that overlap.
 pub trait BroadPhase: std::fmt::Debug + Send {
-    /// Puts all pairs `(i, j)`, `i < j`, of boxes that share a point into `pairs`, sorted, each once. What the buffer
-    /// held before is forgotten; its memory is used again.
+    /// Replaces the content of `pairs` by all pairs `(i, j)`, `i < j`, of boxes that share a point, sorted, each once.
+    /// The memory of the buffer is reused.
     ///
     /// # Errors
     /// When there are more boxes than indices; `pairs` is then empty.
     fn pairs(&mut self, boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError>;
 }
 
-/// Empties the result, and refuses more boxes than a `u32` can number.
+/// Empties the result, and fails when there are more boxes than a `u32` can number.
 fn begin(boxes: &[Aabb], pairs: &mut Vec<(u32, u32)>) -> Result<(), BroadPhaseError> {
     pairs.clear();
     match u32::try_from(boxes.len()) {

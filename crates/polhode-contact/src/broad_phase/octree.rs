@@ -1,22 +1,22 @@
 //! Octree: space is halved across all three axes at once.
 //!
-//! The planes go through the middle of the boxes' middles (docs/REFERENCES.md, Meagher 1982), so that empty space costs no
-//! levels, however far an outlier lies. An axis along which the middles spread little is left whole, as the cubic cells
-//! of the textbook would pass a layer of boxes on one side. Libraries of octrees keep points, or boxes of integers.
+//! The planes go through the middle of the bounds of the boxes' centres (docs/REFERENCES.md, Meagher 1982), so that
+//! empty space costs no levels. An axis along which the centres have a small extent is not split: a flat layer of boxes
+//! would only be cut in two. No library is used: those of octrees store points, or boxes with integer coordinates.
 
 use super::partition::{Cell, Split, SplitRule};
 use crate::Aabb;
 use glam::DVec3;
 
-/// Axes along which the middles spread less than this share of the largest spread are not split.
+/// Axes along which the extent of the centres is less than this fraction of the largest one are not split.
 const SPLIT_SPREAD: f64 = 0.25;
 
 /// The rule of an octree.
 #[derive(Debug, Default)]
 pub(crate) struct Octree;
 
-/// Where three planes across the axes meet; bit k of a side is set above the plane across axis k. A plane at infinity has
-/// everything below it.
+/// The point where three axis-aligned planes meet; bit k of a side is set above the plane across axis k. A plane at
+/// infinity has everything below it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Octants {
     center: DVec3,

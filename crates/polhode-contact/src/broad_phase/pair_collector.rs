@@ -1,4 +1,4 @@
-//! What broad phases share: they find pairs in any order, and the pairs are sorted.
+//! The sorting of pairs, for broad phases that find them in any order.
 
 use super::{BroadPhase, BroadPhaseError, begin};
 use crate::Aabb;
@@ -10,7 +10,7 @@ pub(crate) trait PairSearch: Debug + Send {
     fn search(&mut self, boxes: &[Aabb], found: &mut PairCollector);
 }
 
-/// The broad phase of a search.
+/// A broad phase made of a search and the sorting of its pairs.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sorted<S> {
     search: S,
@@ -31,7 +31,7 @@ impl<S: PairSearch> BroadPhase for Sorted<S> {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PairCollector {
     found: Vec<(u32, u32)>,
-    /// Buffers of the sorting: the pairs in the order of their second boxes, and places by first and by second box.
+    /// Buffers of the counting sort: the pairs sorted by second box, and the positions of the keys.
     by_second: Vec<(u32, u32)>,
     first_places: Vec<usize>,
     second_places: Vec<usize>,
@@ -47,9 +47,8 @@ impl PairCollector {
         self.found.push((i.min(j), i.max(j)));
     }
 
-    /// Sorts the pairs of `count` boxes into `sorted`, by counting: on the second box, then on the first, which leaves
-    /// those of one first box in the order of their second. The time grows as the numbers of pairs and boxes do, even
-    /// when one box meets all others.
+    /// Sorts the pairs of `count` boxes into `sorted`, by a stable counting sort: by the second box, then by the first.
+    /// The time is linear in the numbers of pairs and boxes, even when one box overlaps all others.
     pub(crate) fn sort_into(&mut self, count: usize, sorted: &mut Vec<(u32, u32)>) {
         for places in [&mut self.first_places, &mut self.second_places] {
             places.clear();
@@ -64,8 +63,7 @@ impl PairCollector {
     }
 }
 
-/// Puts pairs in the order of a key, those of one key in the order in which they came. `places` holds the number of
-/// pairs with each key.
+/// One pass of a stable counting sort. `places` holds the number of pairs with each key.
 fn distribute(
     pairs: &[(u32, u32)],
     key: impl Fn((u32, u32)) -> u32,

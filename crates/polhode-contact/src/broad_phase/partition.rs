@@ -1,11 +1,11 @@
 //! Recursive partitions of space: what the octree, the k-d tree and the binary space partition have in common.
 //!
-//! Space is divided by planes, again and again; a box goes to every side that it reaches into, and boxes in the same last
-//! cell are compared. A box on a plane is then in two cells, and two boxes may share several; their pair belongs to the cell
-//! that holds the lowest corner of what they share, a point whose coordinates are coordinates of the boxes, so that no
-//! rounding can put it on another side than the boxes. Cells are found anew at every call: that costs about as much as
-//! mending them when everything moves, and leaves nothing of the past behind. The methods differ in the planes they choose
-//! ([`SplitRule`]).
+//! Space is divided recursively by planes; a box goes to every side that it overlaps, and the boxes of each leaf cell
+//! are compared. A box on a plane is then in two cells, and two boxes may share several cells. Their pair is reported
+//! by the cell that contains the lowest corner of their intersection; its coordinates are coordinates of the boxes, so
+//! that rounding cannot put it on another side than the boxes. Cells are built anew at every call: that costs about as
+//! much as an update when everything moves, and the result does not depend on earlier calls. The methods differ in the
+//! planes they choose ([`SplitRule`]).
 
 use super::far_boxes::FarBoxes;
 use super::pair_collector::{PairCollector, PairSearch};
@@ -13,13 +13,13 @@ use crate::Aabb;
 use glam::DVec3;
 use std::fmt::Debug;
 
-/// So few boxes are compared rather than split further: a split costs several passes over them.
+/// Cells with at most this many boxes are not split further: a split costs several passes over them.
 const LEAF_BOXES: usize = 16;
 
-/// Deepest cell. Splits that help halve what remains, so that cells this deep are those of clusters within clusters.
+/// Most levels of cells. A worthwhile split about halves a cell, so that only strongly clustered boxes need this many.
 const MOST_LEVELS: usize = 48;
 
-/// A split is worth it when it leaves at most this share of the comparisons.
+/// A split is worthwhile when it leaves at most this fraction of the comparisons.
 const WORTHWHILE: f64 = 0.8;
 
 /// A division of a cell into sides; every point lies on exactly one of them.
@@ -27,16 +27,16 @@ pub(crate) trait Split: Copy + Debug + Send {
     /// How many sides there are.
     const SIDES: usize;
 
-    /// Whether a box reaches into a side.
+    /// Whether a box overlaps a side.
     fn reaches(&self, aabb: &Aabb, side: usize) -> bool;
 }
 
 /// How a method divides cells.
 pub(crate) trait SplitRule: Debug + Default + Send {
-    /// Its divisions.
+    /// Its kind of division.
     type Split: Split;
 
-    /// The first of its divisions of a cell that is worth it; none when no one is.
+    /// The first worthwhile division of a cell; none when there is none.
     fn split(&mut self, cell: &Cell<'_>) -> Option<Self::Split>;
 }
 
@@ -51,19 +51,19 @@ impl Cell<'_> {
         self.members.iter().map(|&member| &self.boxes[member as usize])
     }
 
-    /// Middles of the boxes, m.
+    /// Centres of the boxes, m.
     pub(crate) fn middles(&self) -> impl Iterator<Item = DVec3> {
         self.boxes().map(|aabb| 0.5 * aabb.min() + 0.5 * aabb.max())
     }
 
-    /// Where as many middles of boxes are less as are not, by a measure of them (m). `buffer` is for sorting.
+    /// Median of a measure (m) of the boxes' centres. `buffer` is for sorting.
     pub(crate) fn median(&self, measure: impl Fn(DVec3) -> f64, buffer: &mut Vec<f64>) -> f64 {
         buffer.clear();
         buffer.extend(self.middles().map(measure));
         *buffer.select_nth_unstable_by(self.members.len() / 2, f64::total_cmp).1
     }
 
-    /// A division, if its sides need clearly fewer comparisons than the whole cell.
+    /// Returns a division if its sides need clearly fewer comparisons than the whole cell.
     pub(crate) fn worthwhile<S: Split>(&self, split: S) -> Option<S> {
         let square = |n: usize| n as f64 * n as f64;
         let count = |side: usize| self.boxes().filter(|aabb| split.reaches(aabb, side)).count();
@@ -77,9 +77,9 @@ impl Cell<'_> {
 pub(crate) struct Partition<R: SplitRule> {
     rule: R,
     boxes: FarBoxes,
-    /// Boxes of the cells from the root to the present one, one cell after the other.
+    /// Boxes of the cells from the root to the current one, one cell after the other.
     members: Vec<u32>,
-    /// Divisions from the root to the present cell, and the side taken.
+    /// Divisions from the root to the current cell, and the side taken.
     path: Vec<(R::Split, usize)>,
 }
 
@@ -125,7 +125,7 @@ impl<R: SplitRule> Partition<R> {
         }
     }
 
-    /// Compares all boxes of a cell, and takes the pairs that belong to it.
+    /// Compares all boxes of a cell, and reports the pairs that belong to it.
     fn compare_all(&self, start: usize, found: &mut PairCollector) {
         let members = &self.members[start..];
         let FarBoxes { near, index, .. } = &self.boxes;
@@ -140,7 +140,7 @@ impl<R: SplitRule> Partition<R> {
         }
     }
 
-    /// Whether the present cell holds a point.
+    /// Whether the current cell contains a point.
     fn owns(&self, point: DVec3) -> bool {
         let here = Aabb { min: point, max: point };
         self.path.iter().all(|(split, side)| split.reaches(&here, *side))

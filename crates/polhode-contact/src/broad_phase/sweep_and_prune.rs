@@ -1,22 +1,22 @@
 //! Sweep and prune: boxes in the order of their lower bounds on one axis.
 //!
-//! Two boxes overlap only if their intervals on the axis do; swept in order, each box meets the boxes that begin before
-//! it ends, and they are tested in the other two axes (docs/REFERENCES.md, Cohen et al. 1995). The order is kept from call to call
-//! and brought up to date by insertion sort, in a time proportional to how much it has changed. The axis is the one
-//! along which the centres vary most; another one is taken when its variance is clearly larger. Boxes spread over a
-//! plane or a line suit it; in a ball of n boxes each interval meets about n^(2/3) others.
+//! Two boxes overlap only if their intervals on the axis do. In the order of the sweep each box is tested on the other
+//! two axes against the boxes that begin before it ends (docs/REFERENCES.md, Cohen et al. 1995). The order is kept from
+//! call to call and brought up to date by insertion sort, in a time proportional to how much it has changed. The axis
+//! is the one along which the centres vary most; another one is taken when its variance is clearly larger. It is fast
+//! for boxes spread over a plane or a line; in a ball of n boxes each interval overlaps about n^(2/3) others.
 
 use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
 use glam::DVec3;
 
-/// Another axis is taken when the variance along it is this much larger (ratio), because that costs a sort.
+/// The axis is changed when the variance along another one is larger by this factor: a change costs a full sort.
 const AXIS_CHANGE: f64 = 1.5;
 
-/// Insertion sort gives way to a sort from scratch after so many moves for each box.
+/// Insertion sort is abandoned for a full sort after this many moves per box.
 const MOST_MOVES_PER_BOX: usize = 16;
 
-/// Coordinates are cut here (m) for the choice of the axis, so that squares stay finite.
+/// Coordinates are clamped to this (m) for the choice of the axis, so that squares stay finite.
 const LARGEST_FOR_VARIANCE: f64 = 1e60;
 
 /// One box in the order of the sweep.
@@ -85,7 +85,7 @@ impl SweepAndPrune {
         }
     }
 
-    /// Brings the order to the number of boxes: those that no longer exist leave it, new ones come last.
+    /// Adapts the order to the number of boxes: removes those that no longer exist, appends new ones.
     fn renumber(&mut self, count: usize) {
         self.order.retain(|&number| (number as usize) < count);
         let known = self.order.len();

@@ -1,30 +1,31 @@
 //! A uniform grid of cubic cells in a hash table.
 //!
-//! A box is entered in every cell that it reaches into; boxes that share a cell are tested. Two boxes may share several
-//! cells: their pair belongs to the cell that holds the lowest corner of what they share. The width of a cell follows
-//! the median of the boxes' largest edges, which neither a few large boxes nor a few small ones change. A box that
-//! would be entered in more than a few cells is compared with all others instead. So the grid suits boxes of similar
-//! sizes; with a wide spread of sizes its time tends to that of comparing all (docs/REFERENCES.md, Teschner et al. 2003).
-//! Libraries of spatial hashing keep points, or tie boxes to their own storage.
+//! A box is entered in every cell that it overlaps; boxes that share a cell are tested. Two boxes may share several
+//! cells: their pair is reported by the cell that contains the lowest corner of their intersection. The width of a cell
+//! follows the median of the boxes' largest edges, which neither a few large boxes nor a few small ones change. A box
+//! that would be entered in more than a few cells is compared with all others instead. So the grid suits boxes of
+//! similar sizes; with a wide spread of sizes its time tends to that of comparing all (docs/REFERENCES.md, Teschner et
+//! al. 2003). No library is used: those of spatial hashing store points, or require boxes in their own storage.
 
 use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
 use glam::DVec3;
 
-/// Edge of a cell in units of the boxes' typical edge: a typical box reaches into one to eight cells.
+/// Edge of a cell in units of the boxes' typical edge: a typical box overlaps one to eight cells.
 const CELL_OVER_EDGE: f64 = 2.0;
 
-/// A box that reaches into more cells than this is compared with all boxes.
+/// A box that overlaps more cells than this is compared with all boxes.
 const MOST_CELLS: f64 = 64.0;
 
-/// Coordinates of cells are cut at plus and minus this number. Cutting keeps their order, so that boxes which share a
-/// point still share a cell.
+/// Coordinates of cells are clamped to plus and minus this number. Clamping keeps their order, so that boxes which
+/// share a point still share a cell.
 const FARTHEST_CELL: f64 = 1e9;
 
 /// Cells narrower than this (m) would make their inverse infinite.
 const NARROWEST_CELL: f64 = 1e-300;
 
-/// Odd numbers near 2^64 divided by the golden ratio and two other irrational ones, which spread neighbouring cells.
+/// Odd multipliers of the hash (2^64 over the golden ratio and two constants of the same kind), which spread
+/// neighbouring cells over the table.
 const HASH: [u64; 3] = [0x9E37_79B9_7F4A_7C15, 0xC2B2_AE3D_27D4_EB4F, 0x1656_67B1_9E37_79F9];
 
 type Cell = [i32; 3];
@@ -47,7 +48,7 @@ pub(crate) struct VoxelGrid {
     table: Vec<Entry>,
     /// Where each bucket ends in the table.
     ends: Vec<usize>,
-    /// Boxes of many cells.
+    /// Boxes that overlap more than [`MOST_CELLS`] cells.
     wide: Vec<u32>,
     is_wide: Vec<bool>,
 }
@@ -109,7 +110,7 @@ impl VoxelGrid {
         }
         let mut start = 0;
         for end in &mut self.ends {
-            // First the start of the bucket; every entry that is put in moves it towards the end.
+            // `end` is first the start of the bucket; every entry added increments it.
             start += std::mem::replace(end, start);
         }
         self.table.clear();
@@ -124,7 +125,7 @@ impl VoxelGrid {
     fn wide_pairs(&self, boxes: &[Aabb], found: &mut PairCollector) {
         for &i in &self.wide {
             for (j, other) in boxes.iter().enumerate() {
-                // Of two wide boxes the one with the lower number looks for the other.
+                // Of two wide boxes the one with the lower number reports the pair.
                 let is_mine = !self.is_wide[j] || i < j as u32;
                 if is_mine && boxes[i as usize].overlaps(other) {
                     found.push(i, j as u32);

@@ -1,8 +1,8 @@
 //! The tolerances of a pair, each relative to its size.
 //!
-//! Two lengths decide: the *joint size*, the smaller of the two sizes, which says how finely features must be told
-//! apart, and the *scale*, the largest length that enters the arithmetic, which says how finely they can be.
-//! Of a compound the size of its smallest part counts for places (`compound_pair.rs`).
+//! They are made of two lengths. The *joint size* is the smaller of the two sizes: features that differ by a small part
+//! of it must be told apart. The *scale* is the sum of the lengths in the arithmetic: lengths below its rounding cannot
+//! be told apart. For the coincidence of features of a compound its smallest part counts (`compound_pair.rs`).
 
 mod pair_tolerance;
 mod place_tolerance;

@@ -4,14 +4,15 @@ use crate::Shape;
 use crate::clearance::place_tolerance::RESOLUTION_ULPS;
 use polhode_spatial::Pose;
 
-/// The smaller size of the two, m; the other's when one has none (a half-space, a single point); 0 when neither has.
+/// The smaller of the two sizes, m; that of the other shape when one has none (a half-space, a single point); 0 when
+/// neither has one.
 pub fn joint_size(shape_a: &Shape, shape_b: &Shape) -> f64 {
     let (a, b) = (shape_a.size(), shape_b.size());
     if a == 0.0 || b == 0.0 { a.max(b) } else { a.min(b) }
 }
 
-/// The largest length that enters the arithmetic of the pair, m: both sizes, both distances from the centre of mass and
-/// the distance of the centres.
+/// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, of both radii about the
+/// centres of mass, and of the distance of the centres of mass.
 pub fn scale(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
     let reach = |shape: &Shape| match shape {
         Shape::HalfSpace(h) => h.offset().abs(),
@@ -20,7 +21,7 @@ pub fn scale(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> 
     reach(shape_a) + reach(shape_b) + (pose_a.translation - pose_b.translation).length()
 }
 
-/// Separations up to this are zero to rounding, m: `4 eps` times the scale.
+/// Separations up to this are zero within rounding, m: `4 eps` times the scale.
 pub fn resolution(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
     RESOLUTION_ULPS * f64::EPSILON * scale(shape_a, pose_a, shape_b, pose_b)
 }

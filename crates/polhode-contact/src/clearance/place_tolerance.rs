@@ -1,9 +1,9 @@
-//! When two features are in one place, two directions parallel, two numbers equal: relative to lengths alone.
+//! Tolerances of coincident features, parallel directions and equal separations, all relative.
 
 use glam::DVec3;
 
-/// Features nearer to each other than this, relative to the joint size, are in one place: a vertex on an edge, a vertex
-/// on a vertex, an edge along an edge. Far above the rounding of computed coordinates, far below anything measurable.
+/// Features nearer to each other than this, relative to the joint size, coincide: a vertex on an edge, a vertex on a
+/// vertex, an edge along an edge. Far above the rounding of computed coordinates, far below anything measurable.
 pub const COINCIDENCE: f64 = 1e-12;
 
 /// Two edges, lines or axes whose directions differ by less than this (sine of the angle) are parallel: the direction of
@@ -13,11 +13,12 @@ pub const PARALLEL_SINE: f64 = 1e-7;
 /// Rounding of a computed separation in units of epsilon times the scale.
 pub const RESOLUTION_ULPS: f64 = 4.0;
 
-/// Rounding of a feature's place in units of epsilon times the scale: a few operations more than for a separation.
+/// Rounding of the position of a feature in units of epsilon times the scale: it takes a few more operations than a
+/// separation.
 const PLACE_ULPS: f64 = 16.0;
 
-/// Distance up to which two features are in one place, m: [`COINCIDENCE`] times the joint size and the rounding of a
-/// place. `relative` is the position of one body in the frame of the other.
+/// The place tolerance: distance up to which two features coincide, m. It is [`COINCIDENCE`] times the joint size plus
+/// the rounding of a position. `relative` is the position of one body in the frame of the other.
 pub(crate) fn place_tolerance(size_a: f64, size_b: f64, relative: DVec3) -> f64 {
     COINCIDENCE * size_a.min(size_b) + PLACE_ULPS * f64::EPSILON * (size_a + size_b + relative.length())
 }

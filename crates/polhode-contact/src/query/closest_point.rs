@@ -1,4 +1,4 @@
-//! One point against a shape: the nearest place of its surface, and whether the shape contains it.
+//! One point against a shape: the nearest point of its surface, and whether the shape contains it.
 
 use super::error::QueryError;
 use super::feature::QueryFeature;
@@ -9,24 +9,24 @@ use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// The place of a surface that is nearest to a point.
+/// The point of a surface that is nearest to a given point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfacePoint {
-    /// Distance of the point, m; negative inside the shape.
+    /// Signed distance of the given point, m; negative inside the shape.
     pub distance: f64,
-    /// The nearest place of the surface, world, m.
+    /// The nearest point of the surface, world, m.
     pub point: DVec3,
-    /// Unit vector out of the surface there, world: from the place to a point outside.
+    /// Outward unit normal of the surface there, world; towards the given point if that is outside.
     pub normal: DVec3,
-    /// What of the shape it is.
+    /// The feature that contains the nearest point.
     pub feature: QueryFeature,
 }
 
-/// The nearest place of a shape's surface, to rounding of the coordinates.
+/// The nearest point of a shape's surface, to rounding of the coordinates.
 ///
-/// Inside a compound the part in which the point is deepest decides, so that the depth is exact where parts do not
-/// overlap or meet and a lower bound elsewhere. Meshes, which are surfaces, and points have no inside. Of equally near
-/// places that with the lowest part is taken.
+/// Inside a compound the result is that of the part in which the point is deepest, so that the depth is exact where
+/// parts do not overlap or meet, and a lower bound elsewhere. Meshes, which are surfaces, and points have no inside. Of
+/// equally near points the one with the lowest part is taken.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, Shape, closest_point};

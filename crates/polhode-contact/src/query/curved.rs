@@ -1,9 +1,10 @@
-//! Distance and depth of two convex cores of which one is curved: a cylinder, a cone.
+//! Distance and depth of penetration of two convex cores, at least one of them curved (a cylinder or a cone).
 //!
-//! Apart, GJK finds the nearest places. It stops when its bounds have met to rounding; its points and normal are then good to
-//! the square root of that. They are projected in closed form onto one body and the other in turn, which makes them good to
-//! rounding where the surfaces allow it. Overlapping, the best axis of the narrow phase ([`best_axis`]) has the depth: it goes
-//! over all pairs of elements. The places are those that are nearest once A has been moved out along it.
+//! For cores apart GJK finds the nearest points. It stops when its bounds agree to rounding; the error of its points
+//! and normal is then the square root of that. Alternating projections onto the two bodies, in closed form, reduce it
+//! to rounding where the curvatures allow. For cores that overlap the depth is that along the best axis of the narrow
+//! phase ([`best_axis`]), which is a minimum over all pairs of elements. The witness points are the nearest points
+//! after A has been moved out along this axis.
 
 use super::found::{EQUAL_ULPS, Found};
 use super::penetration::best_axis;
@@ -13,16 +14,16 @@ use crate::query::gjk::gjk;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Most projections in turn; each brings the points nearer by a factor that the curvatures decide.
+/// Most alternating projections; the rate of convergence depends on the curvatures.
 const PROJECTIONS: usize = 32;
 
 /// Most moves out of an overlap.
 const MOVES: usize = 8;
 
-/// How far A is moved beyond touch, relative to the extent: enough that the normal between is sharp.
+/// How far A is moved beyond touch, relative to the extent: enough that the normal between the two is well defined.
 const ROOM: f64 = 0.125;
 
-/// Distance of two cores that are apart; nothing when they overlap, or touch to rounding.
+/// Distance of two cores that are apart; none when they overlap, or touch to rounding.
 pub(crate) fn apart(a: &Piece<'_>, b: &Piece<'_>) -> Option<Found> {
     let support = |direction: DVec3| (a.support(direction), b.support(-direction));
     let walk = gjk(&support, a.ball.0 - b.ball.0);
@@ -53,10 +54,11 @@ pub(crate) fn apart(a: &Piece<'_>, b: &Piece<'_>) -> Option<Found> {
     Some(best)
 }
 
-/// Depth of two cores that overlap.
+/// Depth of penetration of two cores that overlap.
 pub(crate) fn overlapping(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let depth = |normal: DVec3| normal.dot(b.support(normal) - a.support(-normal));
-    // Two circles are searched along the first one, which may miss the best axis where the depth hardly depends on it.
+    // Of two circles only the first is searched, which may miss the best axis where the depth hardly depends on it: so
+    // both orders are tried.
     let axes = [best_axis(a, b), best_axis(b, a).map(|normal| -normal)];
     let depths = axes.into_iter().flatten().map(|normal| (depth(normal), normal));
     let (mut least, mut normal) =
@@ -85,7 +87,7 @@ pub(crate) fn overlapping(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     around(a, b, -least, normal, middle)
 }
 
-/// Points around the middle of two places.
+/// The result whose witness points are at half the distance on either side of a point.
 fn around(a: &Piece<'_>, b: &Piece<'_>, distance: f64, normal: DVec3, middle: DVec3) -> Found {
     let half = normal * (0.5 * distance);
     let (on_a, on_b) = (middle + half, middle - half);

@@ -15,35 +15,37 @@ use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// How far apart two shapes are, and where.
+/// The distance of two shapes, with its normal and witness points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosestPoints {
     /// Distance, m; overlapping shapes have minus the depth of penetration.
     pub distance: f64,
-    /// Unit vector from B to A, world; overlapping: the direction in which A leaves B by the shortest way.
+    /// Unit vector from B to A, world; for overlapping shapes the direction of the shortest translation of A that
+    /// separates them.
     pub normal: DVec3,
     /// The closest point of A, world, m: `point_a = point_b + distance normal`.
     pub point_a: DVec3,
     /// The closest point of B, world, m.
     pub point_b: DVec3,
-    /// What of A the point lies on.
+    /// The feature of A that contains the point.
     pub feature_a: QueryFeature,
-    /// What of B the point lies on.
+    /// The feature of B that contains the point.
     pub feature_b: QueryFeature,
 }
 
 /// Distance of two shapes and their closest points.
 ///
-/// - Polyhedra, triangles, capsules, spheres, points, half-spaces: to rounding of the coordinates, apart and overlapping.
-/// - Cylinders and cones: to rounding against spheres, points, capsules that their axis does not enter and half-spaces;
-///   otherwise, apart, by an iteration to about 1e-12 of the size, and overlapping to rounding.
-/// - A torus is a circle with a radius: the least place on the circle is sought from 96 starts. Where the circle enters
-///   the other body, minus the depth of the deepest ball of the tube is given.
-/// - Meshes, compounds and clouds: the least over their triangles, parts and points; where several parts overlap, this is
-///   the depth of the deepest one and may be less than the way out of all.
+/// - Polyhedra, triangles, capsules, spheres, points, half-spaces: exact to rounding of the coordinates, apart and
+///   overlapping.
+/// - Cylinders and cones: exact to rounding against half-spaces, spheres, points, and capsules whose axis does not
+///   enter them; otherwise to about 1e-12 of the size apart (by an iteration), and to rounding overlapping.
+/// - A torus is a circle with a radius: the minimum along the circle is searched in 96 intervals. Where the circle
+///   enters the other body, the result is minus the depth of the deepest ball of the tube.
+/// - Meshes, compounds and clouds: the least over their triangles, parts and points. Where several parts overlap, it is
+///   the depth of the deepest one, and may be less than the translation that separates all.
 ///
-/// Where several pairs of points are equally close one is chosen by the order of parts, faces before edges before
-/// vertices, and lower indices; on an axis of symmetry a fixed direction.
+/// Of several equally close pairs of points one is chosen: by the order of parts, faces before edges before vertices,
+/// and lower indices first. On an axis of symmetry the direction is a fixed one.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, Shape, distance};
@@ -64,7 +66,7 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     if shape_a.is_half_space() && shape_b.is_half_space() {
         return Err(QueryError::Unbounded);
     }
-    // Axes of the world, origin at A's: nothing is lost far away.
+    // In world axes with A's origin as the origin, so that pairs far from the world's origin lose no digits.
     let here = Pose::new(pose_a.rotation, DVec3::ZERO);
     let there = Pose::new(pose_b.rotation, pose_b.translation - pose_a.translation);
     if !there.is_finite() {
@@ -91,9 +93,9 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     Ok(ClosestPoints { point_a: origin + best.point_a, point_b: origin + best.point_b, ..best })
 }
 
-/// Lower bound of the distance of a shape from what is in a box of a frame, m.
+/// Lower bound of the distance of a shape from anything in a box of a frame, m.
 fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Aabb) -> f64 {
-    // A half-space has no box, and nothing can be left out that it may be deeper in.
+    // A half-space has no finite box; its bound is always zero, so that nothing is skipped.
     let around = match shape {
         Shape::HalfSpace(_) => Aabb::UNBOUNDED,
         _ => shape.bounds_at(&frame.relative(pose)),
@@ -102,13 +104,13 @@ fn distance_from(shape: &Shape, frame: &Pose, pose: &Pose) -> impl Fn(&Aabb) -> 
 }
 
 impl ClosestPoints {
-    /// Nearer pairs come first, of equally near ones those of lower parts.
+    /// Sort key: nearer pairs first, of equally near ones those of lower parts.
     const fn order(&self) -> (f64, u32, u32) {
         (self.distance, self.feature_a.part, self.feature_b.part)
     }
 }
 
-/// Of two cores blown up by their radii.
+/// The result for two pieces from that for their cores.
 fn with_radii(a: &Piece<'_>, b: &Piece<'_>, found: &Found) -> ClosestPoints {
     ClosestPoints {
         distance: found.distance - (a.radius + b.radius),
@@ -120,7 +122,7 @@ fn with_radii(a: &Piece<'_>, b: &Piece<'_>, found: &Found) -> ClosestPoints {
     }
 }
 
-/// The same with A and B exchanged.
+/// The result with A and B exchanged.
 fn swapped(found: Found) -> Found {
     Found {
         normal: -found.normal,
@@ -182,7 +184,7 @@ fn above_plane(a: &Piece<'_>, plane: &Piece<'_>) -> Found {
     }
 }
 
-/// Of one place of a core.
+/// Distance of a point of core `a` from core `b`.
 fn at_place(a: &Piece<'_>, place: DVec3, b: &Piece<'_>) -> Found {
     let near = signed(place, b);
     Found {
@@ -195,7 +197,7 @@ fn at_place(a: &Piece<'_>, place: DVec3, b: &Piece<'_>) -> Found {
     }
 }
 
-/// The least place of a circle.
+/// Distance of a circle: the minimum along it.
 fn of_circle(circle: &Piece<'_>, b: &Piece<'_>) -> Found {
     let Core::Circle(torus) = circle.core else { return of_curved(circle, b) };
     let x = torus.axis.any_orthonormal_vector();
@@ -206,7 +208,7 @@ fn of_circle(circle: &Piece<'_>, b: &Piece<'_>) -> Found {
     at_place(circle, place, b)
 }
 
-/// A segment against a curved core: the least place, or, when that is inside, the depth of the segment as a whole.
+/// A segment against a curved core: the minimum along it, or, when that is inside, the depth of the whole segment.
 fn of_segment(segment: &Piece<'_>, b: &Piece<'_>) -> Found {
     let Core::Segment(ends) = segment.core else { return of_curved(segment, b) };
     let ends = ends.map(|e| segment.pose.transform_point(e));
@@ -214,7 +216,7 @@ fn of_segment(segment: &Piece<'_>, b: &Piece<'_>) -> Found {
     if near.distance > 0.0 { at_place(segment, place, b) } else { overlapping(segment, b) }
 }
 
-/// Two convex cores of which one is curved.
+/// Two convex cores, at least one of them curved.
 fn of_curved(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     apart(a, b).unwrap_or_else(|| overlapping(a, b))
 }

@@ -1,15 +1,15 @@
-//! Why a question has no answer.
+//! Why a query has no result.
 
 use thiserror::Error;
 
-/// Why a question has no answer.
+/// Why a query has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum QueryError {
     /// A pose or a coordinate is NaN or infinite.
     #[error("{what} is not finite: give finite coordinates")]
     NotFinite {
-        /// What it is.
+        /// The name of the value.
         what: &'static str,
     },
     /// Two half-spaces, which overlap without bound unless they face each other exactly.

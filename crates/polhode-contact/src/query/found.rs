@@ -1,4 +1,4 @@
-//! What is found of two cores: how far apart, and where.
+//! The result for two cores: their distance, normal and witness points.
 
 use crate::SurfaceFeature;
 use glam::DVec3;
@@ -6,8 +6,8 @@ use glam::DVec3;
 /// Two distances or penetration depths that differ by less than this many epsilon of the extent are equal.
 pub(crate) const EQUAL_ULPS: f64 = 16.0;
 
-/// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the nearest or deepest places, and
-/// the features they lie on.
+/// Distance of two cores (m, negative when they overlap), the unit vector from B to A, the witness points, and the
+/// features they lie on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Found {
     pub(crate) distance: f64,

@@ -1,30 +1,31 @@
 //! Distance of two convex bodies known by their support functions: the algorithm of Gilbert, Johnson and Keerthi.
 //!
-//! A simplex of at most four points of the difference of the bodies walks towards the origin: `v` is its nearest point,
-//! and the next point is the one farthest against `v`. `|v|` bounds the distance from above, the separation along `v`
-//! from below; the walk ends when the two meet to rounding, when the origin is inside, when nothing gets nearer any more,
-//! or after [`MAX_ITERATIONS`]. Lengths are compared only with the extent of the simplex, so that the result does not
-//! depend on units. Sources: docs/REFERENCES.md, Gilbert, Johnson and Keerthi 1988, Montanari 2017.
+//! A simplex of at most four points of the Minkowski difference is moved towards the origin: `v` is its point nearest
+//! to the origin, and the next point is the support point along `-v`. `|v|` bounds the distance from above, the
+//! separation along `v` from below. The iteration ends when the two bounds agree to rounding, when the simplex contains
+//! the origin, when `|v|` no longer decreases, or after [`MAX_ITERATIONS`]. Lengths are compared only with the extent
+//! of the simplex, so that the result does not depend on units. Sources: docs/REFERENCES.md, Gilbert, Johnson and
+//! Keerthi 1988, Montanari 2017.
 
 use crate::query::simplex::{Difference, Simplex};
 use crate::shape::support::unit;
 use glam::DVec3;
 
-/// Most points that are tried. Polytopes take about ten; curved bodies in near touch up to a hundred.
+/// Most support points. Polytopes take about ten; curved bodies that nearly touch up to a hundred.
 const MAX_ITERATIONS: usize = 256;
 
-/// The bounds have met when they differ by this many epsilon of the extent of the difference.
+/// The bounds agree when they differ by at most this many epsilon of the extent of the difference.
 const MET_ULPS: f64 = 4.0;
 
 /// Bodies nearer than this many epsilon of the extent touch or overlap: the sign is below rounding.
 const TOUCH_ULPS: f64 = 16.0;
 
-/// What the walk found.
+/// The result of the iteration.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gjk {
     /// Whether the bodies overlap, or touch to rounding.
     pub(crate) touching: bool,
-    /// Largest separation along a direction that was tried, m: a lower bound of the distance.
+    /// Largest separation along the directions tried, m: a lower bound of the distance.
     pub(crate) lower: f64,
     /// Length of `v`, m: an upper bound of the distance.
     pub(crate) upper: f64,
@@ -33,8 +34,8 @@ pub(crate) struct Gjk {
     pub(crate) simplex: Simplex,
 }
 
-/// Distance of two bodies. `support` gives, for a direction, the points of A and of B that are farthest along it and
-/// against it; `start` is any point of the difference A - B.
+/// Distance of two bodies. `support` gives, for a direction, the support point of A along it and that of B against it;
+/// `start` is any point of the difference A - B.
 pub(crate) fn gjk(support: &dyn Fn(DVec3) -> (DVec3, DVec3), start: DVec3) -> Gjk {
     let begin = if start == DVec3::ZERO { DVec3::X } else { unit(start) };
     let (a, b) = support(-begin);
@@ -43,7 +44,7 @@ pub(crate) fn gjk(support: &dyn Fn(DVec3) -> (DVec3, DVec3), start: DVec3) -> Gj
     let mut extent: f64 = 0.0;
     for _ in 0..MAX_ITERATIONS {
         let nearest = simplex.reduce();
-        // Both bodies' own coordinates carry the rounding of their points.
+        // The rounding of the points depends on both bodies' own coordinates.
         extent = simplex.points().iter().fold(extent, |e, p| e.max(p.w.length()).max(p.a.length()).max(p.b.length()));
         let length = nearest.point.length();
         if nearest.encloses || length <= TOUCH_ULPS * f64::EPSILON * extent {

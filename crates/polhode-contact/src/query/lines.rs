@@ -1,4 +1,4 @@
-//! Two segments: their nearest places in closed form.
+//! The nearest points of two segments, in closed form.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::shape::nearer_place::is_nearer;
@@ -7,7 +7,7 @@ use crate::shape::support::unit;
 use crate::shape::triangle::on_segment;
 use glam::DVec3;
 
-/// Nearest places of two segments, their distance (m), and the unit vector from the second to the first.
+/// Nearest points of two segments, their distance (m), and the unit vector from the second to the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NearestPlaces {
     pub(crate) on_a: DVec3,
@@ -22,12 +22,12 @@ impl NearestPlaces {
     }
 }
 
-/// The nearest of: the four ends against the other segment, and the crossing of the two lines. Segments that cross have
-/// the common perpendicular as their normal, towards no side in particular.
+/// The nearest of five pairs: each of the four ends with the other segment, and the nearest points of the two lines.
+/// Segments that intersect have the common perpendicular as their normal, with an arbitrary sign.
 ///
-/// A place of the crossing is uncertain by epsilon over the sine of the angle, but only along its line, where the
-/// distance is stationary: both are projected once more onto the other segment, and their distance is then good to
-/// epsilon of the lengths at any angle.
+/// The nearest points of two lines are uncertain by epsilon over the sine of the angle, but only along the lines, where
+/// the distance is stationary. Each is projected once more onto the other segment; the error of the distance is then
+/// epsilon times the lengths at any angle.
 pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
     let (along_a, along_b) = (a[1] - a[0], b[1] - b[0]);
     let cross = along_a.cross(along_b);
@@ -49,7 +49,7 @@ pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
         }
     }
     if square > 0.0 {
-        // From the middles, where the levers are shortest.
+        // Relative to the midpoints, where rounding is least.
         let place = between.cross(along_b).dot(cross) / square;
         let first = middle_a + along_a * place.clamp(-0.5, 0.5);
         let on_b = on(b, first);

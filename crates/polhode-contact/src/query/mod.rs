@@ -1,20 +1,20 @@
-//! Questions about shapes in their places: how far apart, what a ray meets, what overlaps what, and the same for many.
+//! Queries on shapes at poses: distance, ray casts, overlap, containment, and the same for many bodies.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`mod@distance`] | [`distance()`]: Euclidean distance, closest points, depth of penetration |
 //! | [`mod@closest_point`] | [`closest_point()`], [`contains()`]: one point against a shape |
-//! | [`mod@ray_cast`] | [`Ray`], [`ray_cast()`]: where a ray meets a shape |
+//! | [`mod@ray_cast`] | [`Ray`], [`ray_cast()`]: the first point at which a ray hits a shape |
 //! | [`mod@overlap`] | [`overlap()`]: whether two shapes share a point |
-//! | [`scene`] | [`QueryScene`]: the same questions to many bodies, by a tree |
-//! | `piece`, `pieces` | the convex cores with a radius that a shape consists of, and those that may answer |
-//! | `signed_distance`, `sweep`, `lines` | a core from a point, from a segment or a circle, and two segments |
-//! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | two cores that are apart |
-//! | `penetration`, `spanned_feature` | two cores that overlap, along the axes of the narrow phase |
+//! | [`scene`] | [`QueryScene`]: queries against many bodies, with a tree |
+//! | `piece`, `pieces` | the cores with a radius that a shape consists of, and the search over them |
+//! | `signed_distance`, `sweep`, `lines` | the distance of a core from a point, from a segment or circle, and of two segments |
+//! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | the distance of two cores that are apart |
+//! | `penetration`, `spanned_feature` | the depth of two cores that overlap, along the axes of the narrow phase |
 //!
-//! All lengths are in metres, poses and results in the world. Distances are Euclidean: unlike
-//! [`separation`](crate::separation()), which looks along axes that may separate and is a lower bound where an edge or a
-//! vertex is nearest.
+//! All lengths are in metres, poses and results in the world. Distances are Euclidean.
+//! [`separation`](crate::separation()) differs: it is the largest separation over the candidate axes, a lower bound of
+//! the distance where an edge or a vertex is nearest.
 
 pub mod closest_point;
 mod curved;

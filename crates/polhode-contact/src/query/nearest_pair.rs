@@ -1,5 +1,5 @@
-//! The nearest pair of features of two polytopes around given vertices: every edge that meets there against every edge,
-//! every vertex against every face.
+//! The nearest pair of features of two polytopes around given vertices. The edges and faces adjacent to these vertices
+//! are compared: every edge with every edge, every vertex with every face.
 
 use super::found::Found;
 use super::lines::nearest_places;
@@ -16,7 +16,8 @@ struct Around {
     faces: Vec<u32>,
 }
 
-/// The nearest of the pairs; of those that `is_nearer` does not tell apart a vertex over a face of B, then of A, then edges.
+/// The nearest of the pairs; in a tie by `is_nearer` a vertex over a face of B comes first, then one over a face of A,
+/// then edges.
 pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2]) -> Found {
     let (around_a, around_b) = (around(a, &vertices[0]), around(b, &vertices[1]));
     let mut best: Option<Found> = None;
@@ -42,7 +43,7 @@ pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2
     for (feature_a, edge_a, ends_a) in &around_a.edges {
         for (feature_b, edge_b, ends_b) in &around_b.edges {
             let near = nearest_places(*edge_a, *edge_b);
-            // Crossing lines do not know their sides; the bodies do.
+            // The normal of intersecting edges has an arbitrary sign; the centres of the bodies decide it.
             let outward = (b.ball.0 - a.ball.0).dot(near.normal) > 0.0;
             let touching = near.on_a == near.on_b;
             offer(Found {
@@ -65,7 +66,7 @@ pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2
     })
 }
 
-/// An end of an edge is a vertex.
+/// The feature of an edge at a point: a vertex at its ends, otherwise the edge.
 fn of_end(
     piece: &Piece<'_>,
     (edge, places, ends): (SurfaceFeature, &[DVec3; 2], [u32; 2]),
@@ -105,7 +106,7 @@ fn around(piece: &Piece<'_>, vertices: &[u32]) -> Around {
     Around { edges, vertices: vertices.iter().map(|&v| (v, place(v))).collect(), faces }
 }
 
-/// Offers every vertex of the one that stands over a face of the other, as A and B.
+/// Calls `offer` with every vertex of `one` that lies over a face of `other`, `one` as A and `other` as B.
 fn over_faces(
     (one, corners): (&Piece<'_>, &Around),
     other: &Piece<'_>,

@@ -6,14 +6,13 @@ use crate::Shape;
 use crate::clearance::{joint_size, resolution};
 use polhode_spatial::Pose;
 
-/// How exact the distance of two shapes is that an iteration finds, relative to their joint size: [`distance()`] promises
-/// about 1e-12, and this leaves room for that (the closed forms of the tests are met to 5e-15).
+/// Bound of the error of a distance found by an iteration, relative to the joint size: four times the 1e-12 stated by
+/// [`distance()`] (the tests find errors up to 5e-15 against closed forms).
 const ITERATION: f64 = 4e-12;
 
-/// Whether two shapes overlap; touch counts, that is a distance up to the resolution of the pair
-/// ([`crate::clearance::resolution`]), and where a cylinder, a cone or a torus is involved up to 4e-12 of the joint size,
-/// which is how exactly their distance is known. Two half-spaces overlap; a pair with a pose that is not finite does
-/// not.
+/// Whether two shapes overlap. Touch counts: a distance up to the resolution of the pair
+/// ([`crate::clearance::resolution`]), or up to 4e-12 of the joint size for a cylinder, cone or torus, the error bound
+/// of their distance. Two half-spaces overlap; a pair with a pose that is not finite does not.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, Shape, overlap};

@@ -1,5 +1,5 @@
-//! Depth of penetration of two convex polytopes, over all axes that may separate them, and where they touch once moved
-//! apart.
+//! Depth of penetration of two convex polytopes over all candidate separating axes, with witness points: those where
+//! they touch after being moved apart.
 
 use super::found::Found;
 use super::piece::{Core, Piece};
@@ -12,8 +12,8 @@ use crate::shape::support::unit;
 use crate::{Capsule, Shape};
 use glam::DVec3;
 
-/// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. Of equally
-/// large ones a face of A is taken before one of B and before edges, lower indices first.
+/// The largest separation of two polytopes over the normals of faces and the common perpendiculars of edges. In a tie a
+/// face of A is taken before one of B, and both before edges; lower indices first.
 pub(crate) fn by_all_axes(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     let separation = |n: DVec3| n.dot(a.support(-n) - b.support(n));
     let (mut normal, mut most) = (DVec3::Z, f64::NEG_INFINITY);
@@ -43,12 +43,12 @@ pub(crate) fn by_all_axes(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     touching_places(a, b, normal, most)
 }
 
-/// The axis along which the narrow phase separates two cores best, at least one of which is no polyhedron.
+/// The narrow phase's axis of largest separation of two cores, at least one of which is no polyhedron.
 pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
     let shape = |core: &Core<'_>| match core {
         Core::Cylinder(cylinder) => Some(Shape::Cylinder((*cylinder).clone())),
         Core::Cone(cone) => Some(Shape::Cone((*cone).clone())),
-        // Without a radius, which no capsule of a user has: only its line and its ends are asked for.
+        // A segment is a capsule of radius zero here, which a user cannot make: only its line and ends are used.
         Core::Segment(ends) => Some(Shape::Capsule(Capsule { ends: *ends, radius: 0.0 })),
         core => Some(Shape::Convex(core.polyhedron()?.into_owned())),
     };
@@ -56,8 +56,8 @@ pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
     between(Placed::new(&shapes[0], &a.pose), Placed::new(&shapes[1], &b.pose), f64::INFINITY).map(|gap| gap.normal)
 }
 
-/// The places at which two polytopes touch once A has been moved out along the normal: of the vertices that lie farthest
-/// into the other body, the nearest places of their hulls.
+/// Witness points: where two polytopes touch after A has been moved out along the normal. They are the nearest points
+/// of the hulls of the deepest vertices of each.
 fn touching_places(a: &Piece<'_>, b: &Piece<'_>, normal: DVec3, distance: f64) -> Found {
     let tolerance = place_tolerance(a.ball.1, b.ball.1, a.ball.0 - b.ball.0);
     let extreme = |piece: &Piece<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {

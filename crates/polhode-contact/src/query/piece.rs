@@ -1,7 +1,7 @@
-//! What distances are computed between: convex cores and circles, each blown up by a radius.
+//! Pieces, between which distances are computed: Minkowski sums of a core (a convex set or a circle) and a ball.
 //!
-//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one. Pieces are solid; the elements
-//! of the narrow phase (`narrow_phase/feature/element.rs`) are the parts of their surfaces, and what a query met is named by
+//! A sphere is a point with a radius, a capsule a segment with one, a torus a circle with one. Pieces are solid; the
+//! elements of the narrow phase (`narrow_phase/feature/element.rs`) are features of their surfaces, and queries name
 //! the same features.
 
 use super::feature::QueryFeature;
@@ -28,7 +28,8 @@ pub(crate) enum Core<'a> {
     HalfSpace(&'a HalfSpace),
 }
 
-/// A core, its radius (m), its number within the shape, and a ball about the core (in the common frame).
+/// A core, its radius (m), its number within the shape, and a bounding ball of the core (centre in the common frame and
+/// radius, m).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece<'a> {
     pub(crate) core: Core<'a>,
@@ -46,7 +47,7 @@ impl<'a> Piece<'a> {
         Self { core, radius, part, pose, ball }
     }
 
-    /// The point of the core that is farthest along a direction of the common frame.
+    /// The support point of the core along a direction of the common frame.
     pub(crate) fn support(&self, direction: DVec3) -> DVec3 {
         let local = self.pose.rotation.inverse_rotate(direction);
         self.pose.transform_point(self.core.support(local))
@@ -58,7 +59,7 @@ impl<'a> Piece<'a> {
         Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
     }
 
-    /// Least distance that another piece can have, m.
+    /// Lower bound of the distance from another piece, m.
     pub(crate) fn bound(&self, other: &Self) -> f64 {
         let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
         (self.ball.0 - other.ball.0).length() - reach
@@ -69,7 +70,7 @@ impl<'a> Piece<'a> {
         self.radius == 0.0 && matches!(self.core, Core::Point(_))
     }
 
-    /// A feature of the shape, from one of the core.
+    /// The feature of the shape for a feature of the core.
     pub(crate) fn feature(&self, feature: SurfaceFeature) -> QueryFeature {
         let surface = if self.is_vertex() { SurfaceFeature::Vertex(self.part) } else { feature };
         QueryFeature { part: self.part, surface }
@@ -77,7 +78,7 @@ impl<'a> Piece<'a> {
 }
 
 impl Core<'_> {
-    /// The point farthest along a direction; of a half-space, which has none, the plane's nearest to the origin.
+    /// The support point along a direction; for a half-space, which has none, the plane's point nearest to the origin.
     pub(crate) fn support(&self, direction: DVec3) -> DVec3 {
         match self {
             Self::Point(p) => *p,
@@ -106,7 +107,7 @@ impl Core<'_> {
         }
     }
 
-    /// A polyhedron, or a triangle as one without thickness.
+    /// The polyhedron, or a triangle as a polyhedron without thickness.
     pub(crate) fn polyhedron(&self) -> Option<Cow<'_, ConvexPolyhedron>> {
         match self {
             Self::Polyhedron(polyhedron) => Some(Cow::Borrowed(polyhedron)),

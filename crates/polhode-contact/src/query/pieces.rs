@@ -1,4 +1,4 @@
-//! Shapes as the elements they consist of, and those of them that may be nearest.
+//! A shape as the pieces it consists of, and a branch-and-bound search over them.
 
 use super::piece::{Core, Piece};
 use crate::Shape;
@@ -7,8 +7,8 @@ use crate::shape::TriangleMesh;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Calls `visit` with the elements of a shape whose frame stands at a pose; triangles and points are numbered as in the
-/// shape, the elements of a compound by their part.
+/// Calls `visit` with the pieces of a shape at a pose. Triangles and points are numbered as in the shape; pieces of a
+/// compound have the number of their part.
 fn for_each_piece<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&Piece<'a>)) {
     let mut one = |core, radius| visit(&Piece::new(core, radius, 0, *pose));
     match shape {
@@ -32,7 +32,7 @@ fn for_each_piece<'a>(shape: &'a Shape, pose: &Pose, visit: &mut dyn FnMut(&Piec
 }
 
 fn triangle(mesh: &TriangleMesh, index: u32, pose: &Pose) -> Piece<'static> {
-    // A mesh names only vertices that exist.
+    // The indices are valid: a mesh is checked when it is made.
     let corners = mesh.triangles[index as usize].map(|v| mesh.vertices[v as usize]);
     Piece::new(Core::Triangle(corners), 0.0, index, *pose)
 }
@@ -41,9 +41,9 @@ fn for_each_of_part<'a>(parts: &'a [Shape], part: u32, pose: &Pose, visit: &mut 
     for_each_piece(&parts[part as usize], pose, &mut |piece| visit(&Piece { part, ..*piece }));
 }
 
-/// Offers to `measure` the elements of a shape that may have the least value, nearest boxes first. `measure` returns the
-/// least value found, `start` is that at the beginning, and `bound` a lower bound of the values within a box of the
-/// shape's frame: boxes with a bound above both the least value and 0 are left out.
+/// Calls `measure` with the pieces of a shape that may have the least value, nearest boxes first. `measure` returns the
+/// least value so far, `start` is its initial value, and `bound` is a lower bound of the values within a box of the
+/// shape's frame. Boxes with a bound above both the least value and 0 are skipped.
 pub(crate) fn offer_nearest<'a>(
     shape: &'a Shape,
     pose: &Pose,
@@ -67,7 +67,7 @@ pub(crate) fn offer_nearest<'a>(
     }
 }
 
-/// Boxes and places round differently: a bound gives way by this part, so that of equal answers none is left out.
+/// Boxes and points are rounded differently: bounds are reduced by this fraction, so that no equal result is skipped.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Lower bound of the distance of a box from another, m.
@@ -76,9 +76,9 @@ pub(crate) fn box_distance(bounds: &Aabb, other: &Aabb) -> f64 {
     bounds.distance(other) * (1.0 - ROUNDING) - ROUNDING * largest
 }
 
-/// Where a ray enters a box, m, at the earliest; nothing for a miss.
+/// A lower bound of the distance at which a ray enters a box, m; none for a miss.
 pub(crate) fn entered(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
-    // What is in the box is met to the rounding of its distance from the origin.
+    // The box is widened by the rounding of distances from the ray's origin.
     let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
     let bounds = bounds.widened(ROUNDING * farthest);
     let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);

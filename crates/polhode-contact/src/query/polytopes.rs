@@ -1,11 +1,11 @@
 //! Distance of two convex polytopes: points, segments, triangles, polyhedra.
 //!
-//! GJK finds the features; the distance is then solved on them. Every unit vector bounds the distance from below by the
-//! separation along it, and the distance is the separation along the right one: the normal of a face that the nearest
-//! place lies in, the perpendicular of two edges, or the line between two vertices. These few directions of the features
-//! found are tried and the largest separation is taken, so that the answer carries the rounding of the coordinates and
-//! not the tolerance of an iteration. It is accepted when it meets the upper bound; otherwise the nearest pair of features
-//! around those that GJK ended on is taken, and when the bodies overlap all axes are searched.
+//! GJK finds the nearest features; the distance is then computed from them in closed form. The separation along any
+//! unit vector is a lower bound of the distance, and equals it along one direction: the normal of the face that
+//! contains the nearest point, the common perpendicular of two edges, or the line between two vertices. These few
+//! directions are tried and the largest separation is taken, so that the error is that of the coordinates' rounding,
+//! not the tolerance of an iteration. The result is accepted when it agrees with the upper bound. Otherwise the nearest
+//! pair of features around those found by GJK is taken; when the bodies overlap, all axes are searched.
 
 use super::found::{EQUAL_ULPS, Found};
 use super::nearest_pair::nearest_pair;
@@ -16,7 +16,7 @@ use crate::query::simplex::{Difference, Simplex};
 use crate::shape::support::unit;
 use glam::DVec3;
 
-/// Lower and upper bound of a distance meet within this many epsilon of the extent.
+/// The lower and upper bound of a distance agree when they differ by at most this many epsilon of the extent.
 const CERTIFIED_ULPS: f64 = 32.0;
 
 /// Rounding of the direction between two points, in epsilon times the extent over their distance.
@@ -34,20 +34,22 @@ pub(crate) fn distance(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     if let Some(found) = on_features(a, b, &walk, extent).filter(certain) {
         return found;
     }
-    // Near touch of a vertex or an edge the normal is rounding, and no direction bounds the distance sharply, nor does GJK tell
-    // places that are equally near to rounding: the nearest pair of features around the simplex does.
+    // When a vertex or an edge nearly touches, the normal is rounding error, no direction gives a sharp bound, and GJK
+    // cannot choose between points that are equally near to rounding. Then the nearest pair of features around the
+    // simplex decides.
     let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
     nearest_pair(a, b, &vertices)
 }
 
-/// The largest separation along the directions of the features that GJK ended on; of directions that are equally good to
-/// rounding a face's normal near the direction found is taken first, then that direction, then the others. Nothing when the
-/// nearest places are vertices and the direction between them does not separate by their distance: then others are nearer.
+/// The largest separation along the directions of the features found by GJK. In a tie to rounding, a face normal near
+/// GJK's direction is preferred, then that direction, then the others. None when the nearest points are vertices and
+/// the separation along the line between them is less than their distance: then other features are nearer.
 fn on_features(a: &Piece<'_>, b: &Piece<'_>, walk: &Gjk, extent: f64) -> Option<Found> {
     let vertices = [vertices_of(a, &walk.simplex, |p| p.a), vertices_of(b, &walk.simplex, |p| p.b)];
     let mut last = walk.simplex;
     let between = last.reduce().direction;
-    // A face's normal is sharp; the direction between the points is so only to the rounding of their difference.
+    // A face's normal is exact to rounding; the direction between two near points has the relative rounding of their
+    // difference.
     let rounding = DIRECTION_ULPS * f64::EPSILON * extent / walk.upper;
     let (mut directions, mut others) = (Vec::new(), Vec::new());
     for (piece, sign, own) in [(a, -1.0, &vertices[0]), (b, 1.0, &vertices[1])] {
@@ -76,8 +78,8 @@ fn on_features(a: &Piece<'_>, b: &Piece<'_>, walk: &Gjk, extent: f64) -> Option<
     let (on_a, on_b) = walk.simplex.witnesses();
     let [feature_a, feature_b] = [a.core.spanned(&vertices[0]), b.core.spanned(&vertices[1])];
     if chosen >= faces && walk.simplex.points().len() < 3 && walk.upper - most <= certified {
-        // A vertex is nearest: the two points tell themselves how far apart they are, and in which direction. The direction
-        // that confirmed it may be that of a face close by.
+        // A vertex is nearest: distance and direction are those of the two points. The direction that confirmed it may
+        // have been the normal of a nearby face.
         let w = on_a - on_b;
         let found = Found { distance: w.length(), normal: unit(w), on_a, on_b, feature_a, feature_b };
         return (found.distance - separation(found.normal) <= certified).then_some(found);

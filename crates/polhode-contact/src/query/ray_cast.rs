@@ -1,11 +1,12 @@
-//! Where a ray meets a shape.
+//! Ray casts: the first point at which a ray hits a shape.
 //!
-//! A ray is brought into the shape's frame and measured from the place of its line that is nearest to the shape's middle,
-//! so that a ray from far away loses nothing but the rounding of its own origin. Convex shapes are clipped by their planes
-//! and quadrics, a torus by the pieces on which its quartic is monotone, polished on the distance from the tube itself;
-//! triangles by the signs of the volumes that the ray spans with their edges, which are the same for both triangles of an
-//! edge, so that no ray slips between them (docs/REFERENCES.md, Woop, Benthin and Wald 2013). There is no tolerance: what
-//! grazes to rounding is a hit when the rounded numbers say touch, and the same numbers give the same answer.
+//! The ray is transformed into the shape's frame, and parameters are computed relative to the point of its line nearest
+//! to the shape's middle, so that a far ray loses no more than the rounding of its own origin. A convex shape is
+//! intersected by clipping the ray with its planes and quadrics; a torus by bisection on the intervals on which its
+//! quartic is monotone, with the exact distance from the tube. A triangle is tested by the signs of the volumes that
+//! the ray spans with its edges. These signs are the same for both triangles of an edge, so that no ray passes between
+//! them (docs/REFERENCES.md, Woop, Benthin and Wald 2013). There is no tolerance: for a ray that grazes a shape to
+//! rounding, the rounded numbers decide between hit and miss, always in the same way.
 
 use super::error::QueryError;
 use super::feature::QueryFeature;
@@ -29,7 +30,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// From a place (world, m) in a direction.
+    /// From a point (world, m) in a direction.
     ///
     /// # Errors
     /// When the origin is not finite.
@@ -40,7 +41,7 @@ impl Ray {
         Ok(Self { origin, direction: direction.get() })
     }
 
-    /// Where it starts, world, m.
+    /// Its origin, world, m.
     pub const fn origin(&self) -> DVec3 {
         self.origin
     }
@@ -50,31 +51,31 @@ impl Ray {
         self.direction
     }
 
-    /// The place at a distance (m) from the start.
+    /// The point at a distance (m) from the origin.
     pub fn at(&self, distance: f64) -> DVec3 {
         self.origin + self.direction * distance
     }
 }
 
-/// Where a ray meets a shape first.
+/// The first point at which a ray hits a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayHit {
     /// Distance from the ray's origin, m; 0 when it starts inside.
     pub distance: f64,
-    /// The place, world, m.
+    /// The point, world, m.
     pub point: DVec3,
-    /// Unit normal out of the surface, world; of a triangle on the side that the ray comes from. A ray that starts inside
-    /// has met no surface: against the ray.
+    /// Outward unit normal of the surface, world; for a triangle on the side from which the ray comes. For a ray that
+    /// starts inside it is opposite to the ray's direction.
     pub normal: DVec3,
-    /// What it meets; nothing for a ray that starts inside.
+    /// The feature hit; none for a ray that starts inside.
     pub feature: Option<QueryFeature>,
 }
 
-/// The first place at which a ray meets a shape, not farther than `max_distance` (m, may be infinite).
+/// The first point at which a ray hits a shape, at most `max_distance` away (m, may be infinite).
 ///
-/// Shapes are solid: a ray that starts inside, or on the surface and heading in, meets them at distance 0. Meshes are
-/// surfaces and are met from both sides. Points have no extent and are never met. Nothing for a pose that is not finite, a
-/// `max_distance` that is NaN or negative, and a miss.
+/// Shapes are solid: a ray that starts inside, or on the surface and heading in, hits them at distance 0. Meshes are
+/// surfaces and are hit from both sides. Points have no extent and are never hit. None for a miss, a pose that is not
+/// finite, or a `max_distance` that is NaN or negative.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, Ray, Shape, UnitVector, ray_cast};
@@ -95,7 +96,7 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
     };
     let mut best: Option<(f64, Met, u32)> = None;
     let bound = |bounds: &Aabb| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
-    // A box that the ray misses lies beyond every number.
+    // A missed box has an infinite bound; the limit must be finite to exclude it.
     let reach = max_distance.min(f64::MAX);
     offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |piece| {
         if let Some((distance, met)) = against(piece, &local)
@@ -126,7 +127,7 @@ struct Line {
     direction: DVec3,
 }
 
-/// What a ray meets.
+/// What a ray hits: the inside of a shape (it starts there), or its surface.
 #[derive(Debug, Clone, Copy)]
 enum Met {
     Inside,
@@ -164,7 +165,7 @@ fn against(piece: &Piece<'_>, ray: &Line) -> Hit {
     }
 }
 
-/// Where a line is within a distance of a place, as two distances from its origin.
+/// The interval in which a line is inside a ball, as two distances from its origin.
 fn within_ball(center: DVec3, radius: f64, ray: &Line) -> Option<(f64, f64)> {
     let to = center - ray.origin;
     let middle = to.dot(ray.direction);
@@ -182,10 +183,11 @@ fn ball(center: DVec3, radius: f64, ray: &Line) -> Hit {
     surface(enter, normal.normalize_or(-ray.direction), SurfaceFeature::Sphere)
 }
 
-/// Where a line is within a distance of an axis through `base`; all of it or nothing when it is parallel.
+/// The interval in which a line is inside an infinite cylinder about an axis through `base`; all of it or none when it
+/// is parallel.
 fn within_tube(base: DVec3, axis: DVec3, radius: f64, ray: &Line) -> Option<(f64, f64)> {
     let (from, along) = (across(ray.origin - base, axis), across(ray.direction, axis));
-    // Of a ray all but parallel to the axis the squares would vanish.
+    // For a ray almost parallel to the axis the squares would underflow, so the vector is scaled.
     let largest = along.abs().max_element();
     if largest == 0.0 {
         return (from.length() <= radius).then_some((f64::NEG_INFINITY, f64::INFINITY));
@@ -194,7 +196,7 @@ fn within_tube(base: DVec3, axis: DVec3, radius: f64, ray: &Line) -> Option<(f64
     let rate = largest * scaled.length();
     let along = scaled / scaled.length();
     let middle = -from.dot(along);
-    // The least distance from the axis, by the area of the parallelogram: no cancellation for rays from far away.
+    // The least distance from the axis as the area of a parallelogram, without cancellation for far rays.
     let beside = from.cross(along).length();
     let half_square = (radius - beside) * (radius + beside);
     (half_square >= 0.0).then(|| ((middle - half_square.sqrt()) / rate, (middle + half_square.sqrt()) / rate))
@@ -255,7 +257,7 @@ fn through_polyhedron(polyhedron: &ConvexPolyhedron, ray: &Line) -> Hit {
     surface(enter, polyhedron.faces[index].normal, SurfaceFeature::Face(index as u32))
 }
 
-/// Where a line is between two planes across an axis.
+/// The interval in which a line is between two planes perpendicular to an axis.
 fn within_slab(from: f64, rate: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     if rate == 0.0 {
         return (low..=high).contains(&from).then_some((f64::NEG_INFINITY, f64::INFINITY));
@@ -290,7 +292,7 @@ fn through_cone(cone: &Cone, ray: &Line) -> Hit {
     if signed_distance(&core, ray.origin).distance <= 0.0 {
         return Some((0.0, Met::Inside));
     }
-    // From the place nearest to the apex, where the coefficients do not cancel.
+    // From the point of the line nearest to the apex, so that the coefficients do not cancel.
     let shift = (cone.apex() - ray.origin).dot(ray.direction);
     let from = (ray.origin - cone.apex()) + ray.direction * shift;
     let (height, rate) = (from.dot(cone.axis), ray.direction.dot(cone.axis));
@@ -337,17 +339,18 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     [finite(sum / a), finite(c / sum)]
 }
 
-/// Rounding of the area of a triangle as a ray sees it, in epsilons of the distance of its corners times their offset from
-/// the ray: an area below it is that of a triangle seen edge-on, of which the signs say nothing.
+/// Rounding of the area of a triangle projected along the ray, in epsilons of the distance of its corners times their
+/// offset from the ray. A triangle with a smaller projected area is seen edge-on, and the signs of its volumes have no
+/// meaning.
 const SEEN_ULPS: f64 = 16.0;
 
-/// Signs of the volumes that the ray spans with the edges; a corner or an edge that the ray meets exactly belongs to both
-/// of its triangles. A ray in the plane of a triangle meets its neighbours.
+/// Signs of the volumes that the ray spans with the edges; a corner or an edge that the ray hits exactly belongs to all
+/// of its triangles. A ray in the plane of a triangle misses it, and hits its neighbours.
 fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
     let d = ray.direction;
     let from_start = corners.map(|corner| corner - ray.origin);
-    // What a corner has along the ray adds nothing to the volumes but rounding; each corner loses it by itself, and looks
-    // the same from both triangles of an edge.
+    // The component of a corner along the ray adds only rounding to the volumes, and is removed from each corner
+    // separately: the result is the same for both triangles of an edge.
     let along = from_start.map(|corner| d.dot(corner));
     let [p, q, r] = [0, 1, 2].map(|k: usize| from_start[k] - d * along[k]);
     let parts = [d.dot(q.cross(r)), d.dot(r.cross(p)), d.dot(p.cross(q))];
@@ -359,14 +362,16 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
     }
     let normal = area_vector(*corners);
     let rate = normal.dot(d);
-    // From the plane, which is the same for every ray; for a needle from the corners.
+    // The distance follows from the plane, which is the same for every ray; for a needle, whose plane is uncertain,
+    // from the corners.
     let by_plane = normal.dot(from_start[0]) / rate;
     let t = if by_plane.is_finite() {
         by_plane
     } else {
         (along[0] * parts[0] + along[1] * parts[1] + along[2] * parts[2]) / total
     };
-    // Where the ray all but lies in the plane that is known badly, but no farther than the triangle goes.
+    // Where the ray lies almost in the plane, that distance is inaccurate; it is clamped to the extent of the triangle
+    // along the ray.
     let (nearest, farthest) = over(along, [p, q, r], rounding);
     let t = t.max(nearest).min(farthest);
     if !(t >= 0.0 && t.is_finite()) {
@@ -376,13 +381,13 @@ fn triangle(corners: &[DVec3; 3], ray: &Line) -> Hit {
     surface(t, out.normalize_or(-d), SurfaceFeature::Face(0))
 }
 
-/// From where to where along a ray a triangle lies over it, seen from the side on which it is longest: of its corners what
-/// they have along the ray, and across it. Corners that are seen on the ray to `rounding` (m^2, the longest times what they
-/// are off) are on it, and with two of them all of their side.
+/// The interval of distances along a ray in which its line crosses a triangle, both projected on the plane of the ray
+/// and the longest of `across`. `along` and `across` are the components of the corners along the ray and perpendicular
+/// to it. Corners nearer to the ray than `rounding` (m^2: the longest offset times their own) count as on it.
 fn over(along: [f64; 3], across: [DVec3; 3], rounding: f64) -> (f64, f64) {
     let longest = across.iter().fold(DVec3::ZERO, |most, v| if v.length() > most.length() { *v } else { most });
     let beside = across.map(|v| v.dot(longest));
-    // A ray that passes all corners on one side, which is rounding, meets the nearest one.
+    // When all corners are on one side of the ray, by rounding, the ray passes through the nearest one.
     let low = beside.iter().fold(f64::INFINITY, |least, &b| least.min(b));
     let high = beside.iter().fold(f64::NEG_INFINITY, |most, &b| most.max(b));
     let beside = beside.map(|b| b - low.max(0.0) - high.min(0.0));
@@ -399,7 +404,8 @@ fn over(along: [f64; 3], across: [DVec3; 3], rounding: f64) -> (f64, f64) {
     if nearest <= farthest { (nearest, farthest) } else { (f64::NEG_INFINITY, f64::INFINITY) }
 }
 
-/// `F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2`, with lengths in units of `R + r` and `t` from the middle of the ray.
+/// `F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2`, with lengths in units of `R + r` and `t` measured from the ray's point
+/// nearest to the centre.
 fn through_torus(ring: &Torus, ray: &Line) -> Hit {
     let outside = |p: DVec3| signed_distance(&Core::Circle(ring), p).distance - ring.minor;
     if outside(ray.origin) <= 0.0 {
@@ -426,7 +432,7 @@ fn through_torus(ring: &Torus, ray: &Line) -> Hit {
     ];
     let (low, high) = ((enter.max(0.0) - shift) / reach, (leave - shift) / reach);
     let pieces = monotone_pieces(coefficients, low, high);
-    // The tube itself is measured: the polynomial only says where to look.
+    // The root is found on the distance from the tube; the polynomial gives only the intervals.
     let at = |t: f64| outside(ray.origin + ray.direction * (shift + t * reach));
     for ends in pieces.windows(2) {
         if at(ends[0]) <= 0.0 || at(ends[1]) <= 0.0 {

@@ -1,14 +1,14 @@
-//! Places where a function changes its sign: of a monotone one by bisection, of a polynomial of degree four or less between
-//! the zeros of its derivative.
+//! Roots of a monotone function by bisection, and the intervals on which a polynomial of degree four or less is
+//! monotone.
 //!
 //! Between two neighbouring zeros of the derivative a polynomial is monotone and has at most one root, which bisection
-//! finds to rounding: so the roots of the derivatives give those of the polynomial, from the line upwards.
+//! finds to rounding. So the roots are found recursively, from the linear derivative up to the polynomial.
 
-/// Halvings of a bracket, after which it is shorter than rounding.
+/// Most halvings of a bracket; it is then shorter than rounding.
 const HALVINGS: usize = 100;
 
-/// Places in `[low, high]`, ascending, that part it into pieces on which the polynomial `sum c_i t^i` is monotone, with the
-/// ends of the interval; on each piece it has at most one root.
+/// Ascending points that divide `[low, high]` into intervals on which the polynomial `sum c_i t^i` is monotone,
+/// including the two ends; each interval contains at most one root.
 pub(crate) fn monotone_pieces(coefficients: [f64; 5], low: f64, high: f64) -> Vec<f64> {
     let mut derivatives = vec![coefficients.to_vec()];
     for _ in 0..3 {
@@ -30,7 +30,7 @@ pub(crate) fn monotone_pieces(coefficients: [f64; 5], low: f64, high: f64) -> Ve
     places
 }
 
-/// The root of a monotone function in an interval, when its values at the ends differ in sign.
+/// The root of a monotone function in an interval; none when its values at the ends do not differ in sign.
 pub(crate) fn bisect(mut low: f64, mut high: f64, function: &dyn Fn(f64) -> f64) -> Option<f64> {
     let (at_low, at_high) = (function(low), function(high));
     if at_low == 0.0 {

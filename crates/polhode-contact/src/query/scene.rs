@@ -1,7 +1,7 @@
-//! The same questions to many bodies at once: nearest, overlapping, hit by a ray.
+//! Queries against many bodies: the nearest to a point, those that overlap, those hit by a ray.
 //!
-//! A tree of bounding boxes tells which bodies may answer; every answer comes from the shapes. Bodies are named by their index, and of equal answers the lowest
-//! index is taken, so that nothing depends on the tree.
+//! A tree of bounding boxes selects the candidates; the results are computed from the shapes. Bodies are named by their
+//! index, and of equal results the lowest index is taken, so that no result depends on the tree.
 
 use super::closest_point::{SurfacePoint, closest_point};
 use super::error::QueryError;
@@ -15,7 +15,7 @@ use crate::bounding::around_shape::aabb_of;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Bodies at rest for questions.
+/// Bodies at fixed poses, for queries.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, QueryScene, Ray, Shape, UnitVector};
@@ -31,9 +31,9 @@ use polhode_spatial::Pose;
 #[derive(Debug, Clone)]
 pub struct QueryScene<'a> {
     bodies: Vec<(&'a Shape, Pose)>,
-    /// Bodies with a box, ascending.
+    /// Bodies with a finite box, ascending.
     bounded: Vec<usize>,
-    /// Of the bounded bodies.
+    /// Boxes of the bounded bodies.
     boxes: Vec<Aabb>,
     tree: BoxTree,
     unbounded: Vec<usize>,
@@ -69,8 +69,8 @@ impl<'a> QueryScene<'a> {
         self.bodies.is_empty()
     }
 
-    /// The body whose surface or inside is nearest to a point, and the nearest place of its surface; nothing without
-    /// bodies. Among bodies that contain the point that in which it is deepest.
+    /// The body with the least signed distance from a point, and the nearest point of its surface; none without bodies.
+    /// Of several bodies that contain the point it is the one in which the point is deepest.
     ///
     /// # Errors
     /// When the point is not finite.
@@ -89,7 +89,8 @@ impl<'a> QueryScene<'a> {
         for &body in &self.unbounded {
             offer(&mut best, body)?;
         }
-        // A body that contains the point may be deeper than any box tells: boxes around the point are always opened.
+        // Boxes that contain the point are always searched: their bound is zero, but the signed distance inside is
+        // negative.
         let here = Aabb { min: point, max: point };
         let mut failed = None;
         let start = best.map_or(f64::INFINITY, |(_, found)| found.distance);
@@ -130,7 +131,7 @@ impl<'a> QueryScene<'a> {
         Ok(found)
     }
 
-    /// All bodies that overlap a box along the world's axes, ascending; touch counts.
+    /// All bodies that overlap an axis-aligned box, ascending; touch counts.
     ///
     /// # Errors
     /// When the box is flat or unbounded.
@@ -139,7 +140,7 @@ impl<'a> QueryScene<'a> {
         self.overlapping(&shape, &Pose::from_translation(0.5 * aabb.min() + 0.5 * aabb.max()))
     }
 
-    /// The body that a ray meets first, and where; of bodies met at one distance the lowest index.
+    /// The first body that a ray hits, and the hit; of bodies at the same distance the lowest index.
     pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(usize, RayHit)> {
         let mut best: Option<(usize, RayHit)> = None;
         let offer = |best: &mut Option<(usize, RayHit)>, body: usize| {
@@ -154,7 +155,7 @@ impl<'a> QueryScene<'a> {
         for &body in &self.unbounded {
             offer(&mut best, body);
         }
-        // A box that the ray misses lies beyond every number.
+        // A missed box has an infinite bound; the limit must be finite to exclude it.
         let reach = max_distance.min(f64::MAX);
         let bound = |bounds: &Aabb| entered(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
         let nearest = |best: &Option<(usize, RayHit)>| best.map_or(reach, |(_, hit)| hit.distance);
@@ -167,7 +168,7 @@ impl<'a> QueryScene<'a> {
         best
     }
 
-    /// All bodies that a ray meets, each where it meets it first, sorted by distance and then by index.
+    /// All bodies that a ray hits, each with its first hit, sorted by distance and then by index.
     pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
         let mut hits = Vec::new();
         let passes =
@@ -180,7 +181,7 @@ impl<'a> QueryScene<'a> {
         hits
     }
 
-    /// Calls `visit` with every body whose box, and those of all nodes above it, pass.
+    /// Calls `visit` with every unbounded body and every body for whose box `passes` is true.
     fn visit(&self, passes: &impl Fn(&Aabb) -> bool, visit: &mut impl FnMut(usize)) {
         self.unbounded.iter().for_each(|&body| visit(body));
         self.tree.passing(passes, &mut |item| {
@@ -192,7 +193,7 @@ impl<'a> QueryScene<'a> {
     }
 }
 
-/// A box around a shape at a pose that is finite; without bounds for a half-space.
+/// The box around a shape at a finite pose; unbounded for a half-space.
 fn bounds_of(shape: &Shape, pose: &Pose) -> Aabb {
     aabb_of(shape, pose).unwrap_or(Aabb::UNBOUNDED)
 }

@@ -1,8 +1,8 @@
 //! Signed distance of a point from a core, in closed form.
 //!
-//! Positive outside, negative inside; the normal is the unit vector from the core to the point (inside: to the nearest
-//! place of the surface and on). Ties go to caps before sides, to the face with the lowest index, and on an axis of
-//! symmetry to a fixed direction perpendicular to it.
+//! Positive outside, negative inside; the normal is the unit vector from the core to the point (inside: from the point
+//! to the nearest point of the surface). In a tie end faces come before sides, and lower face indices before higher
+//! ones; on an axis of symmetry the normal is a fixed direction perpendicular to it.
 
 use super::piece::{Core, Piece};
 use crate::narrow_phase::feature::closest_feature::{NearestFeature, nearest_feature};
@@ -11,8 +11,8 @@ use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};
 use glam::DVec3;
 
-/// Signed distance from a core, in its frame; of a point, a segment, a triangle and a circle, which have no inside, it is
-/// never negative. `if_zero` is the normal where the core gives none.
+/// Signed distance from a core, in its frame; never negative for a point, a segment, a triangle and a circle, which
+/// have no inside.
 pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
     match core {
         Core::Point(p) => away(point - *p, DVec3::Z, SurfaceFeature::Sphere),
@@ -27,7 +27,7 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
             if nearest.normal.is_finite() {
                 return nearest;
             }
-            // On an edge or a vertex itself there is no direction: its first face's normal stands in.
+            // On an edge or a vertex itself the direction is undefined: the normal of the first face there is used.
             NearestFeature { normal: nearest_feature(polyhedron, point, f64::INFINITY).normal, ..nearest }
         }
         Core::Cylinder(cylinder) => from_cylinder(cylinder, point),
@@ -45,13 +45,13 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
     }
 }
 
-/// Signed distance of a place of the common frame from a piece's core, with the normal in the common frame.
+/// Signed distance of a point of the common frame from a piece's core, with the normal in the common frame.
 pub(crate) fn signed(place: DVec3, piece: &Piece<'_>) -> NearestFeature {
     let local = signed_distance(&piece.core, piece.pose.inverse_transform_point(place));
     NearestFeature { normal: piece.pose.rotation.rotate(local.normal), ..local }
 }
 
-/// From a place without extent.
+/// Distance `|w|` from a single point; `if_zero` is the normal where `w` is zero.
 fn away(w: DVec3, if_zero: DVec3, feature: SurfaceFeature) -> NearestFeature {
     let distance = w.length();
     let direction = if distance > 0.0 { w } else { if_zero };
@@ -59,13 +59,14 @@ fn away(w: DVec3, if_zero: DVec3, feature: SurfaceFeature) -> NearestFeature {
     NearestFeature { feature, distance, normal }
 }
 
-/// Unit vector of a radial part; on the axis a fixed one.
+/// Unit vector along a radial component; a fixed one on the axis.
 fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
     radial.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector())
 }
 
-/// Over the face the direction is its normal or that to the point, whichever is known better: the normal to rounding of
-/// its two shortest sides, relative to the area, the direction to rounding of the point's distance from a corner.
+/// Distance from a triangle. Over its face the direction is either the triangle's normal or the direction to the point,
+/// whichever has the smaller rounding error: that of the normal is relative to the area over the two shortest sides,
+/// that of the direction relative to the point's height over its distance from a corner.
 fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     let (w, part) = from_triangle(corners, point);
     if part != Part::Face && w != DVec3::ZERO {
@@ -85,7 +86,7 @@ fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     NearestFeature { normal: side.try_normalize().unwrap_or(found.normal), ..found }
 }
 
-/// Of a triangle.
+/// The feature of a triangle.
 fn feature_of(part: Part) -> SurfaceFeature {
     match part {
         Part::Face => SurfaceFeature::Face(0),

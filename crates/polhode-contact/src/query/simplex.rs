@@ -1,15 +1,15 @@
-//! The point nearest to the origin of a simplex of one to four points.
+//! The point of a simplex (one to four points) that is nearest to the origin.
 //!
-//! Every face of the simplex (its points, edges, triangles and itself) is solved on its own and the nearest of those
-//! whose weights are not negative is taken, so that a simplex that is nearly flat loses to one of its faces instead of
-//! giving a wrong sub-feature: the backup procedure of docs/REFERENCES.md, Gilbert, Johnson and Keerthi 1988, taken as
-//! the rule; weights are ratios of signed lengths, areas and volumes (docs/REFERENCES.md, Montanari 2017). No tolerance
-//! enters. The direction is that of the face's own perpendicular, which stays accurate where the distance vanishes.
+//! The nearest point is computed for every sub-simplex (points, edges, triangles and the whole), and the nearest one
+//! with non-negative barycentric weights is taken. So a nearly flat simplex gives one of its faces, never a wrong
+//! sub-simplex. This is the backup procedure of docs/REFERENCES.md, Gilbert, Johnson and Keerthi 1988, used always;
+//! weights are ratios of signed lengths, areas and volumes (docs/REFERENCES.md, Montanari 2017). There is no tolerance.
+//! The direction is the perpendicular of the sub-simplex, which stays accurate where the distance vanishes.
 
 use crate::shape::support::unit;
 use glam::DVec3;
 
-/// A point of the difference of two bodies, `a - b`.
+/// A point `w = a - b` of the Minkowski difference of two bodies, with its two witness points.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Difference {
     pub(crate) a: DVec3,
@@ -23,7 +23,7 @@ impl Difference {
     }
 }
 
-/// One to four points and the weights of the point nearest to the origin.
+/// One to four points and the barycentric weights of the point nearest to the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Simplex {
     points: [Difference; 4],
@@ -31,23 +31,23 @@ pub(crate) struct Simplex {
     count: usize,
 }
 
-/// Nearest point of a face of the simplex.
+/// Nearest point of a sub-simplex.
 #[derive(Debug, Clone, Copy)]
 struct Candidate {
     members: [usize; 4],
     weights: [f64; 4],
     count: usize,
-    /// From the origin to the face's plane, of any length.
+    /// Perpendicular from the origin to the sub-simplex, of any length.
     direction: DVec3,
     norm: f64,
 }
 
-/// What was found.
+/// The nearest point and its direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NearestPoint {
     /// The point.
     pub(crate) point: DVec3,
-    /// Unit vector towards it, perpendicular to the face it lies in; zero when that vanishes.
+    /// Unit vector towards it, perpendicular to its sub-simplex; zero when the perpendicular vanishes.
     pub(crate) direction: DVec3,
     /// Whether the origin lies inside four points.
     pub(crate) encloses: bool,
@@ -73,13 +73,13 @@ impl Simplex {
         &self.points[..self.count]
     }
 
-    /// Points of the two bodies whose difference is the nearest point.
+    /// Witness points: the points of the two bodies whose difference is the nearest point.
     pub(crate) fn witnesses(&self) -> (DVec3, DVec3) {
         let members = self.points().iter().zip(&self.weights);
         members.fold((DVec3::ZERO, DVec3::ZERO), |(a, b), (p, &l)| (a + p.a * l, b + p.b * l))
     }
 
-    /// Reduces the simplex to the face that holds the point nearest to the origin.
+    /// Reduces the simplex to the sub-simplex that contains the point nearest to the origin.
     pub(crate) fn reduce(&mut self) -> NearestPoint {
         if let Some(weights) = self.enclosing_weights() {
             self.weights = weights;
@@ -125,13 +125,13 @@ impl Simplex {
         let [p, q] = [0, 1].map(|k| self.points[members[k]].w);
         let along = q - p;
         let (from, to) = (-p.dot(along), q.dot(along));
-        // Weights from the two ends, each of which is exact where the other end is nearest.
+        // Each weight is computed from the other end, and is exact where that end is nearest.
         if !(from > 0.0 && to > 0.0) {
             return None;
         }
         let total = from + to;
         let weights = [to / total, from / total, 0.0, 0.0];
-        // The perpendicular, as it comes out of the shorter lever.
+        // The perpendicular, computed from the nearer end, where rounding is least.
         let start = if from < to { p } else { q };
         let direction = start - along * (start.dot(along) / along.length_squared());
         let norm = (p * weights[0] + q * weights[1]).length();

@@ -1,10 +1,10 @@
-//! The feature of a polytope that some of its vertices span.
+//! The smallest feature of a polytope that contains given vertices.
 
 use super::piece::Core;
 use crate::SurfaceFeature;
 
 impl Core<'_> {
-    /// A vertex of a polytope; of a segment, which is the axis of a capsule, the cap about its end.
+    /// The vertex feature; for a segment, which is the axis of a capsule, the cap at its end.
     pub(crate) const fn corner(&self, vertex: u32) -> SurfaceFeature {
         match self {
             Self::Segment(_) => SurfaceFeature::Cap(vertex),
@@ -12,8 +12,8 @@ impl Core<'_> {
         }
     }
 
-    /// The feature that some vertices of a polytope span: one is a vertex, two may be an edge, otherwise a face that has
-    /// them all.
+    /// The smallest feature that contains the vertices: the vertex if there is one, their edge if two are joined by
+    /// one, otherwise a face that contains them all.
     pub(crate) fn spanned(&self, vertices: &[u32]) -> SurfaceFeature {
         let first = vertices.first().copied().unwrap_or(0);
         match self {

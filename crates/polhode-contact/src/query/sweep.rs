@@ -1,9 +1,10 @@
-//! The least of a signed distance along a segment or a circle.
+//! The minimum of a signed distance along a segment or a circle.
 //!
 //! Along a segment the signed distance from a convex body is a convex function, whose slope is the normal times the
-//! direction: bisecting the sign of the slope finds the least place to rounding. Along a circle there may be several
-//! least places: the slope's sign is taken at [`STARTS`] equal steps, every change from falling to rising is bisected, and
-//! the least is taken. Two least places of one circle that are less than a step apart are told apart only by chance.
+//! direction: bisecting the sign of the slope finds the minimum to rounding. Along a circle there may be several local
+//! minima: the sign of the slope is computed at [`STARTS`] equal steps, every change from falling to rising is
+//! bisected, and the least minimum is taken. Fails where two local minima are less than a step apart: one of them may
+//! be missed.
 
 use super::roots::bisect;
 use crate::narrow_phase::feature::closest_feature::NearestFeature;
@@ -12,7 +13,7 @@ use glam::DVec3;
 /// Steps of a circle.
 pub(crate) const STARTS: usize = 96;
 
-/// The place on a segment where a convex function is least.
+/// The point of a segment where a convex function is least.
 pub(crate) fn along_segment(ends: [DVec3; 2], distance: &dyn Fn(DVec3) -> NearestFeature) -> (DVec3, NearestFeature) {
     let along = ends[1] - ends[0];
     let at = |t: f64| if t < 0.5 { ends[0] + along * t } else { ends[1] - along * (1.0 - t) };
@@ -24,8 +25,7 @@ pub(crate) fn along_segment(ends: [DVec3; 2], distance: &dyn Fn(DVec3) -> Neares
     (place, distance(place))
 }
 
-/// The place on a circle where a function is least; of equal ones that with the least angle from `x` towards `y`, the two
-/// radii given.
+/// The point of a circle where a function is least; of equal ones the first in the angle from radius `x` to radius `y`.
 pub(crate) fn along_circle(
     center: DVec3,
     x: DVec3,

@@ -1,11 +1,10 @@
 //! Approximate convex decomposition: few convex parts that nearly fill a solid.
 //!
-//! V-HACD (docs/REFERENCES.md, Mamou) as parry3d has it: the solid is filled with voxels, these are parted by planes along
-//! the axes until each part is nearly convex, and the hull of the surface in each part is taken. The parts stick out into
-//! dents, leave out what is thinner than a voxel, fill voids, and overlap where their hulls do; how much they overlap is not
-//! measured.
-//! What is measured is the volume of all parts against that of the solid. Where that must be exact, and for few reflex
-//! edges, take [`convex_decomposition`](polhode_mesh::convex_decomposition).
+//! V-HACD (docs/REFERENCES.md, Mamou) as implemented in parry3d: the solid is filled with voxels, these are split by
+//! axis-aligned planes until each part is nearly convex, and each part is replaced by the hull of its surface. The
+//! parts extend into dents, omit what is thinner than a voxel, fill voids, and overlap where their hulls do; the
+//! overlap is not measured. The volume of all parts is compared with that of the solid. Where the parts must be exact,
+//! and for few reflex edges, use [`convex_decomposition`](polhode_mesh::convex_decomposition).
 //!
 //! The library has tolerances in metres, so it is given the solid scaled to size one; the result does not depend on the
 //! units. Time and memory grow as the cube of the resolution.
@@ -15,10 +14,10 @@ use glam::DVec3;
 use polhode_mesh::{ConvexHull, ConvexSolid, SolidMesh};
 use thiserror::Error;
 
-/// What an approximate decomposition may cost and how close it shall be.
+/// Limits of the cost and the error of an approximate decomposition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ApproximateSettings {
-    /// How far a part may be from convex: the volume between its voxels and their hull relative to the hull of the whole,
+    /// Largest concavity of a part: the volume between its voxels and their hull relative to the hull of the whole,
     /// from 0 to 1. The default is 0.01.
     pub concavity: f64,
     /// Voxels along the longest side, from 8 to 512; the default is 64.
@@ -33,7 +32,7 @@ impl Default for ApproximateSettings {
     }
 }
 
-/// Why a solid was not decomposed.
+/// Why a solid could not be decomposed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ApproximateError {
@@ -57,20 +56,20 @@ const RESOLUTIONS: [u32; 2] = [8, 512];
 /// Fewest and most parts.
 const PARTS: [u32; 2] = [1, 4096];
 
-/// A solid as convex parts, nearly.
+/// Convex parts that nearly fill a solid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ApproximateDecomposition {
     /// The parts, in the order of the library.
     pub parts: Vec<ConvexSolid>,
-    /// Volume of the parts together, m^3; where parts overlap it counts as often as they do.
+    /// Sum of the volumes of the parts, m^3; regions where parts overlap are counted for each of them.
     pub volume: f64,
     /// Difference from the volume of the solid, relative to it.
     pub volume_error: f64,
-    /// Parts left out because they are flat.
+    /// Number of parts omitted because they are flat.
     pub flat_parts: usize,
 }
 
-/// Parts a solid into convex solids that nearly fill it; one that is convex is its only part.
+/// Decomposes a solid into convex solids that nearly fill it; a convex solid is its only part.
 ///
 /// ```
 /// use polhode_contact::{ApproximateSettings, DVec3, approximate_decomposition};

@@ -4,7 +4,7 @@ use super::error::{ShapeError, check_length, check_point};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// A cylinder with half-balls on its ends.
+/// A cylinder with a hemisphere at each end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Capsule {
     pub(crate) ends: [DVec3; 2],
@@ -12,7 +12,7 @@ pub struct Capsule {
 }
 
 impl Capsule {
-    /// About the segment between two places of the body's frame, m.
+    /// About the segment between two points of the body's frame, m.
     ///
     /// # Errors
     /// When the radius or the length of the segment is not positive, or a number is not finite.
@@ -23,7 +23,7 @@ impl Capsule {
         Ok(Self { ends, radius })
     }
 
-    /// Centres of the two half-balls in the body's frame, m.
+    /// Centres of the two hemispheres in the body's frame, m.
     pub const fn ends(&self) -> [DVec3; 2] {
         self.ends
     }

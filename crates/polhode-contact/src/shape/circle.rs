@@ -1,14 +1,14 @@
-//! A circle about an axis: the rim of a disc, the middle line of a ring.
+//! A circle about an axis: the rim of a disc, or the centre circle of a torus.
 
 use super::support::{across, unit};
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Points of a rim that stand for its disc.
+/// Number of sample points of a rim, which represent its disc.
 pub const RIM_POINTS: u32 = 8;
 
-/// Cosine and sine of the places of the stated points.
+/// Cosine and sine of the angles of the sample points.
 const PLACES: [(f64, f64); RIM_POINTS as usize] = [
     (1.0, 0.0),
     (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
@@ -20,11 +20,11 @@ const PLACES: [(f64, f64); RIM_POINTS as usize] = [
     (FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
 ];
 
-/// Sine of the angle between a circle's axis and a direction below which all its points are equally low: its stated points
-/// then stand for the lowest one to 1e-12 of its radius.
+/// Sine of the angle between a circle's axis and a direction below which all its points are equally low: its sample
+/// points are then as low as the lowest one to 1e-12 of its radius.
 const FLAT_SINE: f64 = 1e-11;
 
-/// A circle about an axis. Of a rim the axis points out of the disc.
+/// A circle about an axis. The axis of a rim is the outward normal of its disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Circle {
     pub(crate) center: DVec3,
@@ -43,12 +43,12 @@ impl Circle {
         n.dot(self.center) + self.radius * self.axis.cross(n).length()
     }
 
-    /// The point of its disc that is farthest along a direction: the centre when the disc lies across it.
+    /// The support point of its disc along a direction: the centre when the disc is perpendicular to it.
     pub(crate) fn farthest(&self, direction: DVec3) -> DVec3 {
         self.center + unit(across(direction, self.axis)) * self.radius
     }
 
-    /// A stated point; nothing beyond [`RIM_POINTS`].
+    /// A sample point; none beyond [`RIM_POINTS`].
     pub(crate) fn point(&self, index: u32) -> Option<DVec3> {
         let (cosine, sine) = *PLACES.get(index as usize)?;
         let first = self.axis.any_orthonormal_vector();
@@ -62,14 +62,14 @@ impl Circle {
         self.center + radial * self.radius
     }
 
-    /// The point that is lowest along a unit vector; nothing when all are equally low to rounding.
+    /// The point that is lowest along a unit vector; none when all are equally low to rounding.
     pub(crate) fn lowest(&self, up: DVec3) -> Option<DVec3> {
         let radial = across(up, self.axis);
         let sine = radial.length();
         (sine > FLAT_SINE).then(|| self.center - radial * (self.radius / sine))
     }
 
-    /// Two radii at right angles, the second one anticlockwise from the first.
+    /// Two perpendicular radii, the second one anticlockwise from the first.
     pub(crate) fn radii(&self) -> [DVec3; 2] {
         let east = self.axis.any_orthonormal_vector() * self.radius;
         [east, self.axis.cross(east)]

@@ -7,19 +7,19 @@ use crate::bounding::aabb::Aabb;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Numbers that a curved part takes of each kind of element: more than any such shape has.
+/// Numbers reserved for a curved part in each kind of feature: more than any such shape has.
 const CURVED_ELEMENTS: usize = 2 * crate::shape::circle::RIM_POINTS as usize;
 
-/// Up to this many balls of parts the size is found over all pairs; beyond it the diagonal of the bounding box stands
-/// in, which is at most sqrt(3) times too large.
+/// Up to this many balls of parts the size is found over all pairs; above it the diagonal of the bounding box is used,
+/// which is at most sqrt(3) times too large.
 const EXACT_SIZE_LIMIT: usize = 1024;
 
 impl Compound {
-    /// From parts, each in the body's frame; a compound among them gives its own parts.
+    /// From parts, each in the body's frame; a compound among them is replaced by its parts.
     ///
     /// # Errors
-    /// When there is no part, one is a half-space or a triangle mesh, which stand alone, or there are more than 2^32 - 1
-    /// vertices.
+    /// When there is no part, one is a half-space or a triangle mesh, which must be a body of their own, or there are
+    /// more than 2^32 - 1 vertices.
     pub fn new(parts: Vec<Shape>) -> Result<Self, ShapeError> {
         let mut flat = Vec::with_capacity(parts.len());
         for part in parts {
@@ -48,12 +48,12 @@ impl Compound {
         Self::new(self.parts.iter().map(|part| part.placed(pose)).collect::<Result<_, _>>()?)
     }
 
-    /// The largest distance between two points, m; of two curved parts, of balls around them.
+    /// The largest distance between two points, m; curved parts are replaced by balls around them.
     pub(super) const fn size(&self) -> f64 {
         self.size
     }
 
-    /// The part that owns an element, by the element's number and which of the numbers counts.
+    /// The part that owns a feature, its shape, and the feature's number within it. `first` selects the kind of number.
     pub(crate) fn owner(&self, number: u32, of: impl Fn(&FirstElements) -> u32) -> Option<(usize, &Shape, u32)> {
         // Parts without such an element share their first number with the next part, which owns it.
         let part = self.first.partition_point(|first| of(first) <= number).checked_sub(1)?;
@@ -61,7 +61,7 @@ impl Compound {
     }
 }
 
-/// Elements of every kind, one part after the other.
+/// First numbers of the features of every kind, one part after the other.
 fn numbered(parts: &[Shape]) -> Result<Vec<FirstElements>, ShapeError> {
     let mut totals = [0_usize; 3];
     let mut first = Vec::with_capacity(parts.len() + 1);

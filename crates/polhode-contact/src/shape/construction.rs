@@ -1,4 +1,4 @@
-//! Shapes made by their kind, and brought into their place within a body.
+//! Constructors of shapes, and shapes moved within a body.
 
 use super::error::{ShapeError, check_finite, check_length};
 use super::{Capsule, Compound, Cone, Cylinder, HalfSpace, PointCloud, Shape, Sphere, Torus, TriangleMesh};
@@ -36,7 +36,7 @@ impl Shape {
         Self::HalfSpace(HalfSpace { normal: normal.get(), offset: 0.0 })
     }
 
-    /// Points at these places, m.
+    /// Points with these positions, m.
     ///
     /// # Errors
     /// When there are none or a coordinate is not finite.
@@ -70,7 +70,7 @@ impl Shape {
         Cone::new(DVec3::Z * (-CONE_CENTER * height), UnitVector::Z, radius, height).map(Self::Cone)
     }
 
-    /// A ring about the z axis, its centre at the origin, m.
+    /// A torus about the z axis, its centre at the origin, m.
     ///
     /// # Errors
     /// When a length is not positive and finite, or the tube closes the hole.
@@ -94,7 +94,7 @@ impl Shape {
         Compound::new(parts).map(Self::Compound)
     }
 
-    /// The same shape turned about its frame's origin and then moved: a shape in its place within a body.
+    /// The same shape rotated about its frame's origin and then translated, for example to its pose within a compound.
     ///
     /// # Errors
     /// When a coordinate becomes too large or is not finite.
@@ -120,7 +120,7 @@ impl Shape {
         }
     }
 
-    /// The same shape moved by a vector, m: brings a shape given about a body's origin into the central frame.
+    /// The same shape translated by a vector, m: moves a shape from the frame of its file into the central frame.
     ///
     /// # Errors
     /// When a coordinate becomes too large or is not finite.

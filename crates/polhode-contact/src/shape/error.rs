@@ -1,15 +1,15 @@
-//! Why numbers make no shape, and the checks of single numbers.
+//! Errors of the constructors of shapes, and the checks of single numbers.
 
 use glam::DVec3;
 use polhode_mesh::DecompositionError;
 use thiserror::Error;
 
-/// Smallest length of a shape, m. Below it products of four lengths, as areas squared, leave the range of f64.
+/// Smallest length of a shape, m. Below it products of four lengths, such as squared areas, underflow.
 pub const SMALLEST_LENGTH: f64 = 1e-60;
-/// Largest coordinate of a shape, m, for the same reason.
+/// Largest coordinate of a shape, m; above it such products overflow.
 pub const LARGEST_LENGTH: f64 = 1e60;
 
-/// Why numbers make no shape.
+/// Why a shape cannot be made from the given numbers.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ShapeError {
     /// A number is NaN, infinite, or beyond [`LARGEST_LENGTH`].
@@ -36,7 +36,7 @@ pub enum ShapeError {
         /// How many are needed.
         limit: usize,
     },
-    /// Too many elements for the indices.
+    /// Too many points for 32-bit indices.
     #[error("{count} points are given, at most {limit} are possible")]
     TooManyPoints {
         /// How many were given.
@@ -44,7 +44,7 @@ pub enum ShapeError {
         /// How many are possible.
         limit: usize,
     },
-    /// The points lie in a plane, on a line or in one place, or so nearly that they enclose no volume.
+    /// The points are coplanar, collinear or coincident, or so nearly so that they enclose no volume.
     #[error(
         "the points are flat: their thickness is {thickness:e} m, at least {limit:e} m (relative to their size) is needed"
     )]
@@ -54,7 +54,7 @@ pub enum ShapeError {
         /// Least extent, m.
         limit: f64,
     },
-    /// A vertex stands outside a face.
+    /// A vertex is outside the plane of a face.
     #[error(
         "not convex: vertex {vertex} stands {height:e} m outside the plane of face {face}, at most {limit:e} m is \
          allowed; decompose the mesh or use the convex hull of its points"
@@ -64,9 +64,9 @@ pub enum ShapeError {
         vertex: usize,
         /// The face.
         face: usize,
-        /// How far it stands outside, m.
+        /// Its distance from the plane, m.
         height: f64,
-        /// How far it may, m.
+        /// The largest distance allowed, m.
         limit: f64,
     },
     /// The vertices of a face do not lie in one plane.
@@ -84,7 +84,7 @@ pub enum ShapeError {
     /// The tube of a torus closes its hole.
     #[error("minor radius {minor} m must be less than the major radius {major} m: the tube would close the hole")]
     NoHole {
-        /// Radius of the circle in the middle of the tube, m.
+        /// Radius of the centre circle of the tube, m.
         major: f64,
         /// Radius of the tube, m.
         minor: f64,

@@ -1,4 +1,4 @@
-//! How far shapes reach: their size, the balls whose convex hull holds a shape, its bounding box.
+//! Extents of shapes: size, radius, the balls whose convex hull contains a shape, bounding box.
 
 use super::Shape;
 use crate::bounding::aabb::Aabb;
@@ -6,7 +6,7 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 
 impl Shape {
-    /// Largest distance between two points of the shape, m; 0 for a half-space, whose extent says nothing.
+    /// Largest distance between two points of the shape, m; 0 for a half-space, which has no finite size.
     pub fn size(&self) -> f64 {
         match self {
             Self::Convex(polyhedron) => polyhedron.size(),
@@ -38,8 +38,8 @@ impl Shape {
         }
     }
 
-    /// The shape as the convex hull of points, blown up by a radius, m; no points for a half-space and where circles are
-    /// needed too.
+    /// The shape as the convex hull of points plus a ball of a radius, m; no points for a half-space and for shapes
+    /// with circles.
     pub(crate) fn centers(&self) -> (&[DVec3], f64) {
         match self {
             Self::Convex(polyhedron) => (polyhedron.vertices(), 0.0),
@@ -51,7 +51,7 @@ impl Shape {
         }
     }
 
-    /// Calls `visit` with balls (centre and radius, m) whose convex hull holds the shape; none for a half-space.
+    /// Calls `visit` with balls (centre and radius, m) whose convex hull contains the shape; none for a half-space.
     pub(crate) fn for_each_ball(&self, visit: &mut dyn FnMut(DVec3, f64)) {
         match self {
             Self::HalfSpace(_) => {}
@@ -92,7 +92,7 @@ impl Shape {
     }
 }
 
-/// A box around a turned box.
+/// The axis-aligned box around a box at a pose.
 pub(crate) fn turned(bounds: Aabb, pose: &Pose) -> Aabb {
     let rotation = pose.rotation.to_matrix();
     let half = 0.5 * (bounds.max - bounds.min);

@@ -1,10 +1,11 @@
 //! Convex polyhedra from points and from triangles: triangles of one plane become one face.
 //!
-//! The hull of points is the exact one of polhode-mesh ([`ConvexHull`]), which has a face for every plane however close to
-//! another one; here planes that differ by rounding become one.
+//! The hull of points is the exact one of polhode-mesh ([`ConvexHull`]), in which planes that differ only by rounding
+//! have separate faces; here such faces are merged.
 //!
-//! Faces grow from the largest triangles over neighbours all of whose vertices lie in the seed's plane, so that slivers
-//! between two faces join one of them and never bridge an edge. Vertices inside a face or inside an edge are left out.
+//! Each face is grown from the largest remaining triangle (the seed) over neighbours all of whose vertices lie in the
+//! seed's plane, so that a sliver between two faces joins one of them and never merges the two. Vertices inside a face
+//! or inside an edge are removed.
 
 use crate::shape::error::{ShapeError, check_point};
 use crate::shape::point_cloud::largest_distance;
@@ -14,8 +15,8 @@ use glam::DVec3;
 use polhode_mesh::{ConvexHull, HullError};
 use std::collections::BTreeMap;
 
-/// How far a vertex may lie off the plane of a seed triangle to belong to its face, relative to the size: well above
-/// the rounding of computed coordinates (1e-16), well below the tolerance for plane faces.
+/// Largest distance of a vertex from the plane of a seed triangle for it to belong to the seed's face, relative to the
+/// size: well above the rounding of computed coordinates (1e-16), well below the tolerance for plane faces.
 const COPLANAR_TOLERANCE: f64 = 0.1 * PLANE_TOLERANCE;
 
 /// The convex hull of some points: the exact one of polhode-mesh, its faces merged up to the tolerance for plane faces.
@@ -42,14 +43,14 @@ pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeErr
 fn thickness(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let across = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|v| vertices[v as usize]);
-        // A triangle between corners of one edge, to rounding, tells no direction.
+        // A triangle whose corners are collinear to rounding has no normal.
         let normal = (b - a).cross(c - a).try_normalize()?;
         Some(vertices.iter().map(|&v| normal.dot(a - v)).fold(0.0, f64::max))
     };
     triangles.iter().filter_map(across).fold(f64::INFINITY, f64::min)
 }
 
-/// The points without those that lie within the tolerance for plane faces of one that is kept.
+/// The points without those that are nearer to an earlier kept one than the tolerance for plane faces.
 fn welded(points: &[DVec3]) -> Vec<DVec3> {
     let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), &p| (l.min(p), h.max(p)));
     let tolerance = 0.5 * PLANE_TOLERANCE * (high - low).max_element();
@@ -134,7 +135,7 @@ fn grow_regions(
             for (a, b) in directed_edges(triangles[triangle]) {
                 let Some(&next) = owner.get(&(b, a)) else { continue };
                 let plane = corners(next).iter().all(|&v| normal.dot(v - origin).abs() <= tolerance);
-                // A triangle that faces the other way is the far side of a plate, however thin.
+                // A triangle with an opposite normal belongs to the other side of a plate, however thin.
                 if region[next] == usize::MAX && plane && normal.dot(area(next)) >= 0.0 {
                     region[next] = regions;
                     front.push(next);
@@ -146,7 +147,7 @@ fn grow_regions(
     (region, regions)
 }
 
-/// The single closed loop of successors, or nothing when they form several.
+/// The single closed loop of successors; none when they form several.
 fn chain(border: &BTreeMap<u32, u32>) -> Option<Vec<u32>> {
     let (&start, _) = border.first_key_value()?;
     let mut corners = vec![start];
@@ -161,7 +162,7 @@ fn chain(border: &BTreeMap<u32, u32>) -> Option<Vec<u32>> {
     (corners.len() == border.len()).then_some(corners)
 }
 
-/// Leaves out the vertices that belong to fewer than three faces and renumbers the rest in their old order.
+/// Removes the vertices that belong to fewer than three faces and renumbers the rest in their old order.
 fn build_reduced(vertices: &[DVec3], mut loops: Vec<Vec<u32>>) -> Result<ConvexPolyhedron, ShapeError> {
     let mut uses = vec![0_usize; vertices.len()];
     for &vertex in loops.iter().flatten() {
@@ -180,7 +181,8 @@ fn build_reduced(vertices: &[DVec3], mut loops: Vec<Vec<u32>>) -> Result<ConvexP
         for vertex in corners.iter_mut() {
             *vertex = number[*vertex as usize];
         }
-        // Numbering that does not depend on the order in which a library found the faces.
+        // Loops start at their lowest vertex and are sorted, so that the numbers of faces do not depend on how the hull
+        // was built.
         let first = corners.iter().enumerate().min_by_key(|(_, v)| **v).map_or(0, |(i, _)| i);
         corners.rotate_left(first);
     }

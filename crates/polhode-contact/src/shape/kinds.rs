@@ -1,6 +1,7 @@
 //! The kinds of shapes.
 //!
-//! A compound is a shape whose parts are shapes: the two types stand together here, what they do in files of their own.
+//! A compound is a shape whose parts are shapes, so both types are defined here; their functions are in files of their
+//! own.
 
 use super::capsule::Capsule;
 use super::cone::Cone;
@@ -22,21 +23,21 @@ pub enum Shape {
     Convex(ConvexPolyhedron),
     /// A ball.
     Sphere(Sphere),
-    /// A plane with everything below it.
+    /// All points below a plane.
     HalfSpace(HalfSpace),
-    /// Points.
+    /// Points that are fixed to each other.
     Points(PointCloud),
-    /// A cylinder with half-balls on its ends.
+    /// A cylinder with a hemisphere at each end.
     Capsule(Capsule),
     /// A cylinder.
     Cylinder(Cylinder),
     /// A cone.
     Cone(Cone),
-    /// A ring.
+    /// A torus.
     Torus(Torus),
-    /// A surface that does not move.
+    /// A surface of triangles, of a body that does not move.
     TriangleMesh(TriangleMesh),
-    /// Several parts.
+    /// Several shapes that are fixed to each other.
     Compound(Compound),
 }
 
@@ -62,11 +63,11 @@ impl Shape {
 }
 
 /// Parts that are fixed to each other and may touch or overlap. Their vertices (centres, points), edges and faces are
-/// numbered part after part, so that a feature of the compound names its part too.
+/// numbered one part after the other, so that the number of a feature also identifies its part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Compound {
     pub(crate) parts: Vec<Shape>,
-    /// Of every part, and one past the last.
+    /// First numbers of every part, and one past the last.
     pub(crate) first: Vec<FirstElements>,
     pub(crate) tree: BoxTree,
     pub(super) size: f64,

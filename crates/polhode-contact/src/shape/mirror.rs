@@ -1,7 +1,7 @@
 //! Whether a shape is its own mirror image.
 //!
-//! A scene whose bodies are all their own mirror image in one plane, and move in it, stays in it: that is what planar
-//! motion needs to know of shapes. A point x has the image `x - 2 (n.x - d) n` in the plane `n.x = d`.
+//! Bodies that are symmetric in one plane and move parallel to it do so for ever: the engine checks the shapes of a
+//! planar motion with this module. A point x has the image `x - 2 (n.x - d) n` in the plane `n.x = d`.
 
 use crate::Shape;
 use crate::shape::circle::Circle;
@@ -9,12 +9,13 @@ use crate::shape::round::circles;
 use glam::DVec3;
 use polhode_spatial::UnitVector;
 
-/// Cosine up to which two directions are perpendicular: the rounding of two unit vectors that were turned.
+/// Largest cosine between perpendicular directions: the rounding of two rotated unit vectors.
 const PERPENDICULAR: f64 = 4.0 * f64::EPSILON;
 
-/// How far the shape is from being its own mirror image in the plane `normal . x = offset` (m) of its frame: the largest
-/// distance of the image of a vertex, point or centre from the nearest one of the shape, m; for a half-space, how far
-/// its plane misses being perpendicular, as infinity. Zero for a symmetric shape, to the rounding of its coordinates.
+/// How far the shape is from being its own mirror image in the plane `normal . x = offset` (m) of its frame: the
+/// largest distance of the image of a vertex, point or centre from the nearest one of the shape, m; for a half-space
+/// infinity, unless its plane is perpendicular to the mirror plane. Zero for a symmetric shape, to the rounding of its
+/// coordinates.
 pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
     let n = normal.get();
     let image = |x: DVec3| x - n * (2.0 * (n.dot(x) - offset));
@@ -35,7 +36,7 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
     if !rings.is_empty() {
         return rings_defect(shape, &rings, n, image);
     }
-    // Parts have their images among the parts: balls that hold them stand for curved ones.
+    // The image of each part must be one of the parts; curved parts are compared by the balls whose hull contains them.
     let mut balls: Vec<(DVec3, f64)> = Vec::new();
     shape.for_each_ball(&mut |center, radius| balls.push((center, radius)));
     let distance = |x: DVec3, radius: f64| {
@@ -45,8 +46,8 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
     balls.iter().map(|&(p, radius)| distance(image(p), radius)).fold(0.0, f64::max)
 }
 
-/// The same for a shape with circles: the image of each must be a circle of the shape. Of a rim the axis points outwards,
-/// which a ring's does not.
+/// The same for a shape with circles: the image of each must be a circle of the shape. The axis of a rim has a sign
+/// (outwards), that of a torus has none.
 fn rings_defect(shape: &Shape, rings: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
     let turned = |a: DVec3| if n.dot(a).abs() <= PERPENDICULAR { a } else { a - n * (2.0 * n.dot(a)) };
     let two_sided = shape.is_ring();

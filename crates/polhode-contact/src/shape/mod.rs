@@ -1,22 +1,22 @@
 //! Shapes that can touch.
 //!
-//! A shape stands in a frame of its body; the engine uses the central frame, origin at the centre of mass, into which
-//! [`Shape::translated`] brings it. Values are checked when a shape is made ("parse, don't validate"), so that the
-//! algorithms meet only finite shapes that are what their kind says: convex polyhedra are closed and convex, triangles have
-//! an area, tubes leave a hole.
+//! The coordinates of a shape are in a frame of its body. The engine uses the central frame, whose origin is the centre
+//! of mass; [`Shape::translated`] moves a shape into it. Values are checked when a shape is made ("parse, don't
+//! validate"), so that the algorithms need not check them again: all numbers are finite, convex polyhedra are closed
+//! and convex, triangles have an area, tori have a hole.
 //!
 //! | module | holds |
 //! |---|---|
 //! | `kinds` | [`Shape`] and [`Compound`], which contain each other |
-//! | `construction`, `compound`, `solid` | shapes made by their kind, and brought into their place |
-//! | [`polyhedron`], `topology`, `hull`, `polyhedron_construction` | convex polyhedra: what they are, from faces, from points, all ways |
+//! | `construction`, `compound`, `solid` | constructors of shapes, and shapes moved within a body |
+//! | [`polyhedron`], `topology`, `hull`, `polyhedron_construction` | convex polyhedra: the type, from faces, from points, all constructors |
 //! | `triangle_mesh`, `triangle`, `point_cloud` | triangles and points |
 //! | `sphere`, `half_space`, `capsule`, `cylinder`, `cone`, `torus` | the shape of that name |
-//! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, the farthest point, how far shapes reach |
+//! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, support points, extents of shapes |
 //! | `lists` | lists of unequal length in one array |
-//! | `nearer_place` | which of two places is nearer |
+//! | `nearer_place` | which of two points is nearer, also when the distances are equal to rounding |
 //! | [`mirror`] | whether a shape is its own mirror image |
-//! | [`mod@approximate_decomposition`] | convex parts of a solid, roughly |
+//! | [`mod@approximate_decomposition`] | approximate convex parts of a solid |
 //! | `error` | why a shape cannot be made |
 
 pub mod approximate_decomposition;

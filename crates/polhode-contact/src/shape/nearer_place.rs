@@ -1,22 +1,22 @@
-//! Which of two places of a convex body is nearer to a point, or which of two pairs of places of two bodies are nearer to each
-//! other.
+//! Which of two points of a convex body is nearer to a given point, or which of two pairs of points of two bodies is
+//! nearer.
 //!
-//! Close to the nearest place `p` the distance of a place grows with the square of the way there: within a way of 1e-8 of the
-//! distance places are equally near to rounding, but the directions `n` from them to the point differ by that much. The nearest
-//! one is told by its direction: no place `q` of the body lies beyond the plane through it, `n.(q - p) <= 0`. That is linear
-//! in the way.
+//! Around the nearest point `p` the distance grows with the square of the displacement from `p`: points within 1e-8 of
+//! the distance are equally near to rounding, but the unit vectors `n` from them to the given point differ by 1e-8. So
+//! near ties are decided by the direction: for the nearest point no point `q` of the body lies beyond the plane through
+//! it, `n.(q - p) <= 0`, and the violation of this condition is linear in the displacement.
 
 use glam::DVec3;
 
-/// Rounding of a distance, in epsilons of the lengths it comes from.
+/// Rounding of a distance, in epsilons of the lengths it is computed from.
 const ULPS: f64 = 8.0;
 
 /// A distance (m) and its direction, the unit vector from the body to the point.
 pub(crate) type Way = (f64, DVec3);
 
-/// Whether a way is shorter than another one. `reach` gives how far the body reaches along a direction, from the point, m: minus
-/// the distance for the nearest place's direction, more for others. `lengths` is the largest length that enters the
-/// distances, m. Of ways told apart neither by their directions nor by their lengths none is shorter.
+/// Whether the first candidate is nearer than the second. `reach` is the support function of the body relative to the
+/// given point, m: minus the distance for the nearest point's direction, more for others. `lengths` is the largest
+/// length that the distances are computed from, m. In a tie by distance and by direction neither is nearer.
 pub(crate) fn is_nearer(way: Way, other: Way, lengths: f64, reach: impl Fn(DVec3) -> f64) -> bool {
     let rounding = ULPS * f64::EPSILON * lengths;
     if (way.0 - other.0).abs() <= rounding {

@@ -40,8 +40,8 @@ impl PointCloud {
     }
 }
 
-/// Up to this many points the largest distance is found over all pairs; beyond it the diagonal of the bounding box,
-/// which is at most sqrt(3) times too large, stands in. The value only scales tolerances.
+/// Up to this many points the largest distance is found over all pairs; above it the diagonal of the bounding box is
+/// used, which is at most sqrt(3) times too large. The value only scales tolerances.
 const EXACT_SIZE_LIMIT: usize = 1024;
 
 /// Largest distance between two of some points, m.

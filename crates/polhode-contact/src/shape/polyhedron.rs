@@ -1,8 +1,8 @@
 //! Convex polyhedra with faces of any number of vertices.
 //!
 //! A face is an anticlockwise loop of vertices (seen from outside) with its outward unit normal and the offset of its
-//! plane, `normal . x = offset`. An edge knows its two vertices and its two faces: `faces[0]` is the one whose loop
-//! runs from `vertices[0]` to `vertices[1]`, so that `n_0 x n_1` points along the edge.
+//! plane, `normal . x = offset`. An edge has two vertices and two faces: `faces[0]` is the one whose loop runs from
+//! `vertices[0]` to `vertices[1]`, so that `n_0 x n_1` points along the edge.
 
 use crate::shape::lists::Lists;
 use glam::DVec3;
@@ -18,7 +18,7 @@ pub struct Face<'a> {
     pub normal: DVec3,
     /// `normal . x` of the face's points, m.
     pub offset: f64,
-    /// Unit vectors in the face's plane, outward across each edge.
+    /// For each edge the unit vector in the face's plane, perpendicular to the edge and out of the face.
     pub(crate) sides: &'a [DVec3],
 }
 
@@ -33,13 +33,13 @@ pub struct Edge {
     pub direction: DVec3,
     /// Length, m.
     pub length: f64,
-    /// Middle of its ends, m.
+    /// Midpoint, m.
     pub(crate) middle: DVec3,
     /// A direction out of the body.
     pub(crate) outward: DVec3,
 }
 
-/// What a polyhedron keeps of a face.
+/// The stored data of a face.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FaceRecord {
     pub(crate) first: usize,
@@ -69,7 +69,8 @@ impl ConvexPolyhedron {
         &self.vertices
     }
 
-    /// Signed distance of a place from the planes of the faces, m: negative inside, and no more than the distance outside.
+    /// Largest signed distance of a point from the planes of the faces, m: negative inside, and outside at most the
+    /// distance from the body.
     pub(crate) fn outside(&self, x: DVec3) -> f64 {
         self.faces.iter().map(|f| f.normal.dot(x) - f.offset).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -1,4 +1,4 @@
-//! Convex polyhedra made from boxes, points, meshes and faces, turned and moved.
+//! Constructors of convex polyhedra (boxes, points, meshes, faces), rotation and translation.
 
 use super::error::{ShapeError, check_length, check_point};
 use super::polyhedron::ConvexPolyhedron;
@@ -49,7 +49,7 @@ impl ConvexPolyhedron {
         topology::build(vertices, faces)
     }
 
-    /// The same polyhedron turned about the frame's origin.
+    /// The same polyhedron rotated about the frame's origin.
     pub fn rotated(&self, rotation: Rotation) -> Self {
         let mut turned = self.clone();
         turned.vertices.iter_mut().for_each(|vertex| *vertex = rotation.rotate(*vertex));
@@ -60,7 +60,7 @@ impl ConvexPolyhedron {
         turned
     }
 
-    /// The same polyhedron moved by a vector, m.
+    /// The same polyhedron translated by a vector, m.
     ///
     /// # Errors
     /// When a coordinate becomes too large or is not finite.

@@ -1,19 +1,19 @@
-//! What smooth shapes are made of: points and circles about an axis, blown up by a ball.
+//! Smooth shapes as Minkowski sums of a ball and the hull of points and circles.
 //!
-//! A sphere is a point, a capsule the hull of two points, both blown up; a cylinder is the hull of two circles, a cone that
-//! of a point and a circle. Along a unit vector `n` the support of a circle (centre `c`, axis `a`, radius `R`) is
-//! `n.c + R |a x n|`, so that heights above planes and separations along axes are closed forms. A torus is a circle
-//! blown up; along planes its hull counts.
+//! A sphere is a point plus a ball, a capsule the hull of two points plus a ball; a cylinder is the hull of two
+//! circles, a cone that of a point and a circle. Along a unit vector `n` the support of a circle (centre `c`, axis `a`,
+//! radius `R`) is `n.c + R |a x n|`, so that heights above planes and separations along axes are closed forms. A torus
+//! is a circle plus a ball; its height above a plane is that of its hull.
 //!
-//! Contacts need features with names. Of a capsule: caps 0 and 1 at its ends, side 0 between. Of a cylinder: faces and
-//! rims 0 (towards `-axis`) and 1, side 0. Of a cone: face and rim 0, side 0, and its apex as vertex 0. Of a torus: rim 0,
-//! the middle line of its tube.
+//! **Features.** A capsule has caps 0 and 1 at its ends and side 0 between; a cylinder has faces and rims 0 (towards
+//! `-axis`) and 1, and side 0; a cone has face and rim 0, side 0, and its apex as vertex 0; a torus has rim 0, the
+//! centre circle of its tube.
 //!
-//! **Stated points.** A disc that lies on a plane touches it everywhere. [`RIM_POINTS`] points of each rim, which are
-//! fixed in the body, stand for it: eight equal forces there give the same resultant as a uniform pressure, and any
-//! pressure's resultant that eight corners of the disc can carry. They are vertices: of a cylinder 0 to 7 on rim 0 and 8 to
-//! 15 on rim 1, of a cone 1 to 8; of a torus 0 to 7 on its middle line (centres of balls
-//! that just fill the tube).
+//! **Sample points.** A disc that lies on a plane touches it everywhere. [`RIM_POINTS`] points of each rim, fixed in
+//! the body, represent it. Eight equal forces there have the same resultant as a uniform pressure, and eight forces can
+//! represent any pressure whose centre lies in the octagon of these points. They are vertices: of a cylinder 0 to 7 on
+//! rim 0 and 8 to 15 on rim 1, of a cone 1 to 8; of a torus 0 to 7 on its centre circle (centres of balls that just
+//! fill the tube).
 
 use super::circle::Circle;
 pub use super::circle::RIM_POINTS;
@@ -41,7 +41,7 @@ impl std::ops::Deref for Circles {
     }
 }
 
-/// The circles of a shape in its body's frame: rims, or the middle line of a ring.
+/// The circles of a shape in its body's frame: rims, or the centre circle of a torus.
 pub(crate) fn circles(shape: &Shape) -> Circles {
     match shape {
         Shape::Cylinder(c) => Circles { items: c.rims(), count: 2 },
@@ -51,9 +51,9 @@ pub(crate) fn circles(shape: &Shape) -> Circles {
     }
 }
 
-/// A place of the shape that is fixed in its body and can be a vertex or a centre of a contact, and the radius of the
-/// ball about it, m: a vertex of a polyhedron, a point of a cloud, the centre of a sphere, an end of a capsule's axis, a
-/// cone's apex, a stated point.
+/// A point fixed in the body that a contact can name as a vertex or centre, and the radius of the ball about it, m: a
+/// vertex of a polyhedron, a point of a cloud, the centre of a sphere, an end of a capsule's axis, a cone's apex, a
+/// sample point.
 pub(crate) fn fixed_point(shape: &Shape, index: u32) -> Option<(DVec3, f64)> {
     match shape {
         Shape::Cylinder(_) => {
@@ -70,7 +70,7 @@ pub(crate) fn fixed_point(shape: &Shape, index: u32) -> Option<(DVec3, f64)> {
     }
 }
 
-/// Points whose hull with the circles, blown up by the radius (m), is the shape's hull.
+/// Points, circles and a radius (m): the hull of the points and circles plus a ball is the shape's hull.
 pub(crate) fn hull_points(shape: &Shape) -> (HullPoints<'_>, f64) {
     match shape {
         Shape::Cone(c) => (HullPoints::Apex(c.apex()), 0.0),
@@ -82,7 +82,7 @@ pub(crate) fn hull_points(shape: &Shape) -> (HullPoints<'_>, f64) {
     }
 }
 
-/// A shape as the hull of points and circles, blown up by a ball (m).
+/// A shape as the hull of points and circles plus a ball (radius in m).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hull<'a> {
     pub(crate) points: HullPoints<'a>,
@@ -132,7 +132,7 @@ pub(crate) fn support(shape: &Shape, n: DVec3) -> f64 {
     circles(shape).iter().map(|circle| circle.support(n)).fold(points, f64::max) + ball
 }
 
-/// A point of a shape's hull that reaches as far along a direction of its frame; the origin where there is none.
+/// The support point of a shape's hull along a direction of its frame; the origin where there is none.
 pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
     let (points, ball) = hull_points(shape);
     let mut best = (f64::NEG_INFINITY, DVec3::ZERO);
@@ -149,7 +149,7 @@ pub(crate) fn support_point(shape: &Shape, n: DVec3) -> DVec3 {
     best.1 + n.try_normalize().unwrap_or(DVec3::ZERO) * ball
 }
 
-/// Whether the shape is one of the smooth convex ones whose contacts are found element by element.
+/// Whether the shape is a capsule, cylinder or cone: the smooth convex shapes whose contacts are found by elements.
 #[inline]
 pub(crate) const fn is_round(shape: &Shape) -> bool {
     matches!(shape, Shape::Capsule(_) | Shape::Cylinder(_) | Shape::Cone(_))

@@ -11,7 +11,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// With its centre at a place in the body's frame, m.
+    /// With its centre (in the body's frame) and radius, m.
     ///
     /// # Errors
     /// When the radius is not positive or a number is not finite.

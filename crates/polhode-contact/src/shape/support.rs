@@ -1,8 +1,8 @@
-//! The point that is farthest along a direction, and the parts of vectors that finding it takes.
+//! Support points, and components of vectors.
 
 use glam::DVec3;
 
-/// The first of the points that are farthest along a direction; the origin when there is none.
+/// The support point along a direction; in a tie the first, and the origin when there are no points.
 pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {
     let mut best = points.first().copied().unwrap_or_default();
     let mut most = best.dot(direction);
@@ -16,8 +16,9 @@ pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {
     best
 }
 
-/// The part of a vector perpendicular to a unit vector. What rounding leaves along the axis is taken away a second time:
-/// where the part is small it would tilt it. Zero when that takes most of it, for then all of it was rounding.
+/// The component of a vector perpendicular to a unit vector. The projection is made twice: a remainder along the axis,
+/// from rounding, would tilt a small component. Zero when the second projection removes most of it, because then all of
+/// it was rounding.
 pub(crate) fn across(vector: DVec3, axis: DVec3) -> DVec3 {
     let once = vector - axis * vector.dot(axis);
     let again = axis * once.dot(axis);
@@ -25,7 +26,7 @@ pub(crate) fn across(vector: DVec3, axis: DVec3) -> DVec3 {
     if again.abs().max_element() > most { DVec3::ZERO } else { once - again }
 }
 
-/// The direction of a vector of any length, zero when it has none.
+/// The unit vector along a vector of any length; zero for the zero vector.
 pub(crate) fn unit(vector: DVec3) -> DVec3 {
     let largest = vector.abs().max_element();
     if !(largest > 0.0 && largest.is_finite()) {

@@ -1,7 +1,7 @@
-//! From loops of vertices to a checked convex polyhedron: edges, neighbours, normals.
+//! Builds a convex polyhedron from loops of vertices, and checks it: edges, adjacency, normals.
 //!
-//! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula
-//! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex stands outside a face.
+//! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula `V - E + F =
+//! 2` holds, every vertex has at least three faces, every face is plane and no vertex is outside a face.
 
 use crate::shape::error::{ShapeError, check_length, check_point};
 use crate::shape::lists::Lists;
@@ -10,11 +10,11 @@ use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How far a vertex may stand off the plane of its face or outside another face, relative to the polyhedron's size:
-/// rounding of decimal files with ten digits passes, a dent that could be seen in a contact's depth does not.
+/// Largest distance of a vertex from the plane of its face, or outside another face, relative to the polyhedron's size:
+/// it admits the rounding of decimal files with ten digits, but no dent that would matter to the depth of a contact.
 pub(crate) const PLANE_TOLERANCE: f64 = 1e-9;
 
-/// Least thickness relative to the size: a thinner plate is within the tolerances that tell its two sides apart.
+/// Least thickness relative to the size: the tolerances could not tell the two sides of a thinner plate apart.
 pub(crate) const THICKNESS_LIMIT: f64 = 1e-9;
 
 /// Builds a polyhedron from vertices and anticlockwise loops.
@@ -46,7 +46,7 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
     Ok(polyhedron)
 }
 
-/// A triangle as a polyhedron without thickness: face 0 with the given unit normal, face 1 turned the other way.
+/// A triangle as a polyhedron without thickness: face 0 with the given unit normal, face 1 with the opposite one.
 pub(crate) fn flat_triangle(corners: [DVec3; 3], normal: DVec3) -> ConvexPolyhedron {
     let loops = [[0, 1, 2], [0, 2, 1]];
     let ends = [[0, 1], [1, 2], [2, 0]];
@@ -67,7 +67,7 @@ pub(crate) fn flat_triangle(corners: [DVec3; 3], normal: DVec3) -> ConvexPolyhed
     polyhedron
 }
 
-/// Gives a polyhedron that [`flat_triangle`] has made other corners.
+/// Replaces the corners of a polyhedron made by [`flat_triangle`].
 pub(crate) fn set_flat_triangle(polyhedron: &mut ConvexPolyhedron, corners: [DVec3; 3], normal: DVec3) {
     let [a, b, c] = corners;
     polyhedron.vertices.clear();
@@ -87,7 +87,7 @@ pub(crate) fn set_flat_triangle(polyhedron: &mut ConvexPolyhedron, corners: [DVe
     complete_edges(polyhedron);
 }
 
-/// Edges in the order in which the loops first run along them.
+/// Edges in the order in which they first occur in the loops.
 struct JoinedEdges {
     endpoints: Vec<[u32; 2]>,
     faces: Vec<[u32; 2]>,
@@ -100,7 +100,7 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     let mut joined = JoinedEdges { endpoints: Vec::new(), faces: Vec::new(), edges: Vec::new() };
     let fail =
         |edges: usize, reason| Err(ShapeError::NotClosed { vertices: vertex_count, edges, faces: loops.len(), reason });
-    // Directed edge from..to -> its edge and whether the opposite face has been met.
+    // Maps a directed edge to its edge and whether the opposite one has occurred.
     let mut open: BTreeMap<(u32, u32), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(u32, u32)> = BTreeSet::new();
     let mut uses = vec![0_usize; vertex_count];
@@ -141,12 +141,12 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     Ok(joined)
 }
 
-/// An edge of which the polyhedron has not been asked yet ([`complete_edges`]).
+/// An edge without the fields that [`complete_edges`] fills in.
 const fn bare_edge(vertices: [u32; 2], faces: [u32; 2], direction: DVec3, length: f64) -> Edge {
     Edge { vertices, faces, direction, length, middle: DVec3::ZERO, outward: DVec3::ZERO }
 }
 
-/// What edges take from the vertices and faces: their middles and the directions out of the body.
+/// Fills in the midpoints of edges and the directions out of the body.
 pub(crate) fn complete_edges(polyhedron: &mut ConvexPolyhedron) {
     let ConvexPolyhedron { vertices, faces, edges, .. } = polyhedron;
     for edge in edges {
@@ -157,8 +157,8 @@ pub(crate) fn complete_edges(polyhedron: &mut ConvexPolyhedron) {
     }
 }
 
-/// A direction out of a body at an edge: the bisector of the normals of its faces by their sum, and by the sum of the
-/// directions out of the faces across the edge, which does not vanish where the faces are two sides of a plate.
+/// A direction out of a body at an edge: the sum of the normals of its faces and of the directions out of the faces
+/// perpendicular to the edge. The second sum does not vanish where the faces are the two sides of a plate.
 fn outward(direction: DVec3, left: DVec3, right: DVec3) -> DVec3 {
     (left + right) + direction.cross(left - right)
 }
@@ -173,7 +173,7 @@ fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> V
     endpoints.iter().zip(faces).map(edge).collect()
 }
 
-/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weighs every vertex of a face alike.
+/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally.
 fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
     let mut first = 0;
     let mut faces = Vec::with_capacity(loops.len());
@@ -182,7 +182,7 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
         let center = (0..corners.len()).map(at).sum::<DVec3>() / corners.len() as f64;
         let area: DVec3 = (0..corners.len()).map(|i| (at(i) - center).cross(at(i + 1) - center)).sum();
         let normal = area / area.length();
-        // The plane halves the small spread of the vertices' offsets.
+        // The offset is the middle of the smallest and largest offset of the vertices.
         let (low, high) = (0..corners.len())
             .map(|i| normal.dot(at(i)))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
@@ -192,7 +192,7 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
     faces
 }
 
-/// Outward directions in the plane of each face, across each of its edges.
+/// Fills in the outward directions in the plane of each face, perpendicular to each of its edges.
 fn set_sides(polyhedron: &mut ConvexPolyhedron) {
     let ConvexPolyhedron { faces, edges, corner_vertices, corner_edges, corner_sides, .. } = polyhedron;
     corner_sides.clear();
@@ -210,7 +210,7 @@ fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Itera
     (0..).zip(loops).flat_map(|(index, corners)| corners.iter().map(move |&vertex| (vertex, index)))
 }
 
-/// Plane faces, convexity and thickness.
+/// Checks that faces are plane, and the polyhedron convex and thick enough.
 fn check_geometry(polyhedron: &ConvexPolyhedron) -> Result<(), ShapeError> {
     let limit = PLANE_TOLERANCE * polyhedron.size;
     let thinnest = THICKNESS_LIMIT * polyhedron.size;
@@ -218,7 +218,7 @@ fn check_geometry(polyhedron: &ConvexPolyhedron) -> Result<(), ShapeError> {
         let height = |v: usize| record.normal.dot(polyhedron.vertices[v]) - record.offset;
         for &vertex in &polyhedron.corner_vertices[record.first..record.first + record.count] {
             let distance = height(vertex as usize).abs();
-            // A face without area has a normal that is not a number.
+            // A face without area has a NaN normal.
             if distance.is_nan() || distance > limit {
                 return Err(ShapeError::FaceNotPlane { face: index, vertex: vertex as usize, distance, limit });
             }

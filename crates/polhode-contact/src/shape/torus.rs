@@ -5,7 +5,7 @@ use super::error::{ShapeError, check_length, check_point};
 use glam::DVec3;
 use polhode_spatial::{Pose, UnitVector};
 
-/// A ring: the points within `minor` of the circle of radius `major` about its axis.
+/// A torus: the points within `minor` of the circle of radius `major` about its axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Torus {
     pub(crate) center: DVec3,
@@ -15,8 +15,8 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// With its centre (m) and the direction of its axis in the body's frame; `major` is the radius of the circle in
-    /// the middle of the tube, `minor` that of the tube, m.
+    /// With its centre (m) and the direction of its axis in the body's frame; `major` is the radius of the centre
+    /// circle of the tube, `minor` that of the tube, m.
     ///
     /// # Errors
     /// When a length is not positive, a number is not finite, or the tube closes the hole (`minor >= major`).
@@ -40,7 +40,7 @@ impl Torus {
         self.axis
     }
 
-    /// Radius of the circle in the middle of the tube, m.
+    /// Radius of the centre circle of the tube, m.
     pub const fn major(&self) -> f64 {
         self.major
     }
@@ -50,7 +50,7 @@ impl Torus {
         self.minor
     }
 
-    /// The middle line of the tube.
+    /// The centre circle of the tube.
     pub(crate) const fn ring(&self) -> Circle {
         Circle { center: self.center, axis: self.axis, radius: self.major }
     }

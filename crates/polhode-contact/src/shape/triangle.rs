@@ -1,15 +1,16 @@
-//! Triangles and their sides as sets of points: areas, and what of them is nearest to a point.
+//! Triangles: their areas, and the point of a triangle or of a side that is nearest to a given point.
 //!
-//! A triangle may be a needle, whose plane the rounding of its long sides would tilt. Its area is the product of the two
-//! shortest ones. A point is split along the longest side and across it towards the tip, two directions that stay
-//! perpendicular for any height; how far it stands off the plane does not enter. Rounding then moves the nearest place
-//! within the triangle only, and its distance is good to rounding of the point's distance from a corner.
+//! A triangle may be a needle, whose plane the rounding of its long sides would tilt. So its area is the cross product
+//! of the two shortest sides. A point is resolved along the longest side and perpendicular to it towards the opposite
+//! corner, two directions that stay perpendicular for any height; its distance from the plane is not used. Rounding
+//! then moves the nearest point within the triangle only, and the error of the distance is the rounding of the point's
+//! distance from a corner.
 
 use super::nearer_place::is_nearer;
 use super::support::farthest;
 use glam::DVec3;
 
-/// Part of a triangle.
+/// A feature of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
     Face,
@@ -25,19 +26,19 @@ fn sides([a, b, c]: [DVec3; 3]) -> ([f64; 3], usize) {
     (squares, if first { 0 } else { 1 + usize::from(squares[2] > squares[1]) })
 }
 
-/// Twice the area along the normal from which the corners are seen anticlockwise, m^2.
+/// The normal, seen against which the corners are anticlockwise, with twice the area as its length, m^2.
 pub(crate) fn area_vector(corners: [DVec3; 3]) -> DVec3 {
     let from = sides(corners).1;
     let tip = corners[(from + 2) % 3];
     (corners[from] - tip).cross(corners[(from + 1) % 3] - tip)
 }
 
-/// The vector from the nearest place of a triangle, which may be flat, to a point (m), and the part that place lies in. Of
-/// equally near sides the first is taken.
+/// The vector from the nearest point of a triangle, which may have no area, to a given point (m), and the feature that
+/// contains the nearest point. Of equally near sides the first is taken.
 pub(crate) fn from_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, Part) {
     let [a, b, c] = *corners;
-    // Any product of two sides tells well enough which to look at: its rounding, epsilon times length over height, moves the
-    // border between two answers no farther than where they differ by rounding.
+    // Any product of two sides is accurate enough for the choice of the case: its rounding, epsilon times length over
+    // height, moves the border between two cases no farther than where their results differ by rounding.
     let normal = (b - a).cross(c - a);
     let within = |p: DVec3, q: DVec3| (q - p).cross(point - p).dot(normal);
     let beyond = [within(a, b), within(b, c), within(c, a)].map(|inward| inward < 0.0);
@@ -50,11 +51,11 @@ pub(crate) fn from_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, Part)
     }
 }
 
-/// The vector from the face to a point over it.
+/// The vector from the face to a point that projects onto it; none for other points.
 fn over_face(corners: &[DVec3; 3], point: DVec3) -> Option<DVec3> {
     let (squares, from) = sides(*corners);
     let (to, tip) = ((from + 1) % 3, (from + 2) % 3);
-    // From the end that is nearer to the tip.
+    // Relative to the end nearer to the opposite corner.
     let (start, end) = if squares[tip] <= squares[to] { (from, to) } else { (to, from) };
     let (along, square) = (corners[end] - corners[start], squares[from]);
     let (to_tip, to_point) = (corners[tip] - corners[start], point - corners[start]);
@@ -67,7 +68,8 @@ fn over_face(corners: &[DVec3; 3], point: DVec3) -> Option<DVec3> {
     within.then(|| beside - across * v)
 }
 
-/// The same of some of the sides: the nearest place lies on one beyond which the point is.
+/// The same for the sides in `wanted`: the nearest point lies on a side whose line separates the point from the
+/// triangle.
 fn from_sides(corners: &[DVec3; 3], point: DVec3, wanted: [bool; 3]) -> (DVec3, Part) {
     let lengths = corners.iter().map(|&corner| (corner - point).abs().max_element()).fold(0.0, f64::max);
     let reach = |direction| (farthest(corners, direction) - point).dot(direction);
@@ -87,7 +89,7 @@ fn from_sides(corners: &[DVec3; 3], point: DVec3, wanted: [bool; 3]) -> (DVec3, 
     best.unwrap_or((point - corners[0], Part::Corner(0)))
 }
 
-/// Nearest place of a segment, its edge or one of its corners.
+/// Nearest point of a segment, and whether it is one of its ends.
 pub(crate) fn on_segment(p: DVec3, q: DVec3, point: DVec3) -> (DVec3, Part) {
     let along = q - p;
     let (from, to) = ((point - p).dot(along), (q - point).dot(along));

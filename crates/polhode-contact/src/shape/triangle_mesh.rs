@@ -1,11 +1,11 @@
 //! Triangle meshes as ground: surfaces, open or closed, of a body that does not move.
 //!
-//! The surface is thin and has two sides: a body is kept on the side on which less of it overlaps, which is the side it
-//! comes from. A closed mesh is hollow: a body inside it touches the inner side. Triangles anticlockwise seen from
-//! outside have face `2 p`, and seen from inside face `2 p + 1`, where `p` numbers the flat patches: neighbouring
-//! triangles that lie in one plane are one face, so that a body which slides over them keeps its contact. Vertices in
-//! one place (equal coordinates) are joined and bear the lowest of their numbers; edges are numbered in the order in
-//! which the triangles first run along them.
+//! The surface is thin and has two sides: a body that penetrates it is pushed out on the side on which less of it
+//! penetrates, which is the side it comes from. A closed mesh is hollow: a body inside it touches the inner side.
+//! Neighbouring triangles in one plane form a flat patch, which is one face, so that a body which slides over them
+//! keeps its contact. Patch `p` is face `2 p` seen from outside (triangles anticlockwise) and face `2 p + 1` seen from
+//! inside. Vertices with equal coordinates are joined and have the lowest of their numbers; edges are numbered in the
+//! order in which they first occur in the triangles.
 
 use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
@@ -19,10 +19,11 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 use std::collections::BTreeMap;
 
-/// How far the vertices of a patch may lie off its plane, relative to the mesh's size: as features in one place.
+/// Largest distance of the vertices of a patch from its plane, relative to the mesh's size: the distance up to which
+/// features coincide.
 const FLAT: f64 = crate::clearance::COINCIDENCE;
 
-/// Least height of a triangle relative to its longest side: below it rounding decides where its normal points.
+/// Least height of a triangle relative to its longest side: below it the direction of the normal is rounding error.
 pub(crate) const LEAST_HEIGHT: f64 = 1e-12;
 
 /// A plane part of the surface.
@@ -40,7 +41,8 @@ pub(crate) struct MeshEdge {
     pub(crate) vertices: [u32; 2],
     pub(crate) direction: DVec3,
     pub(crate) length: f64,
-    /// Sum of the unit vectors out of its triangles, in their planes: the axis of the normals that the edge may have.
+    /// Sum of the unit vectors out of its triangles, in their planes: the middle of the normals that contacts on the
+    /// edge may have.
     pub(crate) outward: DVec3,
     /// Whether it lies within a patch.
     pub(crate) flat: bool,
@@ -51,7 +53,7 @@ pub(crate) struct MeshEdge {
 pub struct TriangleMesh {
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// As the triangles, with vertices in one place joined.
+    /// The triangles with joined vertices.
     pub(crate) joined: Vec<[u32; 3]>,
     pub(crate) patches: Vec<Patch>,
     /// Patch of every triangle.
@@ -59,7 +61,7 @@ pub struct TriangleMesh {
     pub(crate) edges: Vec<MeshEdge>,
     /// Edges of every triangle: the k-th runs from corner k to the next.
     pub(crate) edges_of: Vec<[u32; 3]>,
-    /// Unit vectors out of every triangle across its edges, in its plane.
+    /// For each edge of every triangle the unit vector in its plane, perpendicular to the edge and out of the triangle.
     pub(crate) sides: Vec<[DVec3; 3]>,
     /// Triangles at every edge.
     pub(crate) at_edge: Lists,
@@ -80,7 +82,7 @@ impl TriangleMesh {
         if triangles.is_empty() {
             return Err(ShapeError::NoPart { what: "triangles" });
         }
-        // Three edges and two faces for each triangle have to be numbered.
+        // Edges (three for each triangle) and faces (two) must fit into 32 bits.
         let (most, limit) = (vertices.len().max(triangles.len()), u32::MAX as usize / 3);
         if most > limit {
             return Err(ShapeError::TooManyPoints { count: most, limit });
@@ -164,7 +166,7 @@ impl TriangleMesh {
         self.reach
     }
 
-    /// The places of the vertices that a triangle has, m.
+    /// The vertices that belong to a triangle, m.
     pub(crate) fn places(&self) -> impl Iterator<Item = DVec3> {
         places(&self.vertices, &self.at_vertex)
     }
@@ -173,7 +175,7 @@ impl TriangleMesh {
         self.joined.get(triangle as usize).map(|t| t.map(|v| self.vertices[v as usize]))
     }
 
-    /// Distance of a place from the nearest vertex of a triangle, m.
+    /// Distance of a point from the nearest vertex that belongs to a triangle, m.
     pub(crate) fn distance_to_vertex(&self, x: DVec3) -> f64 {
         let here = Aabb { min: x, max: x };
         self.tree.least(f64::INFINITY, 0.0, &|bounds: &Aabb| bounds.distance(&here), &mut |triangle, _| {
@@ -182,7 +184,7 @@ impl TriangleMesh {
         })
     }
 
-    /// The plane of a face: of a patch seen from one side.
+    /// The plane of a face, which is a patch seen from one side.
     pub(crate) fn face_plane(&self, face: u32) -> Option<Patch> {
         let patch = *self.patches.get(face as usize / 2)?;
         Some(if face.is_multiple_of(2) { patch } else { Patch { normal: -patch.normal, offset: -patch.offset } })
@@ -200,22 +202,22 @@ fn items_of(of: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
     of.iter().enumerate().flat_map(|(t, keys)| keys.iter().map(move |&key| (key, t as u32)))
 }
 
-/// A vertex of no triangle is no part of the surface.
+/// The vertices that belong to a triangle; others are not part of the surface.
 fn places(vertices: &[DVec3], at_vertex: &Lists) -> impl Iterator<Item = DVec3> {
     vertices.iter().enumerate().filter(|(index, _)| !at_vertex.of(*index).is_empty()).map(|(_, &place)| place)
 }
 
-/// The triangles with the lowest of the vertices in each place.
+/// The triangles with every vertex replaced by the lowest one with equal coordinates.
 fn joined(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut places = BTreeMap::new();
-    // Adding zero makes -0 and 0 one place.
+    // Adding zero makes -0 and 0 equal keys.
     let key = |p: DVec3| (p + 0.0).to_array().map(f64::to_bits);
     let first: Vec<u32> =
         vertices.iter().enumerate().map(|(i, &p)| *places.entry(key(p)).or_insert(i as u32)).collect();
     triangles.iter().map(|t| t.map(|v| first[v as usize])).collect()
 }
 
-/// Outward unit normals; an error for a triangle that has none, or that is another one's double.
+/// Outward unit normals; an error for a triangle without area, or one that occurs twice.
 fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, ShapeError> {
     let mut seen = BTreeMap::new();
     let mut normals = Vec::with_capacity(triangles.len());
@@ -224,7 +226,7 @@ fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, Sha
         sorted.sort_unstable();
         let [a, b, c] = corners.map(|v| vertices[v as usize]);
         let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-        // Scaled, so that no square leaves the range.
+        // Scaled, so that no square overflows or underflows.
         let area = area_vector([a, b, c].map(|corner| (corner - a) / longest));
         let height = area.length() * longest;
         if !(longest <= LARGEST_LENGTH && height > LEAST_HEIGHT * longest) {
@@ -239,13 +241,13 @@ fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, Sha
     Ok(normals)
 }
 
-/// Unit vector out of a triangle across its k-th side, in its plane.
+/// Unit vector in a triangle's plane, perpendicular to its k-th side and out of the triangle.
 fn side_of(vertices: &[DVec3], triangle: &[u32; 3], normal: DVec3, k: usize) -> DVec3 {
     let at = |k: usize| vertices[triangle[k % 3] as usize];
     (at(k + 1) - at(k)).cross(normal).normalize_or_zero()
 }
 
-/// Edges in the order in which the triangles first run along them, and those of every triangle.
+/// Edges in the order in which they first occur in the triangles, and the edges of every triangle.
 fn edges_of(vertices: &[DVec3], triangles: &[[u32; 3]]) -> (Vec<MeshEdge>, Vec<[u32; 3]>) {
     let mut numbers = BTreeMap::new();
     let mut edges = Vec::new();
@@ -267,9 +269,9 @@ fn edges_of(vertices: &[DVec3], triangles: &[[u32; 3]]) -> (Vec<MeshEdge>, Vec<[
     (edges, of)
 }
 
-/// Patches grow from the lowest triangle over neighbours (two at an edge, turned the same way) whose vertices lie in its
-/// plane. The plane of a patch is that of all its triangles, weighed by their areas, and halves the spread of its
-/// vertices.
+/// Each patch is grown from its triangle of lowest number over neighbours (two triangles at an edge, with the same
+/// orientation) whose vertices lie in its plane. The normal of a patch is the mean of its triangles' normals weighted
+/// by area; its offset is the middle of the smallest and largest offset of its vertices.
 fn patches(
     vertices: &[DVec3],
     triangles: &[[u32; 3]],

@@ -1,17 +1,19 @@
-//! What a search over the separating axes of two polyhedra leaves for the next one, at a pose nearby.
+//! Temporal coherence: which separating axes of two polyhedra need not be searched again at a nearby pose.
 //!
-//! Let B move in A's frame by a translation `dt` and a turn `dR`. A point at distance `r` from B's origin then moves by at
-//! most `|dt| + r |dR|`, and seen from B a point of A by at most `|dt| + (r_A + |t|) |dR|`, with `|dR| <= 2 |dq|` for the
-//! quaternions. Heights above the planes of a body change by no more. So
+//! Let B move in A's frame by a translation `dt` (m) and a rotation `dR`. A point of B at the distance `r` from B's
+//! origin moves by at most `|dt| + r |dR|`, and a point of A at the distance `r_A` from A's origin moves in B's frame
+//! by at most `|dt| + (r_A + |t|) |dR|`; `t` is B's position in A's frame, and `|dR| <= 2 |dq|` for the unit
+//! quaternions. The separation along a face normal changes by no more. So
 //!
-//!  - a face that separated by `s` still separates by `s` less its change: when that exceeds the reach, the pair has no
-//!    contact and nothing need be computed;
-//!  - a face or an edge (`edge_axes.rs`) that stayed below a limit can decide again only when the limit plus its change
-//!    comes up to the separation of the best face. Until then the others alone are searched, at the new poses and with the
-//!    operations of a full search, and give its result bit by bit.
+//!  - a face that separated the bodies by `s` still separates them by `s` minus this change. If that exceeds the reach,
+//!    the pair has no contact and nothing is computed;
+//!  - a face or an edge (`edge_axes.rs`) whose separation was below a limit can be the best only when the limit plus
+//!    the change reaches the separation of the best face. Until then only the others are searched, at the new poses and
+//!    with the operations of a full search, which gives its result bit for bit.
 //!
 //! The contacts of two faces that lie on each other are kept in the same way (`kept_region.rs`). No geometry is kept,
-//! only which features need not be looked at and which ones touch.
+//! only the lists of features to search and of features that touch. Fails never: when a bound does not hold, the full
+//! search is run.
 
 use crate::narrow_phase::axis::axes::{Axes, axis_slack};
 use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest, plane_of_b};
@@ -20,46 +22,47 @@ use crate::narrow_phase::region::kept_region::KeptRegion;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use polhode_spatial::Pose;
 
-/// How far below the best face an axis must stay to be left out, relative to the length that turns into its change: about
-/// the turn in rad for which a search lasts. Larger, and more features are looked at every time.
+/// By how much the separation of an axis must be below that of the best face for it to be left out, relative to the
+/// lever arm of its change: about the rotation in rad for which the lists hold. A larger value keeps more features in
+/// the lists.
 const MARGIN: f64 = 0.02;
 
-/// What the last full search found.
+/// The result of the last full search.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 enum Verdict {
-    /// Nothing that holds at other poses.
+    /// It implies nothing at other poses.
     #[default]
     Unknown,
-    /// A face of A (family 0) or of B (1) separates by at least so much, m.
+    /// A face of A (family 0) or of B (1) separates the bodies by at least this, m.
     Apart { family: usize, separation: f64 },
-    /// Only some features can decide.
+    /// Only the kept features can be the best axis.
     Close,
 }
 
-/// What is known of a pair of polyhedra.
+/// The memory of a pair of polyhedra.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Coherence {
     verdict: Verdict,
-    /// Faces and edges of both bodies: were they of other shapes, no index of theirs would hold.
+    /// Numbers of faces and edges of both bodies; other numbers mean other shapes, whose indices differ.
     counts: [usize; 4],
-    /// Since the last full search.
+    /// Motion since the last full search.
     drift: Drift,
-    /// Separations, m, that every axis of A and of B that is left out stayed below.
+    /// Upper bounds of the separations along the axes of A and of B that were left out, m.
     limits: [f64; 2],
     faces: [Vec<u32>; 2],
     edges: [Vec<u32>; 2],
-    /// Contacts of the pair of faces that was looked at last.
+    /// Contact features of the last pair of faces.
     pub(crate) region: KeptRegion,
 }
 
 impl Coherence {
-    /// Forgets everything but the buffers.
+    /// Resets the memory; the buffers stay allocated.
     pub(crate) fn forget(&mut self) {
         self.verdict = Verdict::Unknown;
         self.region.forget();
     }
 
-    /// A separation beyond `reach` that the pair certainly has at this relative pose, m.
+    /// A lower bound of the separation at this relative pose, if there is one beyond `reach`, m.
     #[inline]
     pub(crate) fn apart(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, reach: f64) -> Option<f64> {
         let Verdict::Apart { family, separation } = self.verdict else { return None };
@@ -70,7 +73,8 @@ impl Coherence {
         (least > reach).then_some(least)
     }
 
-    /// The axes that a full search would find, as far as they matter to the contacts within `reach`. B is placed.
+    /// The best axes, as a full search would find them, as far as they matter to contacts within `reach` (m). Places B
+    /// in the buffers.
     pub(crate) fn search(
         &mut self,
         search: &mut AxisSearch,
@@ -92,7 +96,7 @@ impl Coherence {
         let mut axes = match search.search_faces(a, b, x_ab, reach) {
             Ok(axes) => {
                 let family = usize::from(axes.face_b.separation > axes.face_a.separation);
-                // Less its rounding, which is more than that of one nearby when the bodies are far apart.
+                // The rounding is subtracted here: it is larger at this pose than at a nearer one.
                 let separation = axes.face_separation() - axis_slack(a, b, x_ab);
                 self.verdict = Verdict::Apart { family, separation };
                 return axes;
@@ -108,7 +112,7 @@ impl Coherence {
         axes
     }
 
-    /// Keeps the features that may decide nearby.
+    /// Stores the features that may be the best axis at nearby poses.
     fn keep(&mut self, search: &AxisSearch) {
         self.verdict = Verdict::Close;
         let along = [&search.along_faces_a, &search.along_faces_b];
@@ -122,7 +126,7 @@ impl Coherence {
         }
     }
 
-    /// The search over the kept features alone; nothing when others may matter.
+    /// The search over the kept features alone; none when another one may be the best.
     fn search_again(
         &self,
         search: &mut AxisSearch,
@@ -150,7 +154,7 @@ impl Coherence {
             search.along_faces_b[face] = separation;
             axes.face_b.take(separation, face);
         }
-        // Faces within the tolerance of the best and those that lie against them within as much again are compared.
+        // The manifold compares faces within one tolerance of the best, and the faces against them within another one.
         let needed = axes.face_separation().min(0.0) - 2.0 * axes.tolerance - axis_slack(a, b, x_ab);
         let changes = self.drift.changes(x_ab);
         if !(0..2).all(|k| self.limits[k] + changes[k] < needed) {

@@ -1,9 +1,9 @@
-//! Ways to find the separation of two convex polyhedra: the separating-axis test and GJK.
+//! Two algorithms for the separation of two convex polyhedra: the separating-axis test and GJK.
 //!
-//! Overlapping, both give the depth over all axes. Apart, GJK gives the Euclidean distance and the separating axes the
-//! largest separation over the normals of faces and pairs of edges, which is less where a vertex is nearest to an edge or
-//! a vertex. The time of the separating-axis test grows as the product of the numbers of edges, that of GJK as the sum of
-//! the numbers of vertices.
+//! For overlapping bodies both give the depth of penetration over all axes. For bodies apart GJK gives the Euclidean
+//! distance, and the separating-axis test the largest separation over the normals of faces and pairs of edges, which is
+//! less than the distance where a vertex is nearest to an edge or a vertex. The time of the separating-axis test grows
+//! as the product of the numbers of edges, that of GJK as the sum of the numbers of vertices.
 
 use crate::Shape;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
@@ -14,13 +14,14 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// How the separation of two convex bodies is found.
+/// The algorithm for the separation of two convex polyhedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum ConvexMethod {
     /// Every face normal and every pair of edges that may separate is tried.
     #[default]
     SeparatingAxis,
-    /// The algorithm of Gilbert, Johnson and Keerthi finds the features, on which the distance is solved.
+    /// The algorithm of Gilbert, Johnson and Keerthi finds the nearest features; the distance is then computed from
+    /// them in closed form.
     Gjk,
 }
 
@@ -28,7 +29,7 @@ impl ConvexMethod {
     /// All methods.
     pub const ALL: [Self; 2] = [Self::SeparatingAxis, Self::Gjk];
 
-    /// Name in figures and files.
+    /// Name in benchmark tables and files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::SeparatingAxis => "separating-axis",
@@ -46,8 +47,8 @@ pub struct Separation {
     pub normal: DVec3,
 }
 
-/// The separation of two polyhedra by a method. Other pairs, for which there is one way only, have the distance
-/// ([`distance()`]) by either. Nothing when a pose is not finite or no distance exists.
+/// The separation of two polyhedra by a method. For other pairs both methods give [`distance()`]. None when a pose is
+/// not finite or no distance exists.
 ///
 /// ```
 /// use polhode_contact::{ConvexMethod, DVec3, Pose, Shape, Workspace, separation_by};

@@ -1,13 +1,14 @@
 //! All contacts of a pair of shapes at given poses.
 //!
-//! Two polyhedra: the best separating axis ([`crate::separation()`]) names a face of one body, and the face of the other
-//! that lies most nearly against it; [`crate::evaluate()`] measures every contact of the two faces. When a pair of edges
-//! separates best, that crossing is the only contact, unless a face beside one of the edges is almost parallel to the
-//! other edge: then all contacts of the faces beside are given, so that a body that tips over an edge changes its
-//! contacts continuously (`polyhedra.rs`).
+//! Two polyhedra: when a face normal is the best separating axis ([`crate::separation()`]), the contacts are those of
+//! this face and the most nearly antiparallel face of the other body, evaluated by [`crate::evaluate()`]. When a pair
+//! of edges separates best, their crossing is the only contact, unless a face beside one of the edges is almost
+//! parallel to the other edge: then the contacts are those of the faces beside the edges, so that the contacts of a
+//! body that tips over an edge change continuously (`polyhedra.rs`).
 //!
-//! Capsules, cylinders, cones and tori: `round_region.rs`. Compounds: `compound_pair.rs`. Triangle meshes: `mesh_pair.rs`.
-//! Other pairs: every vertex or point below the reach; the nearest features of a sphere (`pair_manifold.rs`).
+//! Capsules, cylinders, cones and tori: `round_region.rs`. Compounds: `compound_pair.rs`. Triangle meshes:
+//! `mesh_pair.rs`. Other pairs: every vertex or point whose separation is within the reach; the feature nearest to a
+//! sphere (`pair_manifold.rs`).
 
 use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;
@@ -22,8 +23,8 @@ pub fn manifold(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, 
     found
 }
 
-/// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough. What
-/// stood in the result before is forgotten.
+/// As [`manifold`], with buffers and a result that the caller keeps: nothing is allocated once they are large enough.
+/// The previous content of the result is replaced.
 pub fn manifold_into(
     workspace: &mut Workspace,
     shape_a: &Shape,
@@ -43,9 +44,9 @@ pub fn manifold_into(
     found.set_empty(separation, axis);
 }
 
-/// As [`manifold`] for those who ask for no more than what is within reach: beyond it the separation of a compound or a
-/// mesh is some value above the reach, infinite perhaps, and the axis none. The separation of all parts is most of the work
-/// of a pair that is near but apart.
+/// As [`manifold`], for callers who need only contacts within reach. For a compound or mesh beyond the reach, the
+/// separation is some value above the reach (perhaps infinite) and the axis is `None`. This saves the separation of all
+/// parts, which is most of the work for a pair that is near but apart.
 pub fn near_manifold(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose, reach: f64) -> Manifold {
     let mut found = Manifold::default();
     near_manifold_into(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b, reach, &mut found);

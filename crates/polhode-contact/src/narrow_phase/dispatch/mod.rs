@@ -2,12 +2,12 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`workspace`] | what is kept from call to call |
+//! | [`workspace`] | buffers, kept from call to call |
 //! | [`separation`] | the separation of two shapes |
 //! | [`manifold`] | all contacts of two shapes |
 //! | [`convex_method`] | the separation of two convex shapes by a chosen method |
-//! | `coherence` | what a search leaves for the next one |
-//! | [`pair_memory`] | the contacts of a pair, with what is remembered of it |
+//! | `coherence` | which axes need not be searched at a nearby pose |
+//! | [`pair_memory`] | the contacts of a pair, found faster with the memory of the last query |
 
 pub(crate) mod coherence;
 pub mod convex_method;

@@ -1,7 +1,7 @@
-//! The contacts of a pair, with what is remembered of it from one query to the next.
+//! The contacts of a pair, found faster with a memory of the last query.
 //!
-//! What is remembered says which features need not be searched (`coherence.rs`). The contacts are the same, bit for bit,
-//! with it and without; once the buffers are large enough, a query allocates nothing.
+//! The memory holds which features need not be searched at a nearby pose (`coherence.rs`). The contacts with and
+//! without it are the same, bit for bit. Once the buffers are large enough, a query allocates nothing.
 
 use crate::narrow_phase::dispatch::coherence::Coherence;
 use crate::narrow_phase::dispatch::manifold::near_manifold_into;
@@ -11,8 +11,8 @@ use crate::narrow_phase::pair::polyhedra::along_axes;
 use crate::{Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 
-/// What is remembered of one pair from one query to the next. It must be forgotten ([`Default`]) when another shape stands
-/// for one of the two.
+/// The memory of one pair from one query to the next. Start a new one ([`Default`]) when either shape is replaced by
+/// another.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Manifold, PairMemory, Pose, Shape, Workspace, near_manifold_with};
@@ -31,8 +31,9 @@ pub struct PairMemory {
     coherence: Coherence,
 }
 
-/// As [`near_manifold`](crate::near_manifold), the same bit for bit within the reach, with buffers that the caller keeps and
-/// with what is remembered of the pair; beyond the reach the separation of polyhedra is a lower bound that exceeds it.
+/// As [`near_manifold`](crate::near_manifold), with buffers and a memory of the pair that the caller keeps. Within the
+/// reach the result is the same, bit for bit; beyond it the separation of polyhedra is a lower bound that exceeds the
+/// reach.
 pub fn near_manifold_with(
     workspace: &mut Workspace,
     PairMemory { coherence }: &mut PairMemory,

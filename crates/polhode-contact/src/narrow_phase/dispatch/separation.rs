@@ -5,12 +5,13 @@ use crate::narrow_phase::dispatch::workspace::Workspace;
 use crate::narrow_phase::parts::compound_pair::separation_of_parts;
 use polhode_spatial::Pose;
 
-/// Signed separation of two shapes, m: negative the depth of penetration; positive a lower bound of their distance that
-/// is zero exactly when they touch, and the distance itself when a face or a smooth shape decides. Infinite when the
-/// pair never touches, NaN when a pose is not finite.
+/// Signed separation of two shapes, m. Overlapping: minus the depth of penetration. Apart: a lower bound of their
+/// distance that is zero exactly when they touch, and the distance itself when the best axis is a face normal or
+/// belongs to a smooth shape. Infinite when the pair never touches, NaN when a pose is not finite.
 ///
-/// Of a torus whose middle line enters the other body, and of compounds, a negative value is that of the deepest place or
-/// pair of parts: a lower bound of the way out. Two clouds never touch, nor do two of half-space and mesh.
+/// For a torus whose centre circle enters the other body, and for compounds, a negative value is that of the deepest
+/// point or pair of parts: the depth of the whole may be larger. Two clouds never touch; nor do two half-spaces, two
+/// meshes, or a half-space and a mesh.
 pub fn separation(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
     separation_with(&mut Workspace::default(), shape_a, pose_a, shape_b, pose_b)
 }

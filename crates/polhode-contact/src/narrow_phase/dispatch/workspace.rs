@@ -1,4 +1,4 @@
-//! What the narrow phase keeps from call to call.
+//! Buffers of the narrow phase, kept from call to call.
 
 use crate::narrow_phase::parts::compound_pair::CompoundBuffers;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
@@ -10,7 +10,7 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Of two bodies without parts.
+    /// The buffers for two shapes without parts.
     pub(crate) const fn pair(&mut self) -> &mut PairBuffers {
         &mut self.parts.mesh.pair
     }

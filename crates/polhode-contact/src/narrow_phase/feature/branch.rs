@@ -1,8 +1,8 @@
-//! A circle may have two places at which it is nearest to another curve: their names.
+//! Names of the two points at which a circle may be nearest to another curve.
 
 use crate::SurfaceFeature;
 
-/// Which of two places of a circle is meant.
+/// Which of the two points is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Branch {
     /// The nearest.
@@ -14,7 +14,7 @@ pub(crate) enum Branch {
 }
 
 impl Branch {
-    /// The name of the place on a rim.
+    /// The feature of this point on a rim.
     pub(crate) const fn of_rim(self, index: u32) -> SurfaceFeature {
         match self {
             Self::Nearest => SurfaceFeature::Rim(index),

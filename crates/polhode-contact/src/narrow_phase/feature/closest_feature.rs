@@ -1,4 +1,4 @@
-//! The feature of a surface that is nearest to a point, and which it is of a convex polyhedron.
+//! The feature of a convex polyhedron that is nearest to a point.
 
 use crate::SurfaceFeature;
 use crate::narrow_phase::feature::face_border::face_margin;
@@ -12,12 +12,13 @@ use glam::DVec3;
 pub(crate) struct NearestFeature {
     pub(crate) feature: SurfaceFeature,
     pub(crate) distance: f64,
-    /// Unit vector from the feature to the point, turned round inside.
+    /// Unit vector from the feature to the point, outward also when the point is inside.
     pub(crate) normal: DVec3,
 }
 
-/// The nearest feature. Inside, and up to `tolerance` (m) outside all planes, the face whose plane is nearest decides;
-/// so it does wherever the point stands over a face. Of equally near faces the one with the lowest index is taken.
+/// The nearest feature. A point inside the body, or outside it by at most `tolerance` (m), is nearest to the face with
+/// the nearest plane; a point whose projection lies on a face it sees is nearest to that face. Of equally near faces
+/// the one with the lowest index is taken.
 pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> NearestFeature {
     let mut plane =
         NearestFeature { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, normal: DVec3::ZERO };
@@ -32,7 +33,7 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
             over = Some(nearest);
         }
     }
-    // A triangle as a flat polyhedron has two faces and is not bounded by their planes.
+    // A triangle is a flat polyhedron with two faces, whose planes do not bound it.
     let flat = polyhedron.faces.len() == 2;
     let inside = |nearest: &NearestFeature| match nearest.feature {
         SurfaceFeature::Face(face) if flat => {
@@ -43,7 +44,7 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
     if plane.distance <= tolerance && inside(&plane) {
         return plane;
     }
-    // Over a face that the point sees, no other feature of a convex body is nearer.
+    // When the point projects onto a face it sees, no other feature of a convex body is nearer.
     over.or_else(|| nearest_edge_or_vertex(polyhedron, point)).unwrap_or(plane)
 }
 

@@ -1,8 +1,8 @@
-//! The name of a contact of two parts of surfaces, and the two parts that a contact names.
+//! The name of a contact of two surface features, and the two features that a contact names.
 
 use crate::{ContactFeature, Shape, Side, SurfaceFeature};
 
-/// Names a contact of two parts of surfaces in the way that is common for their kinds.
+/// The [`ContactFeature`] of two surface features: the variant for their kinds, or `Elements`.
 pub(crate) fn named(a: SurfaceFeature, b: SurfaceFeature) -> ContactFeature {
     use SurfaceFeature::{Cap, Edge, Face, Sphere, Vertex};
     match (a, b) {
@@ -20,7 +20,7 @@ pub(crate) fn named(a: SurfaceFeature, b: SurfaceFeature) -> ContactFeature {
     }
 }
 
-/// The two parts of surfaces that a contact names; nothing for two features that no pair of shapes has.
+/// The two surface features that a contact names, A's first; none when the shapes have no such features.
 pub(crate) fn surface_parts(
     feature: ContactFeature,
     shape_a: &Shape,

@@ -1,20 +1,21 @@
-//! Vertices that meet: the other half of a degenerate contact.
+//! The second contact of two vertices that coincide.
 //!
-//! Where a vertex of one body meets a vertex of the other, the direction of the force is not defined by the two
-//! points (thesis 3.3 calls the case degenerate and leaves the choice open). What defines it are the two faces: the
-//! vertex of A must stay outside the face of B and the vertex of B outside the face of A. A manifold has one contact per
-//! place, the first of these; the second is given here, for a response that treats the pair alike from both sides:
-//! without it a pair of bodies that is its own mirror image would be pushed along one of the two normals only and lose its
-//! symmetry.
+//! Where a vertex of one body meets a vertex of the other, the direction of the force is not defined by the two points
+//! (thesis 3.3 calls the case degenerate and leaves the choice open). Two faces define it: the vertex of A must stay
+//! outside the face of B and the vertex of B outside the face of A. A manifold has one contact per point, the first of
+//! these. This module finds the second, for a contact response that treats both bodies alike: with one contact only, a
+//! mirror-symmetric pair of bodies would be pushed along one of the two normals and lose its symmetry.
 
 use crate::{ContactFeature, ConvexPolyhedron, Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Faces are parallel when the cosine of their normals is -1 within this: angles above some 2e-8 are told apart.
+/// Faces are parallel when the cosine between their normals is -1 within this: angles above about 2e-8 rad are told
+/// apart.
 const PARALLEL_COSINE: f64 = 2.0 * f64::EPSILON;
 
-/// The counterpart of a vertex-face contact whose vertex stands at a vertex of the face, within `distance` (m).
+/// The counterpart of a vertex-face contact whose vertex lies at a vertex of the face, within `distance` (m). None when
+/// it lies elsewhere, when the two faces are parallel, or for shapes other than convex polyhedra.
 pub fn counterpart(
     feature: ContactFeature,
     shape_a: &Shape,
@@ -39,7 +40,7 @@ pub fn counterpart(
         .copied()
         .find(|&u| other.vertices().get(u as usize).is_some_and(|p| (*p - point).length() <= distance))?;
     let (facing, cosine) = most_opposed_face(owner, vertex, &in_other, other_face.normal)?;
-    // Parallel faces push along one line: the second contact would be the first over again.
+    // Parallel faces have one normal: the second contact would repeat the first.
     if 1.0 + cosine <= PARALLEL_COSINE {
         return None;
     }

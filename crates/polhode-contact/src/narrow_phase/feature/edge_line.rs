@@ -8,7 +8,7 @@ pub(crate) struct EdgeLine {
     pub(crate) middle: DVec3,
     pub(crate) direction: DVec3,
     pub(crate) length: f64,
-    /// A direction out of the body.
+    /// Sum of the outward normals of the adjacent faces: a direction out of the body.
     pub(crate) outward: DVec3,
 }
 
@@ -32,7 +32,7 @@ impl EdgeLine {
 }
 
 impl Shape {
-    /// An edge by its number; nothing where the shape has none.
+    /// An edge by its number; none where the shape has no such edge.
     pub(crate) fn edge_line(&self, index: u32) -> Option<EdgeLine> {
         match self {
             Self::Convex(polyhedron) => EdgeLine::of_polyhedron(polyhedron, index),

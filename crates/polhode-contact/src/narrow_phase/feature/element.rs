@@ -1,9 +1,9 @@
-//! Elements: the parts of surfaces that can touch, placed in a common frame.
+//! Elements: features as geometric sets in a common frame, for the solution of common normals.
 //!
-//! Every feature of a convex shape is one of five loci blown up by a ball: a point (vertex, apex, centre), a line (edge,
-//! axis of a capsule or cylinder), a circle (rim, ring), the lateral side of a cone, a plane (face, disc). Their outward
-//! normals `o` satisfy `o.e = 0` on a line along `e`, `o.a = sin(alpha)` on a cone with axis `a` towards its apex and half
-//! angle `alpha`, and are fixed on a plane.
+//! Every feature of a convex shape or torus is the Minkowski sum of a locus and a ball. There are five loci: a point
+//! (vertex, apex, centre), a line (edge, axis of a capsule or cylinder), a circle (rim, centre circle of a torus), the
+//! lateral side of a cone, a plane (face, disc). Their outward normals `o` satisfy `o.e = 0` on a line along `e`, `o.a
+//! = sin(alpha)` on a cone with axis `a` towards its apex and half angle `alpha`, and are fixed on a plane.
 
 use crate::narrow_phase::feature::alike::ALIKE_SINE;
 use crate::narrow_phase::feature::branch::Branch;
@@ -16,7 +16,7 @@ use crate::{ConvexPolyhedron, Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Where the axes' points of an element lie.
+/// The set of points whose sum with a ball is the element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Locus {
     Point(DVec3),
@@ -28,7 +28,7 @@ pub(crate) enum Locus {
     Plane(DVec3, DVec3),
 }
 
-/// The lateral side of a cone: apex, axis towards it, sine and cosine of the half angle.
+/// The lateral side of a cone: apex, axis towards the apex, sine and cosine of the half angle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ConeSide {
     pub(crate) apex: DVec3,
@@ -37,23 +37,23 @@ pub(crate) struct ConeSide {
     pub(crate) cosine: f64,
 }
 
-/// What an element ends at.
+/// The border of an element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Border<'a> {
     /// Nothing.
     Open,
-    /// A line, this far from its point, m.
+    /// The two ends of a line, at this distance from its point, m.
     Ends(f64),
     /// A cone's generator of this length, m.
     Generator(f64),
     /// A disc of this radius, m.
     Disc(f64),
-    /// A rim: the unit vector in which the side runs into it is `radial` times the radial direction plus `axial` times the
-    /// disc's outward normal.
+    /// A rim, whose normals lie between the disc's and the side's: the unit vector along the side towards the rim is
+    /// `radial` times the radial direction plus `axial` times the disc's outward normal.
     Rim { radial: f64, axial: f64 },
-    /// A cap: beyond the plane perpendicular to this unit vector.
+    /// A cap: normals in the half-space of this unit vector.
     Cap(DVec3),
-    /// An apex.
+    /// The apex of a cone: normals steeper than the side's.
     Apex(ConeSide),
     /// A face of a polyhedron at a pose.
     Polygon(&'a ConvexPolyhedron, u32, Pose),
@@ -63,7 +63,7 @@ pub(crate) enum Border<'a> {
     Corner(&'a ConvexPolyhedron, u32, Pose),
 }
 
-/// A part of a surface in the common frame.
+/// A feature in the common frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Element<'a> {
     pub(crate) locus: Locus,
@@ -80,7 +80,7 @@ impl<'a> Element<'a> {
         Self { locus, ball, branch: Branch::Nearest, outward: DVec3::ZERO, border }
     }
 
-    /// Whether it is the middle line of a ring.
+    /// Whether it is the centre circle of a torus.
     pub(crate) const fn is_ring(&self) -> bool {
         self.ball > 0.0 && matches!(self.locus, Locus::Circle(_))
     }
@@ -109,8 +109,8 @@ impl<'a> Element<'a> {
         }
     }
 
-    /// Radius by which the surface stands off a place of the locus along the outward normal, m: the ball's, and at a
-    /// place on a cone's axis the length of the normal from there to the side.
+    /// Distance of the surface from a point of the locus along the outward normal, m: the ball's radius, plus for a
+    /// point on a cone's axis the length of the normal from there to the side.
     pub(crate) fn radius_at(&self, place: DVec3) -> f64 {
         match self.locus {
             Locus::Cone(side) => self.ball + side.sine * side.axis.dot(side.apex - place),
@@ -118,8 +118,9 @@ impl<'a> Element<'a> {
         }
     }
 
-    /// Signed distance from the border, m. `place` lies on the locus, `outward` is the unit normal there, `reach` the
-    /// distance of the two loci.
+    /// Signed distance from the border, m; negative beyond it. `place` lies on the locus, `outward` is the unit normal
+    /// there. `reach` is the distance of the two loci: a margin of normals, which is an angle, becomes a length with
+    /// it.
     pub(crate) fn margin(&self, place: DVec3, outward: DVec3, reach: f64) -> f64 {
         match (self.border, self.locus) {
             (Border::Ends(half), Locus::Line(middle, along)) => half - along.dot(place - middle).abs(),
@@ -171,7 +172,7 @@ fn face<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> {
         Shape::Convex(p) => {
             let face = p.face(index as usize)?;
             let through = *p.vertices.get(*face.vertices.first()? as usize)?;
-            // The plane's own offset, which halves the spread of its vertices.
+            // The vertex is projected onto the face's plane, from which it may be off by a tolerance.
             let through = through + face.normal * (face.offset - face.normal.dot(through));
             Some(Element::new(plane(through, face.normal), 0.0, Border::Polygon(p, index, *pose)))
         }
@@ -213,7 +214,7 @@ fn vertex<'a>(shape: &'a Shape, index: u32, pose: &Pose) -> Option<Element<'a>> 
 fn side<'a>(shape: &'a Shape, pose: &Pose) -> Option<Element<'a>> {
     match shape {
         Shape::Capsule(c) => {
-            // In the capsule's own frame its ends do not fall together, however short it is.
+            // The length is computed in the capsule's own frame: at a far pose the rounded ends could coincide.
             let [from, to] = c.ends;
             let length = from.distance(to);
             let axis = pose.rotation.rotate((to - from) / length);
@@ -248,7 +249,7 @@ fn rim<'a>(shape: &'a Shape, index: u32, pose: &Pose, branch: Branch) -> Option<
         }
         _ => (0.0, Border::Rim { radial: 0.0, axial: 1.0 }),
     };
-    // On a disc that lies flat the normal is the disc's, at the border of those of the rim.
+    // The crossings of a rim have no border of normals: on a disc that lies flat the normal is the disc's own.
     let border = if branch == Branch::Nearest { border } else { Border::Open };
     Some(Element { branch, ..Element::new(Locus::Circle(circle), ball, border) })
 }

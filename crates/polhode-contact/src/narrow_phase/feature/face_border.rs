@@ -1,16 +1,16 @@
-//! The border of a face of a polyhedron: how far a place is from it, and what of it is there.
+//! The border of a face of a polyhedron: the distance of a point from it, and the edge or vertex at a point.
 
 use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Shape};
 use glam::DVec3;
 
-/// Signed distance of a place over a face from the face's border, m; positive inside.
+/// Signed distance of a point from a face's border, measured in the face's plane, m; positive inside.
 #[inline]
 pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVec3) -> f64 {
     let mut least = f64::INFINITY;
     for (vertex, side) in face.vertices.iter().zip(face.sides) {
         let inward = side.dot(polyhedron.vertices[*vertex as usize] - y);
-        // The minimum, which has to be asked only of what compares as neither less nor greater.
+        // `f64::min` is called only for ties and NaN: the comparison alone is faster and gives the same minimum.
         if inward < least {
             least = inward;
         } else if inward == least || inward.is_nan() {
@@ -23,14 +23,15 @@ pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVe
 /// Where on a face of the other body a vertex lies.
 pub(crate) enum Border {
     Inside,
-    /// On an edge with this direction, its frame.
+    /// On an edge with this direction, in the frame of the face's body.
     Edge(DVec3),
     Vertex(u32),
     /// The other body's feature is no face of a polyhedron.
     Unknown,
 }
 
-/// Where on the face that a vertex-face contact names the place `y` (frame of the face's body) lies.
+/// Whether the point `y` (frame of the face's body) lies on an edge or a vertex of the face that a vertex-face contact
+/// names, within `tolerance` (m).
 pub(crate) fn at_border(other: &Shape, feature: ContactFeature, y: DVec3, tolerance: f64) -> Border {
     if matches!((other, feature), (Shape::HalfSpace(_), ContactFeature::VertexFace { .. })) {
         return Border::Inside;

@@ -1,8 +1,9 @@
-//! Faces, edges and vertices of a triangle mesh: where they end, and the normals they may have.
+//! Faces, edges and vertices of a triangle mesh: their borders, and the normals that contacts on them may have.
 //!
-//! A face has the normal of its patch. An edge or a vertex has the normals `v` for which all its triangles lie below the
-//! plane with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc between the neighbours' normals at a convex
-//! edge, the cone at a convex vertex, none at a concave edge and none but the patch's own within a patch.
+//! A face has the normal of its patch (triangles that lie in one plane). An edge or a vertex has the normals `v` for
+//! which all its triangles lie below the plane with normal `v`, `v . (w - x) <= 0` for their corners `w`: the arc
+//! between the neighbours' normals at a convex edge, the cone at a convex vertex, none at a concave edge and none but
+//! the patch's own within a patch.
 
 use crate::bounding::aabb::Aabb;
 use crate::clearance::COINCIDENCE;
@@ -10,9 +11,10 @@ use crate::shape::TriangleMesh;
 use crate::shape::triangle::{Part, from_triangle};
 use glam::DVec3;
 
-/// How far a place in a face's plane is from the border of its patch, m: inside, from the border edges of the triangles
-/// that hold it (infinite when these have none); outside, minus the distance from the nearest triangle. Beyond an edge at
-/// which the surface rises it is zero: a body that penetrates there is below both faces, and has contacts with both.
+/// Signed distance of a point in a face's plane from the border of its patch, m. Inside: the distance from the border
+/// edges of the triangles that contain the point (infinite when they have none). Outside: minus the distance from the
+/// nearest triangle. Beyond a concave edge, at which the surface rises, it is zero: a body that penetrates there is
+/// below both faces, and touches both.
 pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();
@@ -56,7 +58,7 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
 }
 
 impl TriangleMesh {
-    /// Whether at an edge of a face's patch the surface rises above the face.
+    /// Whether the surface rises above the face at an edge of the face's patch (a concave edge).
     fn rises_at(&self, edge: u32, face: u32) -> bool {
         let Some(plane) = self.face_plane(face) else { return false };
         let height = COINCIDENCE * self.bounds_size();
@@ -77,13 +79,13 @@ impl TriangleMesh {
         })
     }
 
-    /// The corners of the triangles at a vertex but for itself; some occur twice.
+    /// The other corners of the triangles at a vertex; some occur twice.
     pub(crate) fn neighbours(&self, vertex: u32) -> impl Iterator<Item = DVec3> + '_ {
         let others = self.at_vertex.of(vertex as usize).iter().flat_map(|&t| self.joined[t as usize]);
         others.filter(move |&v| v != vertex).map(|v| self.vertices[v as usize])
     }
 
-    /// Length of the first edge at a vertex, m.
+    /// Length of the first edge at a vertex, m: the scale of the triangles there.
     pub(crate) fn face_size(&self, vertex: u32) -> f64 {
         let x = self.vertices.get(vertex as usize).copied().unwrap_or_default();
         self.neighbours(vertex).next().map_or(0.0, |w| w.distance(x))
@@ -107,13 +109,14 @@ impl TriangleMesh {
     pub(crate) fn supports_at_vertex(&self, vertex: u32, v: DVec3, height: f64, slope: f64) -> bool {
         let Some(&x) = self.vertices.get(vertex as usize) else { return false };
         let falls = |&t: &u32| {
-            // Of the vertex itself the step is zero.
+            // The step to the vertex itself is zero, and passes.
             self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
         };
         self.at_vertex.of(vertex as usize).iter().all(falls)
     }
 
-    /// How the surface goes on around a vertex within the plane across `v`.
+    /// Whether the surface around a vertex lies in the plane perpendicular to `v`: all of it, along a line, or not.
+    /// Heights up to `tolerance` (m) count as zero.
     pub(crate) fn flatness(&self, vertex: u32, v: DVec3, tolerance: f64) -> Flatness {
         let Some(&x) = self.vertices.get(vertex as usize) else { return Flatness::Corner };
         let level = |w: DVec3| (w - x).dot(v).abs() <= tolerance;
@@ -129,7 +132,7 @@ impl TriangleMesh {
             }
         }
         let Some(along) = straight else { return Flatness::Corner };
-        // All edges at the vertex lie between two triangles of the plane.
+        // The vertex is inside its patch when every edge at it lies between two coplanar triangles.
         let inner = around.iter().all(|&t| {
             let own = self.joined[t as usize];
             self.edges_of[t as usize].iter().enumerate().all(|(k, &edge)| {
@@ -140,7 +143,7 @@ impl TriangleMesh {
         if inner { Flatness::Inner } else { Flatness::Straight(along) }
     }
 
-    /// Whether a triangle at a vertex goes on in a direction of the plane across `v`.
+    /// Whether a triangle at a vertex contains the direction `d` of the plane perpendicular to `v`.
     fn holds_direction(&self, triangle: u32, vertex: u32, d: DVec3, v: DVec3, tolerance: f64) -> bool {
         let own = self.joined[triangle as usize];
         let Some(k) = own.iter().position(|&n| n == vertex) else { return false };
@@ -157,17 +160,17 @@ impl TriangleMesh {
     }
 }
 
-/// The surface around a vertex.
+/// How much of the surface around a vertex lies in a plane through it.
 pub(crate) enum Flatness {
-    /// Plane all around.
+    /// All of it.
     Inner,
-    /// On a straight border or ridge along this direction.
+    /// The vertex lies on a straight border or ridge along this direction.
     Straight(DVec3),
     Corner,
 }
 
 fn falls_away(step: DVec3, v: DVec3, height: f64, slope: f64) -> bool {
     let rise = v.dot(step);
-    // Most slopes are zero, and need no length.
+    // The slope is zero in most calls, which saves the square root.
     rise <= height || (slope > 0.0 && rise <= height + slope * step.length())
 }

@@ -3,16 +3,16 @@
 //! | module | holds |
 //! |---|---|
 //! | `part_feature` | numbers among all parts of a compound, and within one part |
-//! | `contact_name` | the name of a contact of two parts of surfaces |
+//! | `contact_name` | the name of a contact of two surface features |
 //! | `alike` | the angle within which two normals belong to one region |
 //! | `edge_line` | an edge of a polyhedron or of a mesh |
 //! | `placed` | a shape at a pose |
-//! | `face_border` | how far a place is from the border of a polyhedron's face |
+//! | `face_border` | the distance of a point from the border of a polyhedron's face |
 //! | `mesh_feature` | faces, edges and vertices of a triangle mesh |
-//! | `branch` | names of two places of a circle |
-//! | `element` | the parts of surfaces that can touch, as loci blown up by balls |
+//! | `branch` | which of two points of a circle a feature names |
+//! | `element` | features as Minkowski sums of a locus and a ball |
 //! | `closest_feature` | the feature of a polyhedron that is nearest to a point |
-//! | `counterpart` | the other half of the contact of two vertices |
+//! | `counterpart` | the second contact of two vertices that coincide |
 
 pub(crate) mod alike;
 pub(crate) mod branch;

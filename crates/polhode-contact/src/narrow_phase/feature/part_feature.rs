@@ -1,9 +1,9 @@
-//! Features of compounds: numbers among all parts, and the same numbers within one part.
+//! Numbers of a compound's features: global ones among all parts, and local ones within one part.
 
 use crate::shape::Compound;
 use crate::{ContactFeature, Shape, Side, SurfaceFeature};
 
-/// A feature of one part of each body.
+/// A contact feature in the local numbers of one part of each body.
 pub(crate) struct Local<'a> {
     pub(crate) feature: ContactFeature,
     pub(crate) shapes: [&'a Shape; 2],
@@ -11,8 +11,8 @@ pub(crate) struct Local<'a> {
     pub(crate) parts: [usize; 2],
 }
 
-/// The parts of a pair that a feature names, and the feature with its numbers within them; nothing when it names none.
-/// Shapes that are no compounds come back as they are.
+/// The parts of a pair that a contact feature names, and the feature in their local numbers; none when no parts have
+/// these numbers. A shape that is not a compound is returned unchanged.
 #[inline]
 pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape) -> Option<Local<'a>> {
     match (a, b) {
@@ -21,7 +21,7 @@ pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape)
     }
 }
 
-/// As [`localized`], of a pair with a compound.
+/// [`localized`] for a pair with at least one compound.
 fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
     let index = |side: Side| usize::from(side == Side::B);
     let mut local = Local { feature, shapes, parts: [0; 2] };
@@ -43,7 +43,7 @@ fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
         other => other.renumbered(take)?,
     };
     if let ContactFeature::Smooth { center_of, against, .. } = &mut feature {
-        // The sphere of a part bears the number of its centre.
+        // A part that is a sphere is numbered by its centre.
         if matches!(local.shapes[index(center_of.other())], Shape::Sphere(_)) {
             *against = SurfaceFeature::Sphere;
         }
@@ -52,7 +52,7 @@ fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
     Some(local)
 }
 
-/// The feature of two bodies that a feature of one part of each is.
+/// The feature in the global numbers of the two bodies; the reverse of [`localized`].
 pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [usize; 2]) -> ContactFeature {
     if !bodies.iter().any(|shape| matches!(shape, Shape::Compound(_))) {
         return feature;
@@ -80,7 +80,7 @@ pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [u
 }
 
 impl ContactFeature {
-    /// The same contact with other numbers of its elements; nothing when one of them has none.
+    /// The same contact with its features renumbered; none when `number` returns none for one of them.
     pub(crate) fn renumbered(self, mut number: impl FnMut(Side, Kind, u32) -> Option<u32>) -> Option<Self> {
         Some(match self {
             Self::VertexFace { vertex_of, vertex, face } => Self::VertexFace {
@@ -106,7 +106,7 @@ impl ContactFeature {
     }
 }
 
-/// A part of a surface with its number replaced; nothing when there is none.
+/// A surface feature with its number replaced; none when `number` returns none.
 fn surface(feature: SurfaceFeature, mut number: impl FnMut(Kind, u32) -> Option<u32>) -> Option<SurfaceFeature> {
     Some(match feature {
         SurfaceFeature::Face(n) => SurfaceFeature::Face(number(Kind::Face, n)?),
@@ -121,8 +121,8 @@ fn surface(feature: SurfaceFeature, mut number: impl FnMut(Kind, u32) -> Option<
     })
 }
 
-/// Kinds of elements, each numbered by itself. Centres, points and caps are vertices; sides and rims share the numbers of
-/// edges, for no shape has both.
+/// Kinds of features, each with its own numbers. Centres, points and caps are numbered as vertices, sides and rims as
+/// edges, which is unambiguous because no shape has both.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
     Vertex,

@@ -1,4 +1,4 @@
-//! Which face of each of two polyhedra lie on each other.
+//! The pair of faces, one of each polyhedron, that lie on each other.
 
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};
 use crate::narrow_phase::axis::axis_search::AxisSearch;
@@ -19,9 +19,9 @@ pub(super) fn normals_of(
     normals.map(|normal| pose_a.rotation.rotate(normal))
 }
 
-/// Which faces of a pair say what belongs to the contact region: the one that separates better, or both when they
-/// separate equally well (edges of two tilted bodies that meet: the places of the edge may lie under either face). Where
-/// a crossing decides, only a face that is almost perpendicular to its normal counts: `alike`.
+/// Which of the two faces decide what belongs to the contact region: the one with the larger separation, or both when
+/// they separate equally well (where edges of two tilted bodies meet, points of the edge may lie below either face).
+/// Where two edges are the best axis, only a face whose normal is within 0.01 rad of theirs counts (`alike`).
 pub(super) fn deciding_faces(
     search: &AxisSearch,
     axes: &Axes,
@@ -32,9 +32,9 @@ pub(super) fn deciding_faces(
     [(0, 1), (1, 0)].map(|(own, other)| alike[own] && (!alike[other] || along[own] >= along[other] - axes.tolerance))
 }
 
-/// The faces beside two crossing edges that lie most nearly against each other, when at least one of them is almost
-/// perpendicular to the normal of the crossing: then the other body's edge, which is perpendicular to that normal, lies
-/// almost in the face, and more of it than the crossing may touch.
+/// The faces beside two crossing edges that are most nearly antiparallel, when at least one of them has almost the
+/// normal of the crossing. Then the other body's edge lies almost in that face, and may touch it at more than the
+/// crossing.
 pub(super) fn faces_beside(
     search: &AxisSearch,
     a: &ConvexPolyhedron,
@@ -53,7 +53,7 @@ pub(super) fn faces_beside(
     (face_a.1.max(face_b.1) >= ALIKE).then_some((face_a.0, face_b.0))
 }
 
-/// The deciding face and the face of the other body that lies against it.
+/// The best separating face and the face of the other body that lies against it.
 ///
 /// Of several faces that separate equally well (a body flush with a corner of another) the one that meets the most
 /// nearly parallel face is taken, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
@@ -86,15 +86,15 @@ pub(super) fn facing(
     best.map_or((0, 0), |(_, _, pair)| pair)
 }
 
-/// Whether the first (parallelism or number, direction) goes before the second.
+/// Whether the first pair (degree of parallelism or number of contacts, direction) is preferred to the second.
 pub(super) fn is_better(first: (f64, DVec3), second: (f64, DVec3)) -> bool {
     let differences = [first.0 - second.0, first.1.z - second.1.z, first.1.y - second.1.y, first.1.x - second.1.x];
     differences.into_iter().find(|d| d.abs() > SAME_DIRECTION).is_some_and(|d| d > 0.0)
 }
 
-/// Of the faces at the lowest vertices along `normal`, the one that lies most nearly against it, and how nearly (1 when
-/// antiparallel). Vertices are as low within `tolerance` (m); of faces that are as parallel within `same` the one with the
-/// lowest number counts.
+/// Of the faces at the lowest vertices along `normal`, the one whose normal is most nearly antiparallel to it, and
+/// minus the cosine between them. Vertices within `tolerance` (m) of the lowest are as low; of faces with cosines equal
+/// within `same` the one with the lowest number is taken.
 #[inline]
 pub(crate) fn opposing(
     polyhedron: &ConvexPolyhedron,

@@ -1,11 +1,11 @@
-//! Features measured: their geometry at the poses of the bodies.
+//! Evaluates contact features at the poses of the bodies.
 
 use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::evaluate::evaluate;
 use crate::{Contact, ContactFeature, Shape};
 use polhode_spatial::Pose;
 
-/// The features with their geometry, as far as they are within reach, sorted, instead of what the list held.
+/// Replaces the contacts by those of the features whose separation is at most `reach` (m), sorted.
 pub(crate) fn measure(
     features: &mut [ContactFeature],
     a: Placed<'_>,
@@ -21,8 +21,8 @@ pub(crate) fn measure(
     }
 }
 
-/// Gives contacts the geometry that [`evaluate`] gives them at these poses, and leaves out those that it says to be farther
-/// than `most` (m): in the frame of a part they were nearer by rounding.
+/// Evaluates the contacts again with [`evaluate`] at these poses, and removes those with a separation above `most` (m):
+/// in the frame of a part rounding may have made it smaller.
 pub(crate) fn measure_again(contacts: &mut Vec<Contact>, shapes: [&Shape; 2], poses: [&Pose; 2], most: f64) {
     contacts.retain_mut(|contact| {
         let geometry = evaluate(contact.feature, shapes[0], poses[0], shapes[1], poses[1]);

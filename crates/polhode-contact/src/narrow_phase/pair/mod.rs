@@ -2,8 +2,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `measure` | features with their geometry |
-//! | `facing` | which faces of two polyhedra lie on each other |
+//! | `measure` | evaluates features at the poses of the bodies |
+//! | `facing` | the pair of faces of two polyhedra that lie on each other |
 //! | `polyhedra` | the contacts of two polyhedra whose best axes are known |
 //! | `pair_separation` | the separation of any two |
 //! | `pair_manifold` | the contacts of any two |

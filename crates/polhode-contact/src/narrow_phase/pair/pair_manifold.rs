@@ -1,5 +1,5 @@
-//! All contacts of two shapes without parts: by separating axes of polyhedra, element by element of round shapes, point by
-//! point of others.
+//! All contacts of two shapes without parts: of polyhedra by separating axes, of round shapes by elements, of others
+//! point by point.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::gap::{self, Gap};
@@ -53,8 +53,8 @@ pub(crate) fn pair_manifold(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<
     measure(&mut buffers.features, a, b, reach, &mut found.contacts);
 }
 
-/// Capsules, cylinders, cones and tori: the region along the best axis; of a cloud the region of every point, of a ring
-/// that of every place at which it is nearest.
+/// Pairs with a capsule, cylinder, cone or torus: the contacts of the region around the best axis. A cloud has one
+/// region for every point, a torus one for every local minimum of the distance along its circle.
 fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64, found: &mut Manifold) {
     let features = &mut buffers.features;
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
@@ -83,7 +83,8 @@ fn of_round(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<'_>, reach: f64,
     found.contacts.sort_unstable_by_key(|contact| contact.feature);
 }
 
-/// Every point of a cloud, vertex or centre of body `of`, against the nearest feature of a half-space or polyhedron.
+/// Adds every centre (point of a cloud, vertex, centre of a sphere) of body `of` against the nearest feature of a
+/// half-space or polyhedron.
 fn against_surface(features: &mut Vec<ContactFeature>, surface: Placed<'_>, body: Placed<'_>, of: Side) {
     let sphere = matches!(body.shape, Shape::Sphere(_));
     let x = surface.pose.relative(body.pose);
@@ -103,7 +104,7 @@ fn against_surface(features: &mut Vec<ContactFeature>, surface: Placed<'_>, body
     }
 }
 
-/// Every point of a cloud against a sphere.
+/// Adds every point of a cloud against a sphere.
 fn against_sphere(features: &mut Vec<ContactFeature>, cloud: &Shape, of: Side) {
     let points = 0..cloud.centers().0.len() as u32;
     features.extend(points.map(|center| ContactFeature::Smooth {

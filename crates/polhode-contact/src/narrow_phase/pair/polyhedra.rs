@@ -1,4 +1,4 @@
-//! The contacts of two convex polyhedra whose best separating axes are known: which ones, says `manifold.rs`.
+//! The contacts of two convex polyhedra whose best separating axes are known. The rules are in `manifold.rs`.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};
@@ -19,7 +19,7 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, ContactGeometry, Manifold, SeparatingAxis, Shape, Side};
 use glam::DVec3;
 
-/// The contacts of two polyhedra whose best axes are known. B must have been placed.
+/// Fills `found` with the contacts of two polyhedra whose best axes are known. B must have been placed in the buffers.
 pub(crate) fn along_axes(
     buffers: &mut PairBuffers,
     polyhedra: [&ConvexPolyhedron; 2],
@@ -31,7 +31,7 @@ pub(crate) fn along_axes(
     let [polyhedron_a, polyhedron_b] = polyhedra;
     let crossed = axes.crossed_edges(polyhedra, [a.pose, b.pose]);
     let separation = axes.largest(crossed.as_ref());
-    // Edges in a tie with a face do not decide.
+    // When edges and a face separate equally well, the face decides.
     let edges = axes.deciding_edges();
     let crossed = crossed.filter(|_| edges.is_some());
     let axis = match edges {
@@ -61,8 +61,8 @@ pub(crate) fn along_axes(
             face_pair::collect(buffers, polyhedron_a, polyhedron_b, pair, limits, upper);
             buffers.features.sort_unstable();
         }
-        // Where the faces stand at an angle, only what rests on a deciding face is a contact: the normals of the other
-        // crossings of the two outlines do not keep the bodies apart.
+        // Where the faces are at an angle, only features on a deciding face are contacts: the normals of the other
+        // crossings of the two outlines do not separate the bodies.
         let normals = normals_of(&buffers.search, polyhedron_a, pair, a.pose);
         let alike = normals.map(|normal| crossed.is_none_or(|c| c.normal.dot(normal) >= ALIKE));
         let deciding = deciding_faces(&buffers.search, axes, pair, alike);
@@ -82,7 +82,7 @@ pub(crate) fn along_axes(
             buffers.features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
         }
         measure(&mut buffers.features, a, b, reach, contacts);
-        // Apart, the nearest places of the lines may lie beyond the ends of the edges.
+        // When the bodies are apart, the nearest points of the lines may lie beyond the ends of the edges.
         contacts.retain(|c| c.geometry.margin >= -axes.tolerance);
     }
     if contacts.len() < 2 && separation <= axes.tolerance {
@@ -90,8 +90,8 @@ pub(crate) fn along_axes(
     }
 }
 
-/// Contacts of polyhedra that touch or overlap where the pair of faces has one or none: edges that lie along each other
-/// share more, and tolerances may leave none, but bodies that touch have a contact.
+/// Adds contacts of polyhedra that touch or overlap when the pair of faces gave one or none: collinear edges share more
+/// than one point, and where tolerances left none, bodies that touch still have a contact.
 fn touching(
     buffers: &mut PairBuffers,
     polyhedra: [&ConvexPolyhedron; 2],
@@ -112,8 +112,9 @@ fn touching(
     }
 }
 
-/// Instead of some contacts, where there are more, those along one of the faces that separate equally well: the one with
-/// most, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
+/// Replaces the contacts by those along one of the faces that separate equally well, if that face gives more. Of
+/// several such faces the one with most contacts is taken, then the one whose normal is most nearly vertical (z, then
+/// y, then x), then the first.
 fn along_best_tied_face(
     buffers: &mut PairBuffers,
     polyhedra: [&ConvexPolyhedron; 2],
@@ -144,8 +145,8 @@ fn along_best_tied_face(
     }
 }
 
-/// The contacts of two polyhedra along each of the faces that separate them equally well, instead of those that the
-/// manifold held (`tied_faces.rs`). The buffers must be as the search that gave the manifold left it.
+/// Replaces the contacts of a manifold by those along each of the faces that separate the two polyhedra equally well
+/// (`tied_faces.rs`). The buffers must be unchanged since the search that gave the manifold.
 pub(crate) fn along_tied_faces(buffers: &mut PairBuffers, [a, b]: [Placed<'_>; 2], reach: f64, found: &mut Manifold) {
     found.contacts.clear();
     let (Shape::Convex(polyhedron_a), Shape::Convex(polyhedron_b)) = (a.shape, b.shape) else { return };
@@ -157,9 +158,10 @@ pub(crate) fn along_tied_faces(buffers: &mut PairBuffers, [a, b]: [Placed<'_>; 2
     measure(&mut buffers.features, a, b, reach, &mut found.contacts);
 }
 
-/// Contacts of an edge that lies almost in a face: the other face beside the edge stands at an angle, so that its outline,
-/// seen along the face's normal, is not where its own sides say when the bodies overlap deeply. Crossings beyond the ends
-/// of their edges are left out, and the deciding one is always there.
+/// Corrects the contacts of an edge that lies almost in a face. The face beside the edge is at an angle to that face;
+/// when the bodies overlap deeply, its outline projected along the face's normal differs from its own sides. So
+/// crossings beyond the ends of their edges are removed, and the crossing with the largest separation is added if it is
+/// missing.
 fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, crossing: &ContactGeometry, tolerance: f64) {
     contacts.retain(|c| c.geometry.margin >= -tolerance);
     let feature = ContactFeature::EdgeEdge { edge_a: edges.edge_a, edge_b: edges.edge_b };
@@ -171,7 +173,7 @@ fn along_edge(contacts: &mut Vec<Contact>, edges: EdgeAxis, crossing: &ContactGe
     contacts.insert(place, Contact { feature, geometry: *crossing });
 }
 
-/// The contact on the deciding axis itself: its crossing, or the deepest vertex under its face.
+/// The contact on the separating axis itself: the crossing of its edges, or the deepest vertex below its face.
 fn deciding_contact(search: &AxisSearch, a: &ConvexPolyhedron, axes: &Axes) -> ContactFeature {
     if let Some(EdgeAxis { edge_a, edge_b, .. }) = axes.deciding_edges() {
         return ContactFeature::EdgeEdge { edge_a, edge_b };

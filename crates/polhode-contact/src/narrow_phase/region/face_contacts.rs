@@ -1,8 +1,8 @@
-//! The contacts of two faces of polyhedra, measured.
+//! The geometry of the contacts of two faces of polyhedra.
 //!
-//! What [`evaluate`](crate::evaluate()) gives of every feature, bit for bit, with what the features share computed once: the
-//! normals of the two faces and the places of their edges. Features whose normal keeps nothing apart are left out before
-//! they are measured.
+//! The result is that of [`evaluate`](crate::evaluate()) for every feature, bit for bit. What the features share is
+//! computed once: the normals of the two faces and the transformed edges. Features whose normal is not like that of a
+//! deciding face are omitted before they are evaluated.
 
 use crate::narrow_phase::feature::alike::ALIKE;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
@@ -18,18 +18,18 @@ pub(crate) struct FacePair<'a> {
     pub(crate) polyhedra: [&'a ConvexPolyhedron; 2],
     pub(crate) poses: [&'a Pose; 2],
     pub(crate) faces: [u32; 2],
-    /// Normals that keep the bodies apart.
+    /// Normals of the faces that decide the contacts, from B to A.
     pub(crate) deciding: [Option<DVec3>; 2],
     /// m.
     pub(crate) reach: f64,
 }
 
-/// Edges of B that have been brought into the world.
+/// Edges of B, by number, in world axes.
 pub(crate) type PlacedEdges = Vec<(u32, PlacedEdge)>;
 
 impl FacePair<'_> {
-    /// The features with their geometry, as far as they are within reach and their normals are like a deciding one, instead
-    /// of what the list held. The features are sorted, and so are the contacts then.
+    /// Replaces the contacts by those of the features whose separation is within reach and whose normal is like a
+    /// deciding one, in the order of the features.
     pub(crate) fn measure(&self, features: &[ContactFeature], placed_b: &mut PlacedEdges, contacts: &mut Vec<Contact>) {
         contacts.clear();
         let [a, b] = self.polyhedra;

@@ -1,18 +1,20 @@
 //! The contacts of two faces that lie on each other.
 //!
-//! The overlap of two plane polygons has three kinds of vertices (thesis 3.4, figure 17): a vertex of A inside B's face,
-//! a vertex of B inside A's face, and a crossing of two edges. They are found directly, not by clipping one polygon
-//! with the other, so that the answer does not depend on which face is taken first. Signed distances of the vertices
-//! from the lines of the other face's edges decide everything; distances up to the tolerance count as zero.
+//! The overlap of two plane polygons has three kinds of vertices (thesis 3.4, figure 17): a vertex of A inside B's
+//! face, a vertex of B inside A's face, and a crossing of two edges. They are found directly, not by clipping one
+//! polygon with the other, so that the result does not depend on which face is taken first. Every decision is made from
+//! the signed distances of the vertices of one face from the edge lines of the other; distances up to the tolerance
+//! count as zero.
 //!
-//! Where features coincide one contact is kept for each place:
-//!  - a vertex on an edge is vertex-face, and no crossing of that edge is made there;
-//!  - of a vertex on a vertex, the one whose face has the higher index is kept, then the higher vertex index, then that
-//!    of the upper body (the world's z, then y, then x component of the normal is positive towards it). The rule names
-//!    the bodies' own features and so follows the bodies as they turn, and does not ask which one is called A;
-//!  - edges along each other make no crossing; their ends are vertices on edges.
+//! Where features coincide, one contact is kept at each point:
+//!  - a vertex on an edge is a vertex-face contact, and that edge has no crossing there;
+//!  - of two coinciding vertices the one whose face has the higher index is kept; if these are equal, the one with the
+//!    higher vertex index; then that of the upper body (the normal towards it has a positive z component in the world,
+//!    or else y, or else x). The rule depends on the bodies' own features, so it holds as the bodies turn and does not
+//!    depend on which one is called A;
+//!  - collinear edges have no crossing; their ends are vertices on edges.
 //!
-//! Where the corners of either face lie against the sides of the other: `placed_face.rs`.
+//! `placed_face.rs` classifies the corners of each face against the sides of the other.
 
 use crate::narrow_phase::axis::axes::axis_slack;
 use crate::narrow_phase::axis::axis_search::{AxisSearch, plane_of_b};
@@ -23,12 +25,12 @@ use crate::shape::polyhedron::{ConvexPolyhedron, Face};
 use crate::{ContactFeature, Side};
 use glam::DVec3;
 
-/// Faces with fewer pairs of vertices than this are measured outright, which is as fast.
+/// For faces with fewer pairs of vertices than this all distances are computed, which is as fast.
 const FEW_PAIRS: usize = 32;
 
-/// Adds the contacts of face `face_a` of A with face `face_b` of B to the features of the buffers; vertices that are clearly
-/// higher than `reach` (m) above the other face may be left out. B must have been placed. `upper` is the body that the last
-/// rule for vertices on vertices prefers.
+/// Adds the contacts of face `index_a` of A with face `index_b` of B to the features of the buffers; vertices that are
+/// clearly higher than `reach` (m) above the other face may be omitted. B must have been placed in the buffers. `upper`
+/// is the body that the last rule for coinciding vertices prefers.
 pub(crate) fn collect(
     buffers: &mut PairBuffers,
     a: &ConvexPolyhedron,
@@ -56,7 +58,7 @@ pub(crate) fn collect(
     let few = face_a.vertices.len() * face_b.vertices.len() < FEW_PAIRS;
     if few {
         let least = [buffers.b.take_signs(&buffers.a, tolerance), buffers.a.take_signs(&buffers.b, tolerance)];
-        // Further from every side than this, no two corners are in one place.
+        // Two corners farther than this from every side do not coincide.
         buffers.clearances = least.map(|distance| distance - DEEP_PLACES * tolerance);
     } else {
         buffers.clearances = [0.0; 2];
@@ -105,7 +107,7 @@ fn sides_of_placed<'a>(
     })
 }
 
-/// Of two vertices in one place one is dropped.
+/// Drops one of every two coinciding vertices.
 fn drop_coincident(
     buffers: &mut FacePairBuffers,
     face_a: &Face<'_>,
@@ -115,7 +117,7 @@ fn drop_coincident(
     upper: Side,
 ) {
     let normal = face_a.normal;
-    // In A's plane, where places are compared, a vertex far inside A's face is in one place with none of A's.
+    // Points are compared in A's plane: a vertex far inside A's face coincides with no vertex of A.
     buffers.near.clear();
     buffers.near.extend((0..face_b.vertices.len()).filter(|&j| buffers.b.kept[j] && !buffers.b.deep[j]));
     for (i, &vertex_a) in face_a.vertices.iter().enumerate() {
@@ -138,7 +140,7 @@ fn drop_coincident(
     }
 }
 
-/// Edges whose ends lie clearly on both sides of each other's lines.
+/// Adds the crossings: pairs of edges whose ends lie clearly on both sides of each other's line.
 fn cross_edges(
     buffers: &FacePairBuffers,
     face_a: &Face<'_>,
@@ -168,7 +170,7 @@ fn cross_edges(
     }
 }
 
-/// As [`cross_edges`], of faces with few vertices.
+/// As [`cross_edges`], for faces with few vertices, from their stored signs.
 fn cross_by_signs(buffers: &FacePairBuffers, face_a: &Face<'_>, face_b: &Face<'_>, features: &mut Vec<ContactFeature>) {
     let (count_a, count_b) = (face_a.vertices.len(), face_b.vertices.len());
     for j in 0..count_b {

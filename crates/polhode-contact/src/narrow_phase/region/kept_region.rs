@@ -1,8 +1,9 @@
-//! Which contacts two faces that lie on each other have, kept for poses nearby.
+//! The list of contact features of two faces that lie on each other, kept for nearby poses.
 //!
-//! `face_pair.rs` chooses them by signed distances of the corners of each face from the sides of the other, and by their
-//! heights above it. A pose at which no corner has moved by as much as the least of these distances and heights has the same
-//! contacts ([`Drift`] says how far corners move): the list is taken over as it is, and every contact measured anew.
+//! `face_pair.rs` chooses the features by the signed distances of the corners of each face from the sides of the other,
+//! and by their heights above it. As long as no corner has moved by as much as the least of these distances and heights
+//! ([`Drift`] bounds the motion of corners), the features are the same: the list is reused, and the geometry of every
+//! contact is evaluated at the new pose.
 
 use crate::narrow_phase::axis::drift::Drift;
 use crate::narrow_phase::region::face_pair;
@@ -10,24 +11,25 @@ use crate::narrow_phase::region::pair_buffers::PairBuffers;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, Side};
 
-/// The contacts of a pair of faces.
+/// The contact features of a pair of faces.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct KeptRegion {
-    /// A face of A and one of B, and the reach, m; nothing when the choice is too narrow to hold at other poses.
+    /// A face of A and one of B, and the reach, m; none when some distance is zero within the tolerance, so that the
+    /// list holds at no other pose.
     chosen: Option<((u32, u32), f64)>,
     drift: Drift,
-    /// How much heights above the sides and planes of A and of B may change, m.
+    /// By how much the distances from the sides and planes of A's face and of B's may change, m.
     clearances: [f64; 2],
     features: Vec<ContactFeature>,
 }
 
 impl KeptRegion {
-    /// Forgets everything but the buffers.
+    /// Resets the memory; the buffers stay allocated.
     pub(crate) fn forget(&mut self) {
         self.chosen = None;
     }
 
-    /// The features that [`face_pair::collect`] finds, sorted, instead of those that the buffers held. B must have been
+    /// Replaces the features of the buffers by those that [`face_pair::collect`] finds, sorted. B must have been
     /// placed.
     pub(crate) fn collect(
         &mut self,

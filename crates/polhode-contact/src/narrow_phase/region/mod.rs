@@ -4,8 +4,8 @@
 //! |---|---|
 //! | `upward` | which direction is up |
 //! | `same_place` | when two contacts of one pair are at the same place |
-//! | `placed_face` | the corners of a face against the sides of another |
-//! | `face_contacts` | the contacts of two faces, measured |
+//! | `placed_face` | the corners of a face, classified against the sides of another |
+//! | `face_contacts` | the geometry of the contacts of two faces |
 //! | `pair_buffers` | what a pair keeps from call to call |
 //! | `face_pair` | the contacts of two faces that lie on each other |
 //! | `tied_faces` | the contacts along each of several faces that separate equally well |

@@ -1,11 +1,11 @@
-//! What a pair of bodies without parts keeps from call to call.
+//! Buffers for a pair of shapes without parts, kept from call to call.
 
 use crate::ContactFeature;
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::region::face_contacts::PlacedEdges;
 use crate::narrow_phase::region::placed_face::FacePairBuffers;
 
-/// Buffers of the search for the axes and the contacts of a pair.
+/// Buffers for the search for the separating axes and the contacts of a pair.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PairBuffers {
     pub(crate) search: AxisSearch,

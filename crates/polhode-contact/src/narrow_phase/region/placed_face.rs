@@ -1,28 +1,28 @@
-//! A face of a polyhedron and where its corners lie against the sides of another face.
+//! The corners of a face of a polyhedron, classified as inside or outside the sides of another face.
 //!
-//! Of faces with many vertices most are settled by a circle: a point nearer to the middle of a face than every side, both
-//! measured in the face's plane, is inside all sides by the difference; and a line that passes a circle round a face crosses
-//! none of its edges. Only what lies near the border of the other face is measured against single sides.
+//! For faces with many vertices two circles about the middle of a face, in its plane, decide most cases. A point inside
+//! the inscribed circle is inside all sides; a line outside the circumscribed circle crosses no edge. Only corners and
+//! edges near the border of the other face are compared with its sides one by one.
 
 use crate::shape::polyhedron::Face;
 use glam::DVec3;
 
-/// A corner is deep inside the other face when it is inside every side by this many tolerances: too far for a crossing
-/// of an edge between two such corners, and for a vertex of the other face in the same place.
+/// A corner is deep inside the other face when it is inside every side by this many tolerances. Then the edge between
+/// two such corners crosses nothing, and no vertex of the other face coincides with the corner.
 pub(super) const DEEP_PLACES: f64 = 16.0;
 
-/// Rounding of a distance from the middle of a face relative to the lengths that enter it, with room.
+/// Bound of the rounding of a distance from the middle of a face, relative to the lengths it is computed from.
 const CIRCLE_SLACK: f64 = 1e-9;
 
-/// A face of each body in A's frame, and where their corners lie.
+/// A face of each body in A's frame, with the classification of their corners.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FacePairBuffers {
     pub(super) a: PlacedFace,
     pub(super) b: PlacedFace,
-    /// Corners of B's face that may be in one place with one of A's.
+    /// Corners of B's face that may coincide with one of A's.
     pub(super) near: Vec<usize>,
-    /// By how much heights above the sides and the plane of A's face and of B's may change before the contacts are other
-    /// ones, m; not positive when that is not known.
+    /// By how much the distances from the sides and the plane of A's face and of B's may change before the set of
+    /// contacts changes, m; not positive when that is not known.
     pub(crate) clearances: [f64; 2],
 }
 
@@ -54,7 +54,8 @@ impl PlacedFace {
         self.sides[side].dot(point - self.corners[side])
     }
 
-    /// Which corners and sides are settled by circles about the middle of the other face, whose unit normal is given.
+    /// Finds the corners that are deep inside and the sides that cross nothing by circles about the middle of the other
+    /// face, whose unit normal is given.
     pub(super) fn settle_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
@@ -77,8 +78,8 @@ impl PlacedFace {
         }
     }
 
-    /// On which side of every side of the other face each corner is, and which corners are contacts. The least distance of a
-    /// corner from a side, m.
+    /// Computes the sign of every corner against every side of the other face, and which corners are contacts. Returns
+    /// the least distance of a corner from a side, m.
     pub(super) fn take_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
@@ -101,11 +102,11 @@ impl PlacedFace {
         least
     }
 
-    /// Which corners are contacts.
+    /// Finds the corners that are contacts.
     pub(super) fn keep_inside(&mut self, other: &Self, tolerance: f64) {
         let sides = other.corners.len();
         self.kept.clear();
-        // The side that shut out one corner often shuts out the next.
+        // The side that excludes one corner often excludes the next.
         let mut last = 0;
         for (&corner, &deep) in self.corners.iter().zip(&self.deep) {
             let inside = |j: usize| other.outside(corner, j) <= tolerance;

@@ -1,21 +1,23 @@
 //! All contacts of the region in which two bodies touch, at least one of them round.
 //!
-//! Each body touches along the deciding normal with a plane part (a face or disc whose normal is within 0.01 rad of it), a
-//! line (a side or edge that lies across it within 0.01 rad) or a spot. The overlap of the two parts has corners of three
-//! kinds, as for polygons (thesis 3.4, figure 17): a corner of one part over the other, and crossings of their borders.
+//! The support set of each body along the separating normal is one of three parts: flat (a face or disc whose normal is
+//! within 0.01 rad of it), a line (a side or edge perpendicular to it within 0.01 rad), or a point. The overlap of the
+//! two parts has corners of three kinds, as for polygons (thesis 3.4, figure 17): a corner of A's part over B's, one of
+//! B's over A's, and crossings of their borders.
 //!
 //! | part | corners | border |
 //! |---|---|---|
 //! | face | its vertices | its edges |
-//! | disc | its stated points ([`crate::shape::round`]) and the lowest place of its rim when it is tilted | its rim |
-//! | ring that lies flat | its stated points and its lowest place | its middle line |
+//! | disc | its sample points ([`crate::shape::round`]) and the lowest point of its rim when it is tilted | its rim |
+//! | torus that lies flat | its sample points and its lowest point | its centre circle |
 //! | side of a capsule | the caps | the line |
-//! | side of a cylinder | the lowest places of its rims | the line |
-//! | side of a cone | the apex and the lowest place of its rim | the line |
+//! | side of a cylinder | the lowest points of its rims | the line |
+//! | side of a cone | the apex and the lowest point of its rim | the line |
 //! | edge | its vertices | the edge |
 //!
-//! Every candidate is measured, and those that have left their features or lie beyond the reach are dropped; of two in one
-//! place the first in this order is kept: corners, then crossings, then the pair of elements that decided.
+//! Every candidate is evaluated; those with a negative margin or a separation beyond the reach are dropped. Of two at
+//! one point the first in this order is kept: corners, crossings, the pair of elements with the largest separation
+//! itself.
 
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::{ALIKE, ALIKE_SINE};
@@ -28,12 +30,12 @@ use crate::shape::round::circles;
 use crate::{Contact, ContactFeature, Shape, SurfaceFeature};
 use glam::DVec3;
 
-/// What of a body touches along a direction.
+/// The support set of a body along a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Part {
     /// A face or disc.
     Flat(u32),
-    /// A ring that lies flat.
+    /// A torus that lies flat.
     Ring,
     /// A side or an edge.
     Strip(SurfaceFeature),
@@ -48,8 +50,8 @@ struct Region<'a> {
     features: &'a mut Vec<ContactFeature>,
 }
 
-/// Adds the contacts of a pair whose best axis (normal in the world) is known, within `reach` (m), sorted: of the features
-/// that are wanted alone.
+/// Adds the contacts of a pair whose best axis is known (`gap`, normal in the world) to `contacts`, sorted by feature:
+/// those with a separation of at most `reach` (m) and a feature for which `wanted` is true.
 pub(crate) fn contacts(
     features: &mut Vec<ContactFeature>,
     a: Placed<'_>,
@@ -67,7 +69,7 @@ pub(crate) fn contacts(
     let measure = |feature: ContactFeature| {
         evaluate(feature, a.shape, a.pose, b.shape, b.pose).map(|geometry| Contact { feature, geometry })
     };
-    // Those of other places of the pair stand before.
+    // The contacts before `first` belong to other regions of the pair.
     let first = contacts.len();
     for contact in features.iter().filter_map(|&feature| measure(feature)) {
         let geometry = &contact.geometry;
@@ -93,16 +95,17 @@ pub(crate) fn contacts(
         }
     }
     if contacts.len() == first && gap.separation <= gap.tolerance {
-        // Bodies that touch have a contact, also where tolerances left none. Deep in a body the deepest place of a ring may
-        // lie where two elements are equally near, which is no common normal: the pair's own may stand far off.
+        // Bodies that touch have a contact, also where tolerances left none. The deepest point of a torus inside a body
+        // may be equally near to two elements; it is then no common normal of either, and the common normal of the pair
+        // may be far away.
         let touches = |contact: &Contact| contact.geometry.separation <= reach.max(gap.tolerance);
         contacts.extend(measure(named(gap.a, gap.b)).filter(touches));
     }
     contacts[first..].sort_unstable_by_key(|contact| contact.feature);
 }
 
-/// The stated points of a ring against the element that it is nearest to: bodies on one axis touch all along a circle,
-/// for which these stand.
+/// The sample points of a torus against the element that it is nearest to: coaxial bodies touch all along a circle,
+/// which these points represent.
 fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> impl Iterator<Item = ContactFeature> + 'a {
     use SurfaceFeature::{Rim, Vertex};
     let rings = [shape_a.is_ring(), shape_b.is_ring()];
@@ -114,7 +117,7 @@ fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> imp
     })
 }
 
-/// Whether a crossing of a rim is one of two in one place: the other curve only grazes the disc, within the tolerance.
+/// Whether the two crossings of a rim coincide, so that the other curve only grazes the disc, within the tolerance.
 fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &Gap) -> bool {
     use SurfaceFeature::{RimEntry, RimExit};
     let ContactFeature::Elements { a, b } = contact.feature else { return false };
@@ -123,7 +126,7 @@ fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &G
         RimEntry(rim) => RimExit(rim),
         _ => feature,
     };
-    // Two nearby places on the middle line of a ring are one contact of its tube.
+    // On the centre circle of a torus two nearby points are one contact of the tube.
     let radius = |shape: &Shape, feature| match feature {
         _ if shape.is_ring() => f64::INFINITY,
         RimExit(rim) | RimEntry(rim) => circles(shape).get(rim as usize).map_or(f64::INFINITY, |circle| circle.radius),
@@ -136,12 +139,12 @@ fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &G
     let twin = ContactFeature::Elements { a: other_branch(a), b: other_branch(b) };
     let twin = evaluate(twin, placed_a.shape, placed_a.pose, placed_b.shape, placed_b.pose);
     let Some(twin) = twin else { return true };
-    // The height of the arc over the chord between the two places.
+    // The height of an arc over its chord `c` is `c^2/(8 r)`.
     let chord = twin.point.distance_squared(contact.geometry.point);
     chord <= 8.0 * least * SAME_PLACE * gap.tolerance
 }
 
-/// What of a shape touches along an outward unit vector in the world.
+/// The support set of a shape along an outward unit vector in the world.
 fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
     let outward = pose.rotation.inverse_rotate(outward);
     let side = |axis: DVec3, sine: f64| {
@@ -168,7 +171,7 @@ fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
     }
 }
 
-/// The edge of a polyhedron that lies across a direction at its farthest place, if one does.
+/// The edge of a polyhedron that is perpendicular to a direction at the support point, if there is one.
 fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> Part {
     let height = |v: u32| outward.dot(polyhedron.vertices[v as usize]);
     let top = (0..polyhedron.vertices.len() as u32).map(height).fold(f64::NEG_INFINITY, f64::max);
@@ -210,7 +213,8 @@ fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature))
     }
 }
 
-/// The branches of a border as pairs: an edge or side twice, or the two branches of a rim.
+/// Calls `visit` with each border of a part as a pair of features: an edge or side twice, or the two crossings of a
+/// rim.
 fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature; 2])) {
     use SurfaceFeature::{Edge, RimEntry, RimExit};
     match (shape, part) {
@@ -235,7 +239,8 @@ impl Region<'_> {
             Part::Strip(line) => Some(line),
             Part::Ring | Part::Spot => None,
         };
-        // A line over a plane has corners on it; of two lines each has corners on the other when they lie side by side.
+        // The corners of a line lie on a plane under it; of two lines each has its corners on the other when they are
+        // parallel.
         let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Strip(_));
         if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
             each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));

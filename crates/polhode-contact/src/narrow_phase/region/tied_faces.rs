@@ -1,16 +1,16 @@
 //! Contacts along each of several faces that separate two polyhedra equally well.
 //!
-//! An edge or a vertex on an edge is separated by every direction between the normals of the faces beside them. A
-//! manifold takes the pair of faces that are most nearly parallel, which need not share what touches; and when the
-//! polyhedra are parts of bodies, another part may hide the edge that a face belongs to: at the bottom of a groove the
-//! body's own normals are those of its sides. Here each face that separates is taken by itself, with what of the other
-//! polyhedron lies lowest over it:
+//! Where an edge or a vertex touches an edge, every direction between the normals of the adjacent faces separates. A
+//! manifold takes the pair of faces that are most nearly parallel, which need not contain the touching features. When
+//! the polyhedra are parts of bodies, another part may also cover the edge of such a face: at the bottom of a groove
+//! the normals of the whole body are those of the groove's sides. Here each separating face is taken by itself, with
+//! the lowest feature of the other polyhedron over it:
 //!
 //! | lowest | contacts |
 //! |---|---|
-//! | a vertex | it, over the face |
-//! | an edge | its ends over the face, and its crossings with the sides of the face, also at their ends |
-//! | a face | as of two faces that lie on each other (`face_pair.rs`) |
+//! | a vertex | the vertex on the face |
+//! | an edge | its ends on the face, and its crossings with the sides of the face, also at their ends |
+//! | a face | those of two faces that lie on each other (`face_pair.rs`) |
 
 use crate::ContactFeature;
 use crate::Side;
@@ -21,8 +21,8 @@ use crate::shape::polyhedron::{ConvexPolyhedron, Edge, Face};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Faces whose separations differ by less than this many tolerances separate equally well: each of two features may
-/// stand off its place by some.
+/// Faces whose separations differ by less than this many tolerances separate equally well: each of the two features may
+/// be some tolerances off.
 const TIED: f64 = 8.0;
 
 /// Cosine of the angle with a face's normal beyond which another face lies on it.
@@ -41,8 +41,8 @@ struct FaceBelow<'a> {
     tolerance: f64,
 }
 
-/// Visits the faces that separate by `best` (m) to within some tolerances, by body and number. The buffers must hold the
-/// separations along all faces, as a search that did not end early leaves them.
+/// Calls `visit` with the body and number of every face whose separation is `best` (m) within some tolerances. The
+/// buffers must hold the separations along all faces, as a search that did not end early leaves them.
 pub(crate) fn each(
     buffers: &mut PairBuffers,
     best: f64,
@@ -62,7 +62,7 @@ pub(crate) fn each(
     }
 }
 
-/// Adds to the features of the buffers those along one face. B must have been placed.
+/// Adds the contact features along one face to those of the buffers. B must have been placed.
 pub(crate) fn features(
     buffers: &mut PairBuffers,
     [a, b]: [&ConvexPolyhedron; 2],

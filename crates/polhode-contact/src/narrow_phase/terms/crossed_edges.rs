@@ -1,17 +1,17 @@
 //! An edge of A across an edge of B: geometry and derivatives of their separation.
 //!
 //! With unit vectors `e_A`, `e_B` along the edges, `N = e_A x e_B` turned to point from B to A and `n = N/|N|`, the
-//! separation is `chi = (x_A - x_B) . n` for any points of the two lines. Taking the material points at the nearest
-//! places, where `x_A - x_B = chi n`,
+//! separation is `chi = (x_A - x_B) . n` for any points of the two lines. For the material points at the nearest points
+//! of the lines, where `x_A - x_B = chi n`,
 //!
 //! `chi'  = n . (v_A - v_B)`,  `chi'' = n . (a_A - a_B) + 2 (v_A - v_B) . n' - chi |n'|^2`,
 //! `n' = (1 - n n') N'/|N|`,  `N' = (w_A x e_A) x e_B + e_A x (w_B x e_B)`
 //!
 //! (thesis 3.4, edge-edge form of equation (18) with erratum E18, divided by `|N|` and kept exact at any separation).
-//! The place on A's edge wanders along it with `s' = (e_B x n).(chi n' - v_A + v_B)/|N|` (the condition `x_A - x_B = chi n`,
-//! differentiated), and the contact point `x_A - chi n/2` with it.
-//! The side to which `N` points is decided by the outward normals of the edges' faces, never by the sign of a
-//! separation that may be rounding.
+//! The nearest point on A's edge moves along it at the rate `s' = (e_B x n).(chi n' - v_A + v_B)/|N|` (the condition
+//! `x_A - x_B = chi n`, differentiated), and the contact point `x_A - chi n/2` with it. The outward normals of the
+//! edges' faces decide the sign of `N`; the sign of the separation does not, because it may be rounding error. Fails
+//! where the edges are parallel: `N` vanishes, and there is no such contact.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
@@ -20,7 +20,7 @@ use crate::{ContactGeometry, ContactKinematics, ConvexPolyhedron};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
-/// Two lines at their nearest places, in world axes.
+/// Two lines and their nearest points, in world axes.
 #[derive(Clone, Copy)]
 pub(crate) struct CrossedEdges {
     /// Unit normal from B to A.
@@ -30,7 +30,7 @@ pub(crate) struct CrossedEdges {
     /// `e_A` and `e_B`, the first turned so that `e_A x e_B` points from B to A.
     pub(crate) along_a: DVec3,
     pub(crate) along_b: DVec3,
-    /// From each centre of mass to the nearest place on its edge.
+    /// From each centre of mass to the nearest point of its edge.
     pub(crate) arm_a: DVec3,
     pub(crate) arm_b: DVec3,
     /// `chi`, m.
@@ -72,7 +72,7 @@ pub(crate) struct Perpendicular {
 }
 
 impl Perpendicular {
-    /// Nothing when the edges are parallel.
+    /// None when the edges are parallel.
     #[inline]
     pub(crate) fn new(a: &PlacedEdge, b: &PlacedEdge) -> Option<Self> {
         let cross = a.along.cross(b.along);
@@ -87,7 +87,7 @@ impl Perpendicular {
 }
 
 impl CrossedEdges {
-    /// Nothing when the edges do not exist or are parallel.
+    /// None when the edges do not exist or are parallel.
     pub(crate) fn new(
         [a, b]: [&ConvexPolyhedron; 2],
         [pose_a, pose_b]: [&Pose; 2],
@@ -96,14 +96,14 @@ impl CrossedEdges {
         Self::between(&EdgeLine::of_polyhedron(a, edge_a)?, pose_a, &EdgeLine::of_polyhedron(b, edge_b)?, pose_b)
     }
 
-    /// Nothing when the edges are parallel.
+    /// None when the edges are parallel.
     pub(crate) fn between(a: &EdgeLine, pose_a: &Pose, b: &EdgeLine, pose_b: &Pose) -> Option<Self> {
         let (a, b) = (PlacedEdge::new(a, pose_a), PlacedEdge::new(b, pose_b));
         let perpendicular = Perpendicular::new(&a, &b)?;
         Some(Self::along(&perpendicular, &a, pose_a.translation, &b, pose_b.translation))
     }
 
-    /// Of bodies with these origins in the world.
+    /// For bodies with these centres of mass in the world.
     #[inline]
     pub(crate) fn along(
         perpendicular: &Perpendicular,
@@ -113,7 +113,7 @@ impl CrossedEdges {
         origin_b: DVec3,
     ) -> Self {
         let Perpendicular { cross, sine, normal, along_a } = *perpendicular;
-        // Places of the nearest points, measured from the middles of the edges, where the lever is shortest.
+        // Coordinates of the nearest points along the edges, measured from the midpoints, where rounding is least.
         let between = (origin_b - origin_a) + (b.middle - a.middle);
         let on_a = between.cross(b.along).dot(cross) / (sine * sine);
         let on_b = between.cross(a.along).dot(cross) / (sine * sine);
@@ -145,7 +145,7 @@ impl CrossedEdges {
         a.angular.cross(self.along_a).cross(self.along_b) + self.along_a.cross(b.angular.cross(self.along_b))
     }
 
-    /// Velocity of A's material at its nearest place against B's at its own, and `n'`.
+    /// Velocity of A's material point relative to B's at the two nearest points, and `n'`.
     #[inline]
     fn rates(&self, a: &Velocity, b: &Velocity) -> (DVec3, DVec3) {
         let (n, rate) = (self.normal, self.normal_rate(a, b));
@@ -166,7 +166,7 @@ impl CrossedEdges {
         }
     }
 
-    /// How the contact moves.
+    /// The rates of the contact point and of the normal.
     pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
         let n = self.normal;
         let (velocity, turning) = self.rates(a, b);

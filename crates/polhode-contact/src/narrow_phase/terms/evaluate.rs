@@ -1,20 +1,19 @@
-//! A contact of given features at any poses: its geometry, the first two time derivatives of its separation, and how the
-//! contact itself moves.
+//! A contact of given features at any poses: its geometry, the first two time derivatives of its separation, and the
+//! velocity of the contact point.
 //!
-//! All kinds but edge against edge and pairs of curved elements are a point of a body V (a vertex, a point of a cloud, a
-//! sphere's centre) against a feature of the other body E. Let `y` be the point's place in E's frame, `phi(y)` its
-//! distance from the feature and `rho` the sum of the radii; then `chi = phi(y) - rho`, and with the gradient `g` and
-//! Hessian `H` of `phi`
+//! Except for two edges and for pairs of curved elements, a contact is a point of a body V (a vertex, a point of a
+//! cloud, a sphere's centre) against a feature of the other body E. Let `y` be the point's position in E's frame,
+//! `phi(y)` its distance from the feature and `rho` the sum of the radii; then `chi = phi(y) - rho`, and with the
+//! gradient `g` and Hessian `H` of `phi`
 //!
 //! `chi'  = g . u`,  `chi'' = g . (a_V - a_E) + 2 u . (w_E x g) + u . H u`,
 //!
-//! where `u = v_V - v_E` and `a_V - a_E` are velocity and acceleration of the point relative to the place of E under
-//! it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to separations that are not zero.
-//! `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and `(1 - g g')/phi` for a vertex or a sphere.
-//! The gradient turns with `g' = w_E x g + H u`, and with it the contact point `x_V - (rho_V + chi/2) g`: the tangential
-//! terms follow from these two rates (`tangential.rs`).
-//! Edge against edge has a formula of its own (`crossed_edges.rs`), and so have capsules, cylinders, cones and tori
-//! (`stationary.rs`).
+//! where `u = v_V - v_E` and `a_V - a_E` are the velocity and acceleration of the point relative to the material point
+//! of E that coincides with it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to
+//! separations that are not zero. `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and `(1 - g
+//! g')/phi` for a vertex or a sphere. The gradient turns with `g' = w_E x g + H u`, and with it the contact point `x_V
+//! - (rho_V + chi/2) g`: the tangential terms follow from these two rates (`tangential.rs`). Edge against edge has a
+//! formula of its own (`crossed_edges.rs`), and so have capsules, cylinders, cones and tori (`stationary.rs`).
 
 use crate::clearance::{joint_size, place_tolerance};
 use crate::narrow_phase::feature::contact_name::surface_parts;
@@ -28,10 +27,10 @@ use crate::{ContactFeature, ContactGeometry, ContactKinematics, Shape, Tangentia
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
 
-/// The contact of the same features at other poses; the manifold's own geometry comes from here.
+/// The geometry of a contact of these features at these poses. The manifold is computed with this function.
 ///
-/// Nothing when the features are none of these shapes', when two edges are parallel
-/// ([`crate::clearance::PARALLEL_SINE`]), or when a distance that gives the normal is zero.
+/// None when the shapes have no such features, when two edges are parallel ([`crate::clearance::PARALLEL_SINE`]), or
+/// when a distance that gives the normal is zero.
 pub fn evaluate(
     feature: ContactFeature,
     shape_a: &Shape,
@@ -49,10 +48,10 @@ pub fn evaluate(
     )
 }
 
-/// The contact with the rate of its separation and the part of the second derivative that the accelerations do not
-/// decide ([`ContactKinematics`]). Velocities are of the centres of mass.
+/// The contact with the rate of its separation and the part of the second derivative that does not depend on the
+/// accelerations ([`ContactKinematics`]). Linear velocities are those of the centres of mass.
 ///
-/// Nothing in the same cases as [`evaluate`].
+/// None in the same cases as [`evaluate`].
 pub fn kinematics(
     feature: ContactFeature,
     shape_a: &Shape,
@@ -72,10 +71,10 @@ pub fn kinematics(
     )
 }
 
-/// The contact with its tangential terms too: what [`kinematics`] gives, to the bit, and what friction needs beside it
-/// ([`TangentialKinematics`]), from one evaluation.
+/// The result of [`kinematics`], bit for bit, and the tangential terms that friction needs ([`TangentialKinematics`]),
+/// from one evaluation.
 ///
-/// Nothing in the same cases as [`evaluate`].
+/// None in the same cases as [`evaluate`].
 ///
 /// A ball that slides without spin slips with its own velocity; one that rolls does not slip:
 /// ```
@@ -123,7 +122,8 @@ pub fn kinematics_with_tangential(
     Some((kinematics, motion.tangential(a, b)))
 }
 
-/// What a contact answers, by the kind of its features; of compounds those of the parts.
+/// Calls the closure for the kind of a contact's features, with the contact; a feature of compounds is evaluated on the
+/// parts that own it.
 #[inline]
 fn by_kind<T>(
     feature: ContactFeature,
@@ -144,7 +144,7 @@ fn by_kind<T>(
     of_point(PointOnSurface::new(feature, shape_a, pose_a, shape_b, pose_b)?)
 }
 
-/// Whether the contacts of a shape are found element by element (`stationary.rs`).
+/// Whether the contacts of a shape are evaluated as common normals of elements (`stationary.rs`).
 fn has_elements(shape: &Shape) -> bool {
     is_round(shape) || shape.is_ring()
 }

@@ -2,9 +2,9 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`tangential`] | the slip, from how a contact moves |
+//! | [`tangential`] | the slip, from the rates of the contact point and the normal |
 //! | `crossed_edges` | an edge across an edge |
-//! | `surface_distance` | the distance of a place from a feature |
+//! | `surface_distance` | the distance of a point from a feature |
 //! | `point_on_surface` | a point on a surface |
 //! | `stationary` | two elements at a common normal |
 //! | [`evaluate`] | any contact, by the kind of its features |

@@ -1,5 +1,5 @@
 //! A contact of a point of one body (a vertex, a point of a cloud, a sphere's centre) with a feature of the other one's
-//! surface; the formulas stand in `evaluate.rs`.
+//! surface; the formulas are in `evaluate.rs`.
 
 use crate::narrow_phase::feature::face_border::face_margin;
 use crate::narrow_phase::terms::surface_distance::{Distance, distance, from_plane};
@@ -58,8 +58,8 @@ impl PointOnSurface {
         Some(Self { center_of, arm, offset, origin, distance, radius_of_point, radius_of_surface })
     }
 
-    /// A vertex of a polyhedron V over a face of another, E, whose normal in the world is given; nothing when it is
-    /// higher than `reach` (m). The operations are those of [`Self::new`].
+    /// A vertex of a polyhedron V against a face of another one, E, whose normal in the world is given; none when it is
+    /// higher than `reach` (m) above the face. The operations are those of [`Self::new`], bit for bit.
     #[inline]
     fn above_face(
         center_of: Side,
@@ -91,7 +91,8 @@ impl PointOnSurface {
         }
     }
 
-    /// The velocities of V and E, and `u`: that of the point relative to the place of E under it.
+    /// The velocities of V and E, and `u`: the velocity of the point relative to E's material point that coincides with
+    /// it.
     #[inline]
     fn velocities<'a>(&self, a: &'a Velocity, b: &'a Velocity) -> (&'a Velocity, &'a Velocity, DVec3) {
         let (v, e) = if self.center_of == Side::A { (a, b) } else { (b, a) };
@@ -112,7 +113,7 @@ impl PointOnSurface {
         }
     }
 
-    /// How the contact moves: `g' = w_E x g + H u`.
+    /// The rates of the contact point and of the normal: `g' = w_E x g + H u`.
     pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> ContactMotion {
         let (v, e, u) = self.velocities(a, b);
         let Distance { gradient: g, curvature, along, .. } = self.distance;
@@ -133,8 +134,8 @@ impl PointOnSurface {
     }
 }
 
-/// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, as [`crate::evaluate()`]
-/// would give it; nothing when its separation exceeds `reach` (m).
+/// The contact of a vertex of a polyhedron with a face of another whose normal in the world is given, bit for bit that
+/// of [`crate::evaluate()`]; none when its separation exceeds `reach` (m).
 #[inline]
 pub(crate) fn vertex_above_face(
     vertex_of: Side,

@@ -1,9 +1,9 @@
-//! Separation of two elements at a common normal, and its first two time derivatives.
+//! Separation of two elements at a common normal (where it is stationary), and its first two time derivatives.
 //!
-//! `chi = n.F - rho_A - rho_B` with `F = x_A - x_B` between places on the two loci, and `x` a function of parameters `z` of its
-//! locus (arc length on a line or circle, the height on a cone's axis). At a common normal chi is
-//! stationary with respect to the normal and to all parameters: `F = (n.F) n`, `n.dx/dz` constant. Hence, with `v(x)` the
-//! velocity of the material point at the place,
+//! `chi = n.F - rho_A - rho_B` with `F = x_A - x_B` between points of the two loci (`element.rs`), `rho` the radii of
+//! the balls, and `x` a function of the parameters `z` of its locus (arc length on a line or circle, the height on a
+//! cone's axis). At a common normal chi is stationary with respect to the normal and to all parameters: `F = (n.F) n`,
+//! `n.dx/dz` constant. Hence, with `v(x)` the velocity of the material point at `x`,
 //!
 //! `chi' = n.(v_A(x_A) - v_B(x_B))`,
 //! `chi'' = n.(a_A(x_A) - a_B(x_B)) + n'.(v_A(x_A) - v_B(x_B)) + sum_i s_i z_i' n.(w_i x t_i)`,
@@ -13,19 +13,21 @@
 //!
 //! `T.((n.F) n' - v_A(x_A) + v_B(x_B) - sum_i s_i t_i z_i') = 0`,  `n'.t_i + n.(w_i x t_i) + n.k_i z_i' = 0`,
 //!
-//! `k_i = d2x/dz_i^2` (a circle's only). Regular at `chi = 0` wherever the contact is not degenerate. It contains point on
-//! surface and crossed edges (thesis 3.4, equation (18) with erratum E18) as special cases, and is exact at any separation.
+//! `k_i = d2x/dz_i^2` (a circle's only). The system is regular at `chi = 0` wherever the contact is not degenerate. It
+//! contains a point on a surface and crossed edges (thesis 3.4, equation (18) with erratum E18) as special cases, and
+//! is exact at any separation.
 //!
-//! A plane of body E has a normal of its own, `n' = w_E x n`, whatever the other locus does; its two lengths follow from
-//! the first condition, and what is left of the formula divides by nothing that vanishes at touch:
+//! If the locus of body E is a plane, the normal is the plane's: `n' = w_E x n`, whatever the other locus is. The two
+//! parameters of the plane follow from the first condition, and the remaining formula has no divisor that vanishes at
+//! touch:
 //!
 //! `chi'' = n.(a_A - a_B) + 2 n'.(v_A - v_B) - (n.F) n'.n' - s (n'.t + n.(w x t))^2 / n.k`,
 //!
-//! the last term for a circle on the plane alone (`s`, `w`, `t` and `k` are the circle's).
+//! where the last term exists only for a circle on the plane (`s`, `w`, `t` and `k` are the circle's).
 //!
-//! The contact point stands off `x_A` by `rho_A + chi/2` along `-n` (or off `x_B` by `rho_B + chi/2` along `n`), and moves
-//! with `x_A' = v_A(x_A) + t_A z_A'`, `n'`, `chi'` and, as chi is stationary with respect to `z_A`, `rho_A' = n.t_A z_A'`
-//! (which is zero but on a cone).
+//! The contact point is at the distance `rho_A + chi/2` from `x_A` along `-n` (or off `x_B` by `rho_B + chi/2` along
+//! `n`), and moves with `x_A' = v_A(x_A) + t_A z_A'`, `n'`, `chi'` and, as chi is stationary with respect to `z_A`,
+//! `rho_A' = n.t_A z_A'` (zero except on a cone).
 
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::common_normal::branch_offset;
@@ -38,13 +40,13 @@ use crate::{ContactGeometry, ContactKinematics, Side};
 use glam::DVec3;
 use polhode_spatial::Velocity;
 
-/// Unknowns of the linear system: two of the normal's rate, up to two parameters.
+/// Most unknowns of the linear system: two components of the normal's rate and up to two parameters.
 const MOST: usize = 4;
 
-/// A pivot below this part of the largest is zero: the contact is degenerate.
+/// A pivot smaller than this fraction of the largest entry counts as zero: the contact is degenerate.
 const SMALLEST_PIVOT: f64 = 1e-13;
 
-/// A parameter of one body's place.
+/// A parameter of the point on one body's locus.
 #[derive(Debug, Clone, Copy)]
 struct Parameter {
     of: Side,
@@ -73,8 +75,8 @@ pub(crate) struct Stationary {
 }
 
 impl Stationary {
-    /// The place at which two elements touch, or nearly; nothing when they have no common normal, or no one normal: any
-    /// motion would turn it at once. Places nearer to each other than `tolerance` (m) are one.
+    /// The common normal at which two elements touch, or nearly touch. None when they have none, or when the normal is
+    /// not unique (points nearer to each other than `tolerance`, m): then it has no finite rate.
     pub(crate) fn new(a: &Element<'_>, b: &Element<'_>, origin_b: DVec3, tolerance: f64) -> Option<Self> {
         let all = places(a, b);
         let place = chosen(&all, a, b)?;
@@ -98,7 +100,7 @@ impl Stationary {
         stationary.turns_steadily().then_some(stationary)
     }
 
-    /// Lists the parameters of an element at a place.
+    /// Lists the parameters of an element at a point of its locus.
     fn describe(&mut self, of: Side, element: &Element<'_>, place: DVec3) {
         let mut push = |along: DVec3, bend: DVec3| {
             if let Some(free) = self.parameters.get_mut(self.count) {
@@ -128,7 +130,7 @@ impl Stationary {
         }
     }
 
-    /// Never nothing, for [`Self::new`] has asked for what the rates need.
+    /// Never none, because [`Self::new`] has checked that the rates exist.
     #[inline]
     pub(crate) fn kinematics(&self, origin_a: DVec3, a: &Velocity, b: &Velocity) -> Option<ContactKinematics> {
         let n = self.place.normal;
@@ -153,14 +155,15 @@ impl Stationary {
         (a.linear - b.linear) + (a.angular.cross(arm_a) - b.angular.cross(arm_b))
     }
 
-    /// From the centres of mass to the places on the two loci.
+    /// From the centres of mass to the points on the two loci.
     #[inline]
     fn place_arms(&self) -> [DVec3; 2] {
         [self.place.on_a, self.place.on_b - self.origin_b]
     }
 
-    /// How the contact point moves: with a place on a locus, which wanders, and from there along the normal, which turns.
-    /// The place is A's; on a plane there is nothing that wanders of its own accord, and the place is the other one.
+    /// The rates of the contact point and of the normal. The contact point is a point `x` of one locus plus a length
+    /// along the normal; its rate is the sum of the rates of `x`, of the normal and of the length. `x` is A's point, or
+    /// B's when A's locus is a plane, whose parameters are not unknowns of the system.
     pub(crate) fn motion(&self, kinematics: &ContactKinematics, a: &Velocity, b: &Velocity) -> Option<ContactMotion> {
         let n = self.place.normal;
         let rates = match self.plane_of {
@@ -196,8 +199,8 @@ impl Stationary {
         })
     }
 
-    /// What the turning of the normal and the wandering of the places add to `chi''`, m/s^2. `velocity` is
-    /// `v_A(x_A) - v_B(x_B)`.
+    /// The terms of `chi''` from the rates of the normal and of the parameters, m/s^2. `velocity` is `v_A(x_A) -
+    /// v_B(x_B)`.
     #[inline]
     fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;
@@ -209,8 +212,8 @@ impl Stationary {
         bending
     }
 
-    /// The same where one element is a plane, whose normal turns with its body: in closed form, for at touch the system of
-    /// the rates would give the normal's with the rounding of the velocity over that of the separation.
+    /// The same where one element is a plane, whose normal turns with its body. It is in closed form: at touch the
+    /// linear system would divide the rounding error of the velocity by that of the separation.
     #[inline]
     fn bending_over_plane(&self, plane_of: Side, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;
@@ -220,7 +223,7 @@ impl Stationary {
             let (sign, spin) = sign_and_spin(parameter, a, b);
             let curvature = n.dot(parameter.bend);
             let turned = turning.dot(parameter.along) + n.dot(spin.cross(parameter.along));
-            // Where all places of the circle are as good, its place is held still.
+            // Where all points of the circle are equally near, the point is taken as fixed to the circle's body.
             if curvature == 0.0 { 0.0 } else { -sign * turned * turned / curvature }
         };
         let wandering: f64 = self.parameters[..self.count].iter().map(bend).sum();
@@ -241,7 +244,7 @@ impl Stationary {
         for (rate, parameter) in parameters.iter_mut().zip(&self.parameters[..self.count]) {
             let (_, spin) = sign_and_spin(parameter, a, b);
             let curvature = n.dot(parameter.bend);
-            // Where all places of the circle are as good, its place is held still.
+            // Where all points of the circle are equally near, the point is taken as fixed to the circle's body.
             if curvature != 0.0 {
                 *rate = -(normal.dot(parameter.along) + n.dot(spin.cross(parameter.along))) / curvature;
             }
@@ -249,12 +252,12 @@ impl Stationary {
         Rates { normal, parameters }
     }
 
-    /// Whether the normal has a rate for every motion.
+    /// Whether the normal has a finite rate for every motion.
     fn turns_steadily(&self) -> bool {
         self.plane_of.is_some() || solve(self.system().matrix, [0.0; MOST], NORMAL_UNKNOWNS + self.count).is_some()
     }
 
-    /// What stands on the left of the conditions of the rates.
+    /// The matrix of the linear conditions for the rates.
     fn system(&self) -> System {
         let n = self.place.normal;
         let first = n.any_orthonormal_vector();
@@ -299,20 +302,20 @@ impl Stationary {
     }
 }
 
-/// The linear system of the rates. Rows and columns are scaled by lengths, so that all entries are numbers without unit:
-/// those of the normal by the longest (where two lines cross their gap says nothing of the rounding of the velocity), those
-/// of an arc by its radius, for a small rim may stand far from the other element.
+/// The linear system of the rates. Rows and columns are scaled by lengths, so that all entries are dimensionless: those
+/// of the normal by the longest length (the gap of two crossing lines is no scale for the rounding of the velocity),
+/// those of an arc by its radius (a small rim may be far from the other element).
 struct System {
     matrix: [[f64; MOST]; MOST],
     /// Two unit vectors perpendicular to the normal and to each other.
     tangents: [DVec3; 2],
-    /// The longest length, m.
+    /// The scale of the normal's rows and columns, m.
     length: f64,
-    /// Of the parameters, m.
+    /// The scales of the parameters, m.
     units: [f64; 2],
 }
 
-/// The unknowns begin with the two of the normal.
+/// The first unknowns are the two components of the normal's rate.
 const NORMAL_UNKNOWNS: usize = 2;
 
 struct Rates {
@@ -325,8 +328,9 @@ fn sign_and_spin(parameter: &Parameter, a: &Velocity, b: &Velocity) -> (f64, DVe
     if parameter.of == Side::A { (1.0, a.angular) } else { (-1.0, b.angular) }
 }
 
-/// Gaussian elimination with exchange of rows. A parameter whose pivot is zero to rounding does not matter, for every
-/// place of its element is as good (a ball on the axis of a ring), and is held still; nothing when it is the normal's.
+/// Gaussian elimination with partial pivoting. A parameter whose pivot is zero to rounding has no effect, because all
+/// points of its locus are equally near (a ball on the axis of a torus); its rate is set to zero. None when a pivot of
+/// the normal is zero.
 fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -> Option<[f64; MOST]> {
     let largest = matrix.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     for column in 0..size {
@@ -362,8 +366,8 @@ fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -
     Some(solution)
 }
 
-/// Whether a point lies on another, on a line or circle, or on the axis of a cone, where any motion may turn the normal at
-/// once.
+/// Whether a point locus lies on another point, on a line or circle, or on the axis of a cone, where the normal is not
+/// defined.
 fn has_no_direction(place: &Place, a: &Element<'_>, b: &Element<'_>, tolerance: f64) -> bool {
     let point = |e: &Element<'_>| matches!(e.locus, Locus::Point(_));
     let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_) | Locus::Cone(_));

@@ -1,4 +1,4 @@
-//! The signed distance of a place from a feature of a shape, with its gradient and curvature.
+//! The signed distance of a point from a feature of a shape, with its gradient and curvature.
 
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::feature::face_border::face_margin;
@@ -8,19 +8,20 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 
-/// Distance of a point from a feature, in the frame of the feature's body.
+/// Distance of a point from a feature and its derivatives, in the frame of the feature's body. Symbols are those of
+/// `evaluate.rs`: gradient `g`, Hessian `H`, direction `e` of an edge.
 pub(crate) struct Distance {
     pub(crate) value: f64,
     /// Unit vector from the feature to the point.
     pub(crate) gradient: DVec3,
     /// `H` is `(1 - g g' - e e')` times this, 1/m.
     pub(crate) curvature: f64,
-    /// `e`, zero for a vertex or a sphere.
+    /// `e`; zero for a vertex, a face or a sphere.
     pub(crate) along: DVec3,
     pub(crate) margin: f64,
 }
 
-/// Distance of the place `y` (frame of the shape) from one of the shape's features.
+/// Distance of the point `y` (frame of the shape) from one of the shape's features.
 pub(crate) fn distance(shape: &Shape, feature: SurfaceFeature, y: DVec3) -> Option<Distance> {
     match (shape, feature) {
         (Shape::HalfSpace(h), SurfaceFeature::Face(0)) => {
@@ -50,8 +51,9 @@ pub(crate) fn from_plane(normal: DVec3, value: f64, margin: f64) -> Distance {
     Distance { value, gradient: normal, curvature: 0.0, along: DVec3::ZERO, margin }
 }
 
-/// Distance from an edge along `w` (m) from its first end. Its Voronoi region ends at its two vertices and where either of
-/// its faces begins; `sides` are the unit vectors out of the faces, across the edge.
+/// Distance from an edge of the point at `w` (m) from the edge's first end. The Voronoi region of an edge ends at its
+/// two vertices and at its two faces; `sides` are the unit vectors in the faces, perpendicular to the edge and out of
+/// the face.
 fn from_edge(
     w: DVec3,
     (direction, length): (DVec3, f64),
@@ -65,7 +67,7 @@ fn from_edge(
     Some(Distance { along: direction, ..found })
 }
 
-/// The Voronoi region of a vertex ends where one of its edges begins.
+/// Distance from a vertex. Its Voronoi region ends where that of one of its edges begins.
 fn from_vertex(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<Distance> {
     let w = y - *polyhedron.vertices.get(index)?;
     let beyond = |&e: &u32| {
@@ -76,7 +78,7 @@ fn from_vertex(polyhedron: &ConvexPolyhedron, index: usize, y: DVec3) -> Option<
     from_point(w, COINCIDENCE * polyhedron.size, margin)
 }
 
-/// Distance of a place from a feature of the mesh, in the mesh's frame.
+/// Distance of a point from a feature of the mesh, in the mesh's frame.
 fn from_mesh(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<Distance> {
     match feature {
         SurfaceFeature::Face(face) => {
@@ -101,7 +103,7 @@ fn from_mesh(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<D
     }
 }
 
-/// Distance along `w` from a point or an edge; nothing when it is too short (`least`, m) to have a direction, or so long
+/// The distance `|w|` from a point or an edge; none when it is too short (`least`, m) to have a direction, or so long
 /// that its square overflows.
 fn from_point(w: DVec3, least: f64, margin: f64) -> Option<Distance> {
     let value = w.length();
