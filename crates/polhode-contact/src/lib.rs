@@ -36,6 +36,24 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Words
+//!
+//! The crate uses the terms of the field, and these in a narrower sense:
+//!
+//! | word | meaning |
+//! |---|---|
+//! | element | a feature as the Minkowski sum of a point, line, circle, plane or the side of a cone with a ball |
+//! | place | a point of contact with its point on each body; two features are *in one place* (coincide) when nearer than the place tolerance |
+//! | reach | the largest separation at which contacts are reported, m |
+//! | region | all features that touch around one separating axis |
+//! | part | a convex shape of a compound, or a triangle of a mesh |
+//! | patch | neighbouring triangles of a mesh that lie in one plane |
+//! | round shape | a capsule, cylinder or cone |
+//! | ring | a torus; its centre circle is the middle of its tube |
+//! | deciding axis, face or edges | those with the largest separation, which the contacts follow from |
+//! | clear | separated, in the search for impacts |
+//! | closing | reaching a separation of zero |
+//!
 //! # Stages
 //!
 //! In the order of the calls; paths are in `src`. The contacts of many bodies:

@@ -1,4 +1,4 @@
-//! What a search over the separating axes of two polyhedra found.
+//! The result of a search over the separating axes of two polyhedra.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
@@ -6,11 +6,11 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Rounding of a separation along any axis relative to the lengths that enter it, with room: the axis of two edges that
-/// are only just not parallel ([`crate::clearance::PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
+/// Bound of the rounding of a separation along any axis, relative to the lengths it is computed from: the axis of two
+/// edges that are almost parallel ([`crate::clearance::PARALLEL_SINE`]) is uncertain by some epsilon over that sine.
 pub(crate) const AXIS_SLACK: f64 = 1e-8;
 
-/// The best axis of a kind.
+/// The best face of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FaceAxis {
     pub(crate) separation: f64,
@@ -20,32 +20,32 @@ pub(crate) struct FaceAxis {
 /// The best pair of edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EdgeAxis {
-    /// Separation less the rounding of the axis, m.
+    /// Separation minus the rounding of the axis, m.
     pub(crate) separation: f64,
     pub(crate) edge_a: u32,
     pub(crate) edge_b: u32,
 }
 
-/// What the search over all axes found.
+/// The best axis of each kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Axes {
     pub(crate) face_a: FaceAxis,
     pub(crate) face_b: FaceAxis,
     pub(crate) edges: Option<EdgeAxis>,
-    /// Separation of all vertices along the best perpendicular of edges that are nearly parallel, m, and that direction, out of A
-    /// in its frame: it is uncertain, but whatever it is, the bodies are at least that far apart along it. `-inf` when there is
-    /// none.
+    /// Largest separation of all vertices along a common perpendicular of nearly parallel edges, m, and that direction,
+    /// out of A in its frame. The direction is uncertain, but along any direction the separation of all vertices is a
+    /// lower bound. `-inf` when there is none.
     pub(crate) along_nearly_parallel: (f64, DVec3),
-    /// Distance up to which features are in one place, m.
+    /// Distance up to which features coincide, m.
     pub(crate) tolerance: f64,
-    /// Differences of separations up to this are rounding, m.
+    /// Differences of separations up to this are rounding error, m.
     pub(crate) rounding: f64,
 }
 
 impl FaceAxis {
     const NONE: Self = Self { separation: f64::NEG_INFINITY, face: 0 };
 
-    /// Takes a face that separates better; of equal ones the first stays.
+    /// Replaces the face if the new one separates better; in a tie the earlier one stays.
     pub(crate) fn take(&mut self, separation: f64, face: usize) {
         if separation > self.separation {
             *self = Self { separation, face: face as u32 };
@@ -54,7 +54,7 @@ impl FaceAxis {
 }
 
 impl Axes {
-    /// Nothing found yet.
+    /// The start of a search: no axis yet.
     pub(crate) fn none(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
         let tolerance = place_tolerance(a.size, b.size, x_ab.translation);
         let rounding = f64::EPSILON * (a.size + b.size + x_ab.translation.length());
@@ -73,25 +73,25 @@ impl Axes {
         self.face_a.separation.max(self.face_b.separation)
     }
 
-    /// The pair of edges, when it separates by more than the faces do; a tie goes to the faces.
+    /// The pair of edges, when it separates better than the faces; in a tie the faces are preferred.
     pub(crate) fn deciding_edges(&self) -> Option<EdgeAxis> {
         self.edges.filter(|e| e.separation > self.face_separation() + self.tolerance)
     }
 
-    /// Largest separation over all axes; that of edges measured between their nearest places, where it is most accurate.
-    /// Edges that separate by a little more than the faces, within the tolerance, do not decide, but their separation counts
-    /// when it is more by more than the rounding of their axis. Of edges that are nearly parallel that rounding is large, and
-    /// the separation of all vertices counts.
+    /// Largest separation over all axes; that of edges is computed between their nearest points, where it is most
+    /// accurate. Edges better than the faces by less than the tolerance are not the deciding axis, but their separation
+    /// is used when the difference exceeds the rounding of their axis. For nearly parallel edges that rounding is
+    /// large, and the separation of all vertices is used instead.
     pub(crate) fn separation(&self, polyhedra: [&ConvexPolyhedron; 2], poses: [&Pose; 2]) -> f64 {
         self.largest(self.crossed_edges(polyhedra, poses).as_ref())
     }
 
-    /// The best pair of edges at their nearest places.
+    /// The best pair of edges with their nearest points.
     pub(crate) fn crossed_edges(&self, polyhedra: [&ConvexPolyhedron; 2], poses: [&Pose; 2]) -> Option<CrossedEdges> {
         self.edges.and_then(|edges| CrossedEdges::new(polyhedra, poses, [edges.edge_a, edges.edge_b]))
     }
 
-    /// The same when the edges have been placed.
+    /// The largest separation, when [`Self::crossed_edges`] has been computed.
     pub(crate) fn largest(&self, crossed: Option<&CrossedEdges>) -> f64 {
         let faces = self.face_separation();
         let counts = self.edges.is_some_and(|edges| edges.separation > faces);
@@ -99,13 +99,14 @@ impl Axes {
         best.max(self.along_nearly_parallel.0)
     }
 
-    /// Pairs of edges that separate by no more than this need not be found: faces do as well to rounding, or the bodies
-    /// touch anyway.
+    /// Pairs of edges with a separation up to this need not be found: a face is as good within rounding, or the bodies
+    /// are not farther apart than touch or the limit `stop`.
     pub(crate) fn edge_threshold(&self, stop: f64) -> f64 {
         (self.face_separation() + self.rounding).min(0.0).min(stop)
     }
 
-    /// Separations below which edges of A and of B are left out, m: those of the best face, or touch, less a margin.
+    /// Limits below which edges of A and of B are excluded, m: the separation of the best face, or zero if that is
+    /// less, minus a margin.
     pub(crate) fn edge_limits(
         &self,
         a: &ConvexPolyhedron,

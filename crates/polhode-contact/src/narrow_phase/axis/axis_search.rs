@@ -4,7 +4,7 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// B in A's frame, and how far the faces separate; the buffers may be kept from call to call.
+/// B in A's frame, and the separations along the faces; the buffers may be kept from call to call.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct AxisSearch {
     /// Pose of B in A's frame.
@@ -19,7 +19,7 @@ pub(crate) struct AxisSearch {
     pub(crate) along_faces_b: Vec<f64>,
 }
 
-/// What the search for edges keeps from call to call.
+/// Buffers of the search for edges.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EdgeBuffers {
     /// `normal . vertex` of every vertex of the other body for each face of A, then of B, m.
@@ -31,7 +31,7 @@ pub(crate) struct EdgeBuffers {
 }
 
 impl AxisSearch {
-    /// Brings B into A's frame.
+    /// Transforms B into A's frame.
     pub(crate) fn place(&mut self, b: &ConvexPolyhedron, x_ab: &Pose) {
         self.x_ab = *x_ab;
         let rotation = x_ab.rotation.to_matrix();
@@ -44,8 +44,8 @@ impl AxisSearch {
     }
 }
 
-/// Offset in A's frame of the plane of a face of B with this normal there, m: from the difference of the origins rather
-/// than from a turned vertex.
+/// Offset in A's frame of the plane of a face of B with this normal there, m. It is computed from the difference of the
+/// origins rather than from a rotated vertex, which would be rounded.
 pub(crate) fn plane_of_b(b: &ConvexPolyhedron, face: usize, normal: DVec3, x_ab: &Pose) -> f64 {
     normal.dot(x_ab.translation) + b.faces[face].offset
 }
@@ -55,7 +55,7 @@ pub(crate) fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
     range(points, direction).0
 }
 
-/// The first of the points that are lowest along a direction, by its index; 0 when there is none.
+/// The index of the lowest point along a direction, in a tie the first; 0 when there is none.
 pub(crate) fn lowest_vertex(points: &[DVec3], direction: DVec3) -> u32 {
     let heights = points.iter().map(|p| direction.dot(*p)).enumerate();
     heights.min_by(|(_, p), (_, q)| p.total_cmp(q)).map_or(0, |(index, _)| index as u32)

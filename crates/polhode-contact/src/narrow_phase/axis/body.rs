@@ -21,7 +21,7 @@ impl<'a> Body<'a> {
         Self { shape, pose, point: None }
     }
 
-    /// A point of the frame; `shape` is not looked at.
+    /// A point of the frame; `shape` is not used.
     pub(crate) const fn at_point(shape: &'a Shape, point: DVec3) -> Self {
         Self { shape, pose: Pose::IDENTITY, point: Some((0, point)) }
     }
@@ -36,8 +36,7 @@ impl<'a> Body<'a> {
         own + n.dot(self.pose.translation)
     }
 
-    /// A point of the body that reaches as far; the frame's origin for a direction of no length and for a body without
-    /// points.
+    /// The support point along a direction; the frame's origin for a zero direction and for a body without points.
     pub(crate) fn support_point(&self, n: DVec3) -> DVec3 {
         let local = self.pose.rotation.inverse_rotate(n);
         let own = match self.point {
@@ -92,7 +91,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The element that reaches farthest along a unit vector; the first of equal ones.
+    /// The element that contains the support point along a unit vector; in a tie the first.
     pub(crate) fn farthest(&self, n: DVec3) -> SurfaceFeature {
         let mut best = (f64::NEG_INFINITY, SurfaceFeature::Vertex(0));
         self.each_other(|feature| {

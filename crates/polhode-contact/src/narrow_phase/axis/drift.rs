@@ -1,26 +1,27 @@
-//! How far heights above the faces of two bodies may have changed since they lay otherwise; the reasoning stands in
-//! `coherence.rs`.
+//! Bounds of how much the separations along the face normals of two bodies have changed since an earlier relative pose.
+//! The formula is in `coherence.rs`.
 
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// How the bodies lay when something was kept.
+/// The relative pose at which data were stored.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Drift {
     /// Pose of B in A's frame.
     relative: Pose,
-    /// Lengths that turn into changes of heights above the faces of A and of B, m.
+    /// Lever arms: a rotation by an angle changes heights above the faces of A and of B by at most the angle times
+    /// these, m.
     pub(crate) levers: [f64; 2],
 }
 
 impl Drift {
-    /// From now on.
+    /// Starts at this relative pose.
     pub(crate) fn since(a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose) -> Self {
         Self { relative: *x_ab, levers: [radius(&b.vertices), radius(&a.vertices) + x_ab.translation.length()] }
     }
 
-    /// How much heights above planes of A and of B may have changed, m.
+    /// Bounds of the change of heights above planes of A and of B, m.
     #[inline]
     pub(crate) fn changes(&self, x_ab: &Pose) -> [f64; 2] {
         let shift = (x_ab.translation - self.relative.translation).length();

@@ -1,15 +1,17 @@
 //! The pair of edges of two convex polyhedra whose common perpendicular separates them best.
 //!
-//! Only pairs whose arcs cross on the Gauss map count (`separating_axis.rs`), and most edges are left out before: when a
-//! point `q` of the other body lies below the planes of both faces of an edge by more than `t > 0`, the separation along
-//! every direction of the edge's arc is below `-t`. The directions `u` with `u . (q - p) < -t` (`p` a vertex of the edge)
-//! form a cap smaller than a hemisphere, which contains the whole arc when it contains its ends, and no direction separates
-//! better than its height over one point. Such an edge cannot beat a face that separates by `-t` or more.
+//! Only pairs whose arcs cross on the Gauss map are candidates (`separating_axis.rs`). Most edges are excluded before.
+//! If a point `q` of the other body lies below the planes of both faces of an edge by more than `t > 0`, the separation
+//! along every direction of the edge's arc is below `-t`: the directions `u` with `u . (q - p) < -t` (`p` a vertex of
+//! the edge) form a spherical cap smaller than a hemisphere, which contains the whole arc when it contains both ends of
+//! it, and `u . (q - p)` is an upper bound of the separation along `u`. Such an edge cannot be better than a face whose
+//! separation is `-t` or more.
 //!
-//! The edges of the deciding face itself drop out when the lowest point `q` above it, at height `s`, stands over the face.
-//! On the arc from its normal `n` to that of a neighbour, `u = n cos phi + t sin phi` with `t` the outward side of the edge,
-//! and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when `t . (q - p) <= 0`; for `s < 0`
-//! it is when `q` is no higher above the neighbour than above the face, again because of the cap.
+//! The edges of the best face itself are excluded when the lowest point `q` above it, at height `s`, projects onto the
+//! face. On the arc from its normal `n` to that of a neighbour, `u = n cos phi + t sin phi` with `t` the outward side
+//! of the edge, and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when `t . (q - p)
+//! <= 0`; for `s < 0` it is when `q` is no higher above the neighbour than above the face, again by the argument of the
+//! cap.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
@@ -18,23 +20,23 @@ use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Rounding of the separation along an edge axis, in units of epsilon times the lever over the sine of the angle
-/// between the edges: the direction of their cross product is uncertain by that much.
+/// Rounding of the separation along an edge axis, in units of epsilon times the lever arm over the sine of the angle
+/// between the edges, from the uncertainty of the direction of their cross product.
 pub(crate) const AXIS_ULPS: f64 = 8.0;
 
-/// Up to this sine of their angle edges are nearly parallel: the rounding of the separation along their common perpendicular
-/// is no longer small against the depth that counts as penetration (no unit).
+/// Edges are nearly parallel up to this sine of their angle: the rounding of the separation along their common
+/// perpendicular is then not small compared with the tolerated penetration.
 const NEARLY_PARALLEL_SINE: f64 = 0.03;
 
-/// The sine of the angle between edges up to which their cross product is nothing but rounding.
+/// Sine of the angle between edges up to which their cross product is rounding error.
 const ROUNDING_SINE: f64 = 16.0 * f64::EPSILON;
 
-/// Rounding of a square of a sum of products, relative to it, with room.
+/// Bound of the relative rounding of the square of a sum of products.
 pub(crate) const SQUARE_SLACK: f64 = 1e-9;
 
 impl AxisSearch {
-    /// Chooses the edges whose arcs may hold a direction that separates by at least the limit of their body (negative).
-    /// The faces must have been searched.
+    /// Selects the edges whose arcs may contain a direction with a separation of at least the limit of their body
+    /// (negative). The faces must have been searched.
     pub(crate) fn select_edges(
         &mut self,
         a: &ConvexPolyhedron,
@@ -51,8 +53,8 @@ impl AxisSearch {
         select(of_b, &b.edges, limit_b, &self.along_faces_b, |face| (row(face), plane(face)));
     }
 
-    /// Finds the pair of chosen edges that separates better than the faces do, if there is one, and how far apart all vertices
-    /// are along the perpendiculars of nearly parallel edges.
+    /// Finds the pair of selected edges that separates better than the faces, if there is one, and the separation of
+    /// all vertices along the perpendiculars of nearly parallel edges.
     pub(crate) fn deciding_edges(
         &mut self,
         a: &ConvexPolyhedron,
@@ -72,8 +74,8 @@ impl AxisSearch {
         self.best_edges(a, b, axes, stop);
     }
 
-    /// Finds the pair of chosen edges with the largest separation among those whose arcs cross; pairs that separate by no more
-    /// than the threshold of the faces may be left out.
+    /// Finds the pair of selected edges with the largest separation among those whose arcs cross; pairs with a
+    /// separation up to the threshold of the faces may be omitted.
     pub(crate) fn best_edges(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, axes: &mut Axes, stop: f64) {
         let (edges, threshold) = (&self.edges, axes.edge_threshold(stop));
         axes.edges = None;
@@ -82,8 +84,8 @@ impl AxisSearch {
             let of_a = edge_a.faces.map(|f| a.faces[f as usize].normal);
             for &j in &edges.of_b {
                 let edge_b = &b.edges[j as usize];
-                // With B's normals turned round, the arcs (n1, n2) and (-m1, -m2) cross when m1 and m2 lie on opposite
-                // sides of A's arc, n1 and n2 on opposite sides of B's, and both arcs on one hemisphere.
+                // The arcs (n1, n2) of A and (-m1, -m2) of B cross when m1 and m2 are on opposite sides of A's arc, n1
+                // and n2 on opposite sides of B's, and both arcs in one hemisphere.
                 let [x, y] = edge_b.faces.map(|f| self.normals[f as usize].dot(edge_a.direction));
                 if x * y >= 0.0 {
                     continue;
@@ -121,8 +123,8 @@ impl AxisSearch {
         }
     }
 
-    /// The common perpendicular of two edges, unit, out of A. Rounding turns the cross product of edges that are nearly
-    /// parallel towards them, and across: the first is taken out again, the second hardly shows along the edges.
+    /// The unit common perpendicular of two edges, out of A. For nearly parallel edges the cross product has an error
+    /// along the edges and one perpendicular to them. The first is projected out; the second hardly matters.
     fn perpendicular(&self, a: &ConvexPolyhedron, [i, j]: [usize; 2]) -> DVec3 {
         let edge_a = &a.edges[i];
         let cross = edge_a.direction.cross(self.directions[j]).normalize();
@@ -130,9 +132,9 @@ impl AxisSearch {
         if across.dot(edge_a.outward) >= 0.0 { across } else { -across }
     }
 
-    /// Whether two edges are the outermost of their bodies along their common perpendicular. Where an edge of one body is
-    /// parallel to a face of the other, rounding decides the signs by which arcs cross, and an edge on the far side of a
-    /// body could pass for one that faces the other body.
+    /// Whether two edges contain the support points of their bodies along their common perpendicular. Where an edge of
+    /// one body is parallel to a face of the other, the signs of the test for crossing arcs are rounding error, and an
+    /// edge on the far side of a body could be accepted.
     fn are_outermost(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, [i, j]: [usize; 2], tolerance: f64) -> bool {
         let (edge_a, edge_b) = (&a.edges[i], &b.edges[j]);
         let v = self.perpendicular(a, [i, j]);
@@ -141,8 +143,8 @@ impl AxisSearch {
         a.vertices.iter().all(|p| p.dot(v) <= highest) && self.vertices.iter().all(|p| p.dot(v) >= lowest)
     }
 
-    /// Separation along the common perpendicular of two edges; nothing when they are parallel to rounding, and often when it is no more
-    /// than `threshold` (at most 0).
+    /// Separation along the common perpendicular of two edges. None when they are parallel to rounding; it may also be
+    /// none when the separation is at most `threshold` (at most 0).
     fn along_edges(
         &self,
         a: &ConvexPolyhedron,
@@ -163,7 +165,8 @@ impl AxisSearch {
             return (separation > threshold).then(|| Along { separation, rounding: rounding_at(sine), sine });
         }
         let upward = cross.dot(edge_a.outward) >= 0.0;
-        // The separation is this over the sine. Most pairs are far from the threshold, which shows in the squares.
+        // The separation is `lever` over the sine. Most pairs are far from the threshold, which a comparison of squares
+        // shows.
         let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
         if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SQUARE_SLACK) {
             return None;
@@ -177,14 +180,14 @@ impl AxisSearch {
 struct Along {
     /// m.
     separation: f64,
-    /// What the uncertainty of the direction may add, m.
+    /// Error from the uncertainty of the direction, m.
     rounding: f64,
     /// Sine of the angle between the edges.
     sine: f64,
 }
 
-/// The lowest vertices above the best face of each body, which shut out edges of that face inside which they stand: none of
-/// these separates better than the face.
+/// The lowest vertex above the best face of each body. It excludes the edges of that face on whose inner side it lies:
+/// none of these separates better than the face.
 struct OverBestFaces {
     tolerance: f64,
     a: OverFace,
@@ -237,7 +240,7 @@ impl OverBestFaces {
 }
 
 impl OverFace {
-    /// `height` is that of a point above a face of the same body.
+    /// Whether an edge is excluded. `height` gives the height of a point above a face of the same body.
     fn leaves(
         &self,
         edge: &Edge,
@@ -252,19 +255,20 @@ impl OverFace {
     }
 }
 
-/// Whether a point at a signed distance outside an edge of a face, and heights above the neighbour across the edge and
-/// above the face itself (`separation`), is clearly over the face, m.
+/// Whether a point is clearly over a face, for one of its edges: from its signed distance outside the edge, its height
+/// above the neighbour across the edge and its height above the face itself (`separation`), m.
 fn is_over(outside: f64, height: impl FnOnce() -> f64, separation: f64, tolerance: f64) -> bool {
     outside <= -tolerance && (separation >= 0.0 || height() <= separation - tolerance)
 }
 
-/// Of an edge of a face: 1 when the face's loop runs along it and -1 when against it, and the face across it.
+/// For an edge of a face: 1 when the face's loop has the direction of the edge and -1 when the opposite one, and the
+/// face across the edge.
 fn sides_of(edge: &Edge, face: usize) -> Option<(f64, usize)> {
     let [first, second] = edge.faces.map(|f| f as usize);
     if first == face { Some((1.0, second)) } else { (second == face).then_some((-1.0, first)) }
 }
 
-/// The first of the lowest points along a direction; the origin when there is none.
+/// The lowest point along a direction, in a tie the first; the origin when there is none.
 fn lowest_point(points: &[DVec3], direction: DVec3) -> DVec3 {
     let mut best = (f64::INFINITY, 0);
     for (index, point) in points.iter().enumerate() {
@@ -274,8 +278,8 @@ fn lowest_point(points: &[DVec3], direction: DVec3) -> DVec3 {
     points.get(best.1).copied().unwrap_or_default()
 }
 
-/// The edges that no point of the other body lies below both of whose faces by more than the limit. `heights_over` gives
-/// the coordinates of these points along a face's normal, and the offset of its plane.
+/// Selects the edges for which no point of the other body lies below both adjacent faces by more than the limit.
+/// `heights_over` gives the coordinates of these points along a face's normal, and the offset of its plane.
 fn select<'a>(
     chosen: &mut Vec<u32>,
     edges: &[Edge],

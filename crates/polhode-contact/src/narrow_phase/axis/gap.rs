@@ -25,15 +25,15 @@ pub(crate) struct Gap {
     pub(crate) separation: f64,
     /// Unit vector from B to A in the frame of the search.
     pub(crate) normal: DVec3,
-    /// The elements that decide.
+    /// The elements at the two ends of the gap.
     pub(crate) a: SurfaceFeature,
     pub(crate) b: SurfaceFeature,
-    /// Distance up to which features are in one place, m.
+    /// Distance up to which features coincide, m.
     pub(crate) tolerance: f64,
 }
 
 impl Gap {
-    /// Takes the place of one that is not less; of equal ones the first stays.
+    /// Replaces `least` if this separation is less; in a tie the earlier one stays.
     pub(crate) fn take_if_less(self, least: &mut Option<Self>) {
         if least.is_none_or(|least| self.separation < least.separation) {
             *least = Some(self);
@@ -41,7 +41,7 @@ impl Gap {
     }
 }
 
-/// The best axis; the search ends early, with what it has, when a face or disc separates by more than `stop` (m).
+/// The best axis. The search ends early, with the best face or disc so far, when its separation exceeds `stop` (m).
 pub(crate) fn search(a: Body<'_>, b: Body<'_>, stop: f64) -> Gap {
     let between = a.pose.translation - b.pose.translation;
     let (size_a, size_b) = (a.size(), b.size());
@@ -74,8 +74,8 @@ pub(crate) fn search(a: Body<'_>, b: Body<'_>, stop: f64) -> Gap {
     best_of_elements(&a, &b, flat)
 }
 
-/// Whether a plane that separates is certainly the best: the other body's nearest point stands over its face, so that the
-/// bodies are apart by just that.
+/// Whether a separating face is certainly the best axis: the other body's nearest point projects onto the face, so that
+/// the separation is the distance.
 fn is_certain(a: &Body<'_>, b: &Body<'_>, flat: &Gap) -> bool {
     let over = |owner: &Body<'_>, face: SurfaceFeature, outward: DVec3, lowest: DVec3| {
         owner.element(face).is_some_and(|element| element.margin(lowest, outward, 0.0) >= 0.0)
@@ -134,9 +134,9 @@ struct Search<'s, 'a> {
     rounding: f64,
     best: Gap,
     found: bool,
-    /// Whether the best pair's elements are where the bodies are nearest.
+    /// Whether the best pair's elements contain the support points of the bodies along its normal.
     touching: bool,
-    /// Whether nothing can be better: two points of the bodies are as near as the axis says the bodies are.
+    /// Whether no axis can be better: the distance of two points of the bodies equals the separation along the axis.
     certain: bool,
 }
 
@@ -149,7 +149,7 @@ impl Search<'_, '_> {
         for place in places(element_a, element_b).iter() {
             for place in orientations(*place, element_a, element_b).into_iter().flatten() {
                 let claimed = place.separation(element_a, element_b);
-                // The elements are parts of the bodies, so that the bodies are apart by no more than they are.
+                // The elements are subsets of the bodies, so that the separation of the bodies is at most theirs.
                 let least = if self.touching { self.best.separation } else { self.best.separation - self.rounding };
                 if claimed.is_nan() || claimed <= least {
                     continue;
@@ -176,15 +176,15 @@ impl Search<'_, '_> {
     }
 }
 
-/// A place. Where two curves intersect, also the same place with the opposite normal: the curves may have crossed.
+/// A common normal; for two curves also the opposite one, because the curves may have passed through each other.
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
     let open = curve(a.locus) && curve(b.locus);
     [Some(place), open.then(|| place.turned_round())]
 }
 
-/// The best axis of a pair of which at least one is round; of a cloud that of its nearest point. The normal is in the
-/// world. Nothing for pairs of other kinds.
+/// The best axis of a pair, at least one of them round, with the normal in the world; for a cloud that of its nearest
+/// point. None for pairs of other kinds.
 pub(crate) fn between(a: Placed<'_>, b: Placed<'_>, stop: f64) -> Option<Gap> {
     let mut least = None;
     each(a, b, stop, |gap| gap.take_if_less(&mut least));

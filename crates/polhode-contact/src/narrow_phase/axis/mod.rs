@@ -2,14 +2,14 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `axes` | what a search over the axes of two polyhedra found |
+//! | `axes` | the result of a search over the axes of two polyhedra |
 //! | `axis_search` | two polyhedra in the frame of the search |
 //! | `edge_axes` | the pair of edges that separates best |
 //! | `separating_axis` | the search over all faces and edges |
-//! | `drift` | how far heights above faces may have changed between two poses |
+//! | `drift` | bounds of the change of separations along face normals between two poses |
 //! | `half_space` | the height above a half-space |
-//! | `body` | a convex body of which at least one of a pair is round |
-//! | `sieve` | exclusion of elements that cannot decide |
+//! | `body` | a convex body, for pairs of which at least one is round |
+//! | `sieve` | exclusion of elements that cannot have the best axis |
 //! | `gap` | the axis of two convex bodies, at least one of them round |
 //! | `ring_samples` | samples of a circle that isolate its local minima |
 //! | `ring` | tori |

@@ -1,17 +1,18 @@
-//! Tori: the distance of a ring from another body. It is the distance of its middle line (a circle), less the tube radius.
+//! The distance of a torus, called a ring here, from another body. It is the distance of its centre circle minus the
+//! tube radius.
 //!
-//! A ring is not convex and may touch a body at several places: at every local minimum of the distance along its middle
-//! line. Outside a convex body this distance is continuously differentiable, so that each minimum is a common normal of
-//! the middle line and the closest element of the body (`places.rs`). All elements that are near enough are searched, and
-//! a common normal is used if its element is the closest one there. So no minimum is missed, even one beside a lower one.
-//! Only of several minima over the rim of one disc, some may have no name that distinguishes them from the others
-//! (`branch_offset.rs`).
+//! A ring is not convex and may touch a body at several places: at every local minimum of the distance along its centre
+//! circle. Outside a convex body this distance is continuously differentiable, so that each minimum is a common normal
+//! of the centre circle and the closest element of the body (`places.rs`). All elements that are near enough are
+//! searched, and a common normal is used if its element is the closest one there. So no minimum is missed, even one
+//! beside a lower one. Exception: of several minima over the rim of one disc, some may have no name that distinguishes
+//! them from the others (`branch_offset.rs`).
 //!
-//! Where the middle line passes through the other body, the separation is that at its deepest place. This is only a lower
-//! bound of the translation that would separate the ring. The distance then has kinks, where the closest element changes.
-//! The signed distance is sampled to find them, and a golden-section search locates each (`ring_samples.rs` says which
-//! ones samples may miss). This is not needed when a plane along the deciding normal separates the middle line from the
-//! body.
+//! Where the centre circle passes through the other body, the separation is that at its deepest place. This is only a
+//! lower bound of the translation that would separate the ring. The distance then has kinks, where the closest element
+//! changes. The signed distance is sampled to find them, and a golden-section search locates each (`ring_samples.rs`
+//! says which ones samples may miss). This is not needed when a plane along the deciding normal separates the centre
+//! circle from the body.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::body::Body;
@@ -32,22 +33,23 @@ use crate::{Shape, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Steps of the golden-section search: each keeps 0.618 of the interval, and this many bring an angle to its square root
-/// of rounding.
+/// Steps of the golden-section search: each reduces the interval to 0.618 of it, and this many determine an angle to
+/// the square root of epsilon, the limit of the method.
 const GOLDEN_STEPS: usize = 44;
 
 /// `(sqrt(5) - 1)/2`.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// A place found on the circle and one sampled are the same minimum within this many times the way to the next sample.
+/// A common normal and a sampled minimum are the same when they are nearer than this many times the distance to the
+/// next sample.
 const NEAR_SAMPLES: f64 = 1.5;
 
-/// Least angle, rad, within which places are the same minimum: the lowest of samples is no nearer to it than the square root
-/// of rounding.
+/// Angle, rad, within which two points are always the same minimum: samples locate it only to the square root of
+/// rounding.
 const LOCATED: f64 = 1e-6;
 
-/// The distance at a polished place is that of the nearest element within this, relative to the ring's radius, or within
-/// the rounding of places.
+/// Largest difference between the separation at a common normal and the distance of the nearest element there, relative
+/// to the ring's radius; the place tolerance if that is larger.
 const CONSISTENT: f64 = 1e-10;
 
 /// Distance of a point from a body: the nearest element, and the unit vector from there to the point.
@@ -74,16 +76,16 @@ const LINE_PARTS: f64 = 4.0;
 /// The limits of the search for minima, and the lowest minimum so far.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
-    /// Of the middle line, m.
+    /// Of the centre circle, m.
     reach: f64,
-    /// The distance of the middle line is no more than this, m: with the rounding of places.
+    /// The distance of the centre circle is no more than this, m: with the rounding of places.
     least: f64,
     /// The normal there.
     above: Option<DVec3>,
 }
 
 impl Nearest {
-    /// Larger distances of the middle line are not needed, m.
+    /// Larger distances of the centre circle are not needed, m.
     const fn limit(&self) -> f64 {
         self.least.max(self.reach)
     }
@@ -99,9 +101,9 @@ pub(crate) struct Ring<'a> {
     tolerance: f64,
 }
 
-/// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach` (m);
-/// normals in the world. Of those at which the middle line runs inside the other body, beside a lower one, some may be
-/// missing. Nothing for a half-space, and when neither shape is a ring.
+/// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach`
+/// (m); normals in the world. Of those at which the centre circle runs inside the other body, beside a lower one, some
+/// may be missing. Nothing for a half-space, and when neither shape is a ring.
 pub(crate) fn each(a: Placed<'_>, b: Placed<'_>, reach: f64, mut visit: impl FnMut(Gap)) {
     match (a.shape, b.shape) {
         (Shape::Torus(_), _) => of_ring(a, b, reach, visit),
@@ -154,8 +156,8 @@ impl<'a> Ring<'a> {
         Some(Self { circle, tube: torus.minor, east, north: circle.axis.cross(east), other, tolerance })
     }
 
-    /// The corners of a triangle that holds the arc of the middle line between two angles, less than half a turn apart: its
-    /// ends, and where the tangents there meet.
+    /// The corners of a triangle that holds the arc of the centre circle between two angles, less than half a turn
+    /// apart: its ends, and where the tangents there meet.
     pub(crate) fn corners(&self, from: f64, to: f64) -> [DVec3; 3] {
         let middle = self.place(0.5 * (from + to)) - self.circle.center;
         let tip = self.circle.center + middle / libm::cos(0.5 * (to - from));
@@ -179,12 +181,12 @@ impl<'a> Ring<'a> {
         self.north * cosine - self.east * sine
     }
 
-    /// Of the middle line.
+    /// Of the centre circle.
     pub(crate) const fn center(&self) -> DVec3 {
         self.circle.center
     }
 
-    /// Of the middle line, m.
+    /// Of the centre circle, m.
     pub(crate) const fn radius(&self) -> f64 {
         self.circle.radius
     }
@@ -232,7 +234,7 @@ impl<'a> Ring<'a> {
                     report(gap);
                 });
             }
-            // Where the middle lines are one they have no common normal, and all places are as near.
+            // Where the centre circles are one they have no common normal, and all places are as near.
             if !found {
                 report(self.corner(0.0));
             }
@@ -249,7 +251,7 @@ impl<'a> Ring<'a> {
         }
     }
 
-    /// Reports the common normals with all elements of the other body that come near enough to the middle line.
+    /// Reports the common normals with all elements of the other body that come near enough to the centre circle.
     fn each_of_elements(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) -> Nearest {
         let (mut now, mut parallel) = (wanted, false);
         let body = Body::whole(self.other, Pose::IDENTITY);
@@ -276,13 +278,13 @@ impl<'a> Ring<'a> {
         if parallel { Nearest { above: None, ..now } } else { now }
     }
 
-    /// Whether an element may be what is nearest to some place of the middle line, and no farther than this, m.
+    /// Whether an element may be what is nearest to some place of the centre circle, and no farther than this, m.
     fn comes_within(&self, feature: SurfaceFeature, limit: f64) -> bool {
         self.may_be_nearest_along(feature) && self.between(feature).0 <= limit
     }
 
-    /// What the middle line is at least away from a vertex or an edge of a polyhedron, and at most from the polyhedron, m.
-    /// Nothing is known of other elements.
+    /// What the centre circle is at least away from a vertex or an edge of a polyhedron, and at most from the
+    /// polyhedron, m. Nothing is known of other elements.
     fn between(&self, feature: SurfaceFeature) -> (f64, f64) {
         let Shape::Convex(polyhedron) = self.other else { return (f64::NEG_INFINITY, f64::INFINITY) };
         let distance = |point: DVec3| {
@@ -305,8 +307,8 @@ impl<'a> Ring<'a> {
         (nearest - reach - self.tolerance, nearest + self.tolerance)
     }
 
-    /// Whether an edge of a polyhedron may be what is nearest to some place of the middle line: that place lies beyond
-    /// each of its two faces, as seen along the other one's normal. Of other elements nothing is known.
+    /// Whether an edge of a polyhedron may be what is nearest to some place of the centre circle: that place lies
+    /// beyond each of its two faces, as seen along the other one's normal. Of other elements nothing is known.
     fn may_be_nearest_along(&self, feature: SurfaceFeature) -> bool {
         let (Shape::Convex(polyhedron), SurfaceFeature::Edge(index)) = (self.other, feature) else { return true };
         let edge = &polyhedron.edges[index as usize];
@@ -325,7 +327,7 @@ impl<'a> Ring<'a> {
         polyhedron.faces().map(|face| face.normal.dot(place) - face.offset).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether a plane with this unit normal keeps all of the middle line off the other body.
+    /// Whether a plane with this unit normal keeps all of the centre circle off the other body.
     fn is_above(&self, normal: DVec3) -> bool {
         -self.circle.support(-normal) > support(self.other, normal) + self.tolerance
     }
@@ -383,8 +385,8 @@ impl<'a> Ring<'a> {
         Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }
     }
 
-    /// Calls `visit` with the common normals of the middle line and an element of the other body that are no longer than
-    /// `limit` (m) and where that is the nearest, each named so that it is told from others of the two.
+    /// Calls `visit` with the common normals of the centre circle and an element of the other body that are no longer
+    /// than `limit` (m) and where that is the nearest, each named so that it is told from others of the two.
     fn each_common_normal(
         &self,
         rim: &Element<'_>,

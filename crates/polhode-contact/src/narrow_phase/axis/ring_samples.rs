@@ -1,47 +1,47 @@
-//! Samples of the distance of a circle from a body, as many as are needed to isolate its lowest minima.
+//! Adaptive samples of the distance of a circle from a convex body, which isolate its lowest minima.
 //!
-//! The signed distance `d` of a convex body is a convex function of the place: with its gradient `g` at a sample `x_k`,
-//! `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a cosine, and
-//! between two samples the larger of their two cosines bounds the distance from below. A stretch whose bound lies below what
-//! is asked for, and below the distance at both of its ends, is divided where the bound is least, until one element of the
-//! body is nearest to both ends of a stretch no longer than a forty-eighth of the circle: there the minima are that
-//! element's, which are known otherwise. The places to which one element of a convex body is nearest form a convex set,
-//! which holds the chord of the stretch, but for its arc, which strays from the chord by 0.002 of the radius at most,
-//! that is no proof: an element that reaches in between may be overlooked. Fails too where more than [`MOST`] divisions
-//! would be needed.
+//! The signed distance `d` from a convex body is a convex function of the point `x`: with its gradient `g` at a sample
+//! `x_k`, `d(x) >= d(x_k) + g.(x - x_k)` everywhere. Along a circle `x = c + R u(a)` (`a` the angle) this bound is a
+//! cosine, and between two samples the larger of their two cosines bounds the distance from below. An arc whose bound
+//! is below the wanted distance, and below the distance at both of its ends, is divided where the bound is least. The
+//! division ends when one element of the body is nearest to both ends of an arc no longer than a forty-eighth of the
+//! circle: the minima there are common normals with that element, which are found otherwise (`ring.rs`). The points to
+//! which one element of a convex body is nearest form a convex set, which contains the chord of the arc. The arc itself
+//! deviates from the chord by up to 0.002 of the radius; so it fails where another element is nearest between arc and
+//! chord only, and such a minimum may be missed. It also fails where more than [`MOST`] divisions would be needed.
 
 use crate::SurfaceFeature;
 use crate::shape::circle::Circle;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// Samples at the beginning: stretches are shorter than the half circle that two cosines can bound.
+/// Number of initial samples: arcs must be shorter than half the circle for two cosines to bound the distance.
 const FIRST: usize = 16;
 
-/// Parts of the circle that are not divided further when both of their ends see one element.
+/// An arc of this fraction of the circle is not divided further when one element is nearest to both ends.
 const FINE: u32 = 48;
 
-/// Most divisions within each other; beyond, angles are no longer told apart.
+/// Most nested divisions; deeper ones would reach the rounding of angles.
 const DEEPEST: usize = 64;
 
-/// Most divisions in all: a ring around a hundred corners takes some 350.
+/// Most divisions in all: a ring around a hundred corners needs about 350.
 const MOST: u32 = 4096;
 
-/// Stretches below this are not divided, rad: places so near to each other are one to the square root of rounding.
+/// Shorter arcs are not divided, rad: a minimum is located only to the square root of rounding.
 const SHORTEST: f64 = 1e-8;
 
-/// A stretch is divided no nearer to its ends than this part of it.
+/// An arc is divided no nearer to its ends than this fraction of its length.
 const LEAST_PART: f64 = 0.03125;
 
-/// The distance at one place of the circle.
+/// The distance at one point of the circle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
     pub(crate) angle: f64,
-    /// From the circle's centre to the place, m.
+    /// From the circle's centre to the point, m.
     pub(crate) arm: DVec3,
-    /// Of the other body from the place, m; negative inside.
+    /// Signed distance of the point from the other body, m; negative inside.
     pub(crate) distance: f64,
-    /// Its gradient: unit vector from the other body to the place. Not finite where there is none.
+    /// Its gradient: unit vector from the other body to the point. Not finite where it does not exist.
     pub(crate) normal: DVec3,
     /// The element of the other body that is nearest.
     pub(crate) feature: SurfaceFeature,
@@ -50,16 +50,16 @@ pub(crate) struct Sample {
 /// The limits of the search.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wanted {
-    /// Minima up to this, m, and the least one.
+    /// Minima up to this distance are wanted, m, and the least one.
     pub(crate) reach: f64,
-    /// Distance known of some place, m.
+    /// An upper bound of the least distance, m.
     pub(crate) least: f64,
     /// Distances that differ by less are equal, m.
     pub(crate) tolerance: f64,
 }
 
-/// Calls `visit` with the minima of the distance from a convex body, as samples, with the angle to the farther one of the
-/// samples beside each and the least distance known so far.
+/// Calls `visit` with the minima of the distance from a convex body: the lowest sample of each, the larger angle from
+/// it to the samples beside it (rad), and the least distance so far.
 pub(crate) fn each_minimum(
     circle: &Circle,
     sample: impl Fn(f64) -> Sample,
@@ -78,7 +78,7 @@ pub(crate) fn each_minimum(
             return None;
         }
         divisions += 1;
-        // Well inside, so that both parts are a good deal shorter where the bound is least at an end.
+        // A margin from the ends makes both halves clearly shorter when the bound is least at an end.
         let margin = width * LEAST_PART;
         let new = sample(angle.clamp(from.angle + margin, to.angle - margin));
         least = least.min(new.distance);
@@ -92,7 +92,7 @@ fn equal<const N: usize>(sample: &impl Fn(f64) -> Sample) -> [Sample; N] {
     std::array::from_fn(|k| sample(step * k as f64))
 }
 
-/// Visits all stretches once around the circle, and divides those that need it.
+/// Visits all arcs once around the circle, and divides those that need it.
 fn walk(
     samples: &[Sample],
     wanted: Wanted,
@@ -132,13 +132,13 @@ fn walk(
     let (Some(last), Some(second)) = (before, second) else { return };
     let last = turned(&last, -TAU);
     let three = [&last, &first, &second];
-    // All equal: a ring that lies flat on a face.
+    // All distances are equal for a ring that lies flat on a face.
     if is_lowest(three) || highest - lowest <= wanted.tolerance {
         visit(&first, width(three), least);
     }
 }
 
-/// `value + amplitude cos(a - phase)`: the bound of the distance that a sample gives.
+/// `value + amplitude cos(a - phase)`: the lower bound of the distance from one sample.
 #[derive(Clone, Copy)]
 struct Cosine {
     value: f64,
@@ -158,15 +158,15 @@ impl Cosine {
     }
 }
 
-/// The least value of the larger of two samples' bounds between them, and where.
+/// The minimum, between two samples, of the larger of their two bounds, and its angle.
 fn least_between(from: &Sample, to: &Sample, circle: &Circle) -> (f64, f64) {
     let middle = 0.5 * (from.angle + to.angle);
     if !(from.normal.is_finite() && to.normal.is_finite()) {
-        // Without a gradient, the bound follows from the distances at the ends and the length of the stretch.
+        // Without a gradient, the bound follows from the distances at the ends and the length of the arc.
         let way = circle.radius * (to.angle - from.angle);
         return (0.5 * (from.distance + to.distance - way), middle);
     }
-    // Angles are counted from the first sample, so that nothing is lost in a short stretch.
+    // Angles are relative to the first sample, so that a short arc loses no digits.
     let east = from.arm / circle.radius;
     let north = circle.axis.cross(east);
     let bound = |sample: &Sample| Cosine {

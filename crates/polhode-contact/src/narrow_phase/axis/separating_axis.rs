@@ -13,8 +13,8 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 
 impl AxisSearch {
-    /// Best axes of the pair. The search ends early, with what it has, when an axis separates by more than `stop`; pairs
-    /// of edges along which the bodies overlap, and no less than along the best face, may be left out. B must have been
+    /// Best axes of the pair. The search ends early, with the best axes so far, when one separates by more than `stop`.
+    /// Pairs of edges with a negative separation not above that of the best face may be omitted. B must have been
     /// placed.
     pub(crate) fn search(&mut self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, stop: f64) -> Axes {
         self.search_faces(a, b, x_ab, stop).unwrap_or_else(|mut axes| {

@@ -14,7 +14,7 @@ use glam::DVec3;
 /// Number of steps of Gilbert's method. The bound need not be sharp.
 const STEPS: usize = 16;
 
-/// Part of a polyhedron's size, measured back from its farthest place towards the other body, that is tried first.
+/// Fraction of a polyhedron's size: features within it of the support point towards the other body are tried first.
 const NEAR_PART: f64 = 0.05;
 
 /// Which elements are tried.

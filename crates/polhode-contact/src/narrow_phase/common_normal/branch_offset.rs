@@ -1,10 +1,10 @@
-//! Which of two places on a circle a contact means, where the distance from a line, a cone or another circle has two local
-//! minima.
+//! Which of two points of a circle a contact names, where the distance from a line, a cone or another circle has two
+//! local minima.
 //!
-//! A circle has one closest point to a given point, and one lowest point over a plane. A line, a cone or another circle
-//! it may touch at two places. A contact must stay at its place while the bodies move. A signed length distinguishes the
-//! two places: the *offset* of the place from the border between two halves of the circle (`x` places, `c` centres, `a`
-//! axes, `R` the radius):
+//! A circle has one closest point to a given point, and one lowest point over a plane. It may touch a line, a cone or
+//! another circle at two places. A contact must stay at its own while the bodies move. A signed length distinguishes
+//! the two: the *offset* of the place from the border between two halves of the circle (`x` points of the circles, `c`
+//! centres, `a` axes, `R` radii):
 //!
 //! | other locus | offset, m | at most one place each side |
 //! |---|---|---|
@@ -14,26 +14,27 @@
 //! | of two rings, both and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | where the circles cross |
 //! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | where their planes do |
 //!
-//! Circle 1 is the one that is named; of two the rim of a disc before a ring, whose axis has no outer end, and else the
-//! first. Rims that touch have opposite axes, `a_1 = -n`, and like two rings the same offset whichever is first. Only two
-//! different branches may mean another place when the bodies change names: no such pair of names stays with the one place
-//! of two equal rings that a half turn about its normal exchanges. No length tells the places of two circles apart in
-//! every configuration: where they are tilted about one centre the third line fails, in one plane the fifth. A contact of
-//! a ring takes the first that does ([`is_told`]), and its [`margin`] ends where its own or the other place crosses the
+//! Circle 1 is the one whose branch is named. If both are, it is the rim of a disc rather than a torus, whose axis has
+//! no outer side, and otherwise the first. Two rims that touch have opposite axes, `a_1 = -n`; their offset, like that
+//! of two tori, does not depend on which is first. With two different branches it may: swapping A and B can then
+//! exchange the names of the two places, which cannot be avoided for two equal tori that a half turn about the normal
+//! exchanges. No length distinguishes the places of two circles in every configuration: the third line fails for
+//! circles that are tilted about one centre, the fifth for coplanar ones. A contact of a torus uses the first offset
+//! that distinguishes them ([`is_told`]), and its [`margin`] is zero where its own or the other place crosses the
 //! border.
 
 use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::element::{Element, Locus};
 
-/// Offsets of a ring below this part of its radius have no sign: places on either side are equivalent. Bodies about
-/// one axis with a ring have such offsets all round; the distances of two such places differ by `1e-14` of the radius.
+/// Offsets of a torus below this fraction of its radius count as zero: places on either side are equivalent. All places
+/// of coaxial bodies have such offsets; the distances of two such places differ by `1e-14` of the radius.
 const NEUTRAL: f64 = 1e-7;
 
-/// A place without a branch name gets one when its offset exceeds this many times the neutral part.
+/// A place without a branch name gets one when its offset exceeds this many times [`NEUTRAL`].
 const LEFT_NEUTRAL: f64 = 2.0;
 
-/// Two places of a circle nearer to each other than this part of the radius are one.
+/// Two places of a circle nearer to each other than this fraction of the radius are one.
 const ONE_PLACE: f64 = 1e-6;
 
 /// The offset of a place, and the radius of the circle that is named.
@@ -44,7 +45,7 @@ struct Offset {
 }
 
 impl Offset {
-    /// Nothing for loci that have one place only, or when no branch of two circles is named.
+    /// None for loci that have one place only, or when no branch of two circles is named.
     fn of(place: &Place, a: &Element<'_>, b: &Element<'_>) -> Option<Self> {
         use Branch::Nearest;
         let (value, radius) = match (a.locus, b.locus) {
@@ -74,7 +75,7 @@ impl Offset {
         Some(Self { value, radius })
     }
 
-    /// Into the half that is named, m.
+    /// Signed distance from the border into the named half, m.
     fn within(self, named: Branch) -> f64 {
         if named == Branch::Entry { -self.value } else { self.value }
     }
@@ -104,7 +105,7 @@ pub(crate) fn is_one_place(place: &Place, other: &Place, radius: f64) -> bool {
     place.on_a.distance(other.on_a) <= ONE_PLACE * radius
 }
 
-/// The offsets of the other places of two circles. Lines and cones have but one minimum on either side.
+/// The offsets of the other places of two circles. Lines and cones have only one minimum on either side.
 fn others(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> impl Iterator<Item = Offset> {
     let circles = matches!((a.locus, b.locus), (Locus::Circle(_), Locus::Circle(_)));
     all.iter().filter(move |_| circles).filter_map(move |other| {
@@ -113,7 +114,7 @@ fn others(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> imp
     })
 }
 
-/// Whether the names of the elements tell a place of a ring from all others of the two.
+/// Whether the branch names of the elements distinguish a place of a torus from all other places of the two elements.
 pub(crate) fn is_told(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> bool {
     let branch = named(a, b);
     let Some(offset) = Offset::of(place, a, b).filter(|_| branch != Branch::Nearest) else {
@@ -123,7 +124,7 @@ pub(crate) fn is_told(place: &Place, all: &[Place], a: &Element<'_>, b: &Element
     offset.within(branch) > neutral && others(place, all, a, b).all(|other| other.within(branch) <= neutral)
 }
 
-/// How far the names of a ring's place are from failing, m: infinite for what is no ring.
+/// How far a place of a torus may move until its branch names no longer distinguish it, m; infinite for other loci.
 pub(crate) fn margin(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> f64 {
     let Some(own) = Offset::of(place, a, b).filter(|_| of_ring(a, b)) else { return f64::INFINITY };
     let branch = named(a, b);

@@ -1,4 +1,4 @@
-//! Which of the common normals of two elements makes the contact that their names mean.
+//! Chooses the common normal of two elements that is the contact named by them.
 
 use crate::clearance::COINCIDENCE;
 use crate::narrow_phase::common_normal::branch_offset::is_named;
@@ -6,9 +6,9 @@ use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::feature::element::{Border, Element, Locus};
 use glam::DVec3;
 
-/// Of all common normals of two elements the one that makes a contact: on the named branch, within the borders of both
-/// elements if there is such a place, and of these the nearest places of two loci, or on a cone those that separate best; of
-/// a ring those whose middle line is nearest to the surface.
+/// The common normal that is a contact: on the named branch, and within the borders of both elements if there is such a
+/// one. Of several it is the one with the nearest points of the two loci; on a cone the one with the largest
+/// separation; for a torus the one whose centre circle is nearest to the surface.
 pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<Place> {
     let cones = matches!(a.locus, Locus::Cone(_)) || matches!(b.locus, Locus::Cone(_));
     let score = |place: &Place| {
@@ -23,7 +23,7 @@ pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<
     let border = |place: &Place| COINCIDENCE * (place.on_a.length() + place.on_b.length());
     let within = |place: &Place| margin(place, a, b) >= -border(place);
     let fitting = all.iter().filter(|place| is_named(place, a, b)).map(|place| oriented(*place, a, b));
-    // An edge of a polyhedron has two normals in common with a cone, of which one leads through its own body.
+    // An edge of a polyhedron has two common normals with a cone, one of which points into the polyhedron.
     let outwards = |place: &Place| place.normal.dot(b.outward - a.outward) >= 0.0;
     let keys = |place: &Place| (outwards(place), within(place));
     fitting.max_by(|p, q| keys(p).cmp(&keys(q)).then(score(p).total_cmp(&score(q))))
@@ -35,8 +35,8 @@ pub(crate) fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
     a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
 }
 
-/// Two curves may have passed each other: the side to which the normal points is decided by what is outside. Axes and rings
-/// have no outside; there it points along `F`.
+/// The common normal of two curves with the right sign. The curves may have passed through each other: outward
+/// directions of the bodies decide the sign. Axes and tori have no outward direction; their normal points along `F`.
 fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
     let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
     if !(curve(a) && curve(b)) {
@@ -44,8 +44,8 @@ fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
     }
     let outward = |element: &Element<'_>, at: DVec3| match (element.locus, element.border) {
         (Locus::Circle(circle), Border::Rim { radial, axial }) => {
-            // Halfway between the disc's normal and the side's, which is perpendicular to the way in which the side runs into
-            // the rim: all normals of the rim lie within a right angle of it, also where a flat cone's side looks backwards.
+            // The bisector of the disc's normal and the side's normal: all normals of the rim are within a right angle
+            // of it, also for a flat cone, whose side normal points away from the disc.
             (at - circle.center) / circle.radius * axial + circle.axis * (1.0 - radial)
         }
         (Locus::Circle(circle), _) if element.ball == 0.0 => (at - circle.center) / circle.radius + circle.axis,

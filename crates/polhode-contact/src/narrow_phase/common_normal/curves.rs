@@ -1,15 +1,15 @@
 //! Common normals of a circle and a line, and of two circles, at which their distance is least.
 //!
-//! Seen along the line, the circle is an ellipse with half axes `R` and `b = R |a.e|` and the line a point `(p, q)`:
-//! `G(u) = |(R cos u, b sin u) - (p, q)|^2/2` has at most one minimum on either side of the long axis. For a disc that lies
-//! almost flat along the line (small `b`) these two are the places where the line crosses the rim; they stay distinct
-//! also where the gap vanishes, which is why the circle's angle and not the normal is the unknown.
+//! In projection along the line, the circle is an ellipse with half axes `R` and `b = R |a.e|`, and the line is a point
+//! `(p, q)`: `G(u) = |(R cos u, b sin u) - (p, q)|^2/2` has at most one minimum on either side of the long axis. For a
+//! disc that lies almost flat along the line (small `b`) these two are the points where the line crosses the rim. They
+//! stay distinct also where the distance vanishes; so the unknown is the circle's angle, not the normal.
 //!
-//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever
-//! `c sin^3 u > -b q`: all along when the line is on this side of the long axis (`q >= 0`), so that there is one minimum;
-//! else between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1` alone, so that there is one when `G'(u_1) <= 0 < G'(pi - u_1)`,
-//! and none otherwise. A minimum and a maximum that are about to merge are arbitrarily close to each other, so that
-//! samples of `G'` alone would miss them.
+//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever `c sin^3 u >
+//! -b q`: everywhere when the line is on this side of the long axis (`q >= 0`), so that there is one minimum. Otherwise
+//! it rises only between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1`, so that there is one minimum when `G'(u_1) <= 0 <
+//! G'(pi - u_1)`, and none otherwise. A minimum and a maximum that are about to merge are arbitrarily close to each
+//! other, so that samples of `G'` alone would miss them.
 //!
 //! Two circles: the point of one circle closest to a given point of the other has a closed form. All local minima of this
 //! distance are found (`minima.rs`), and each is refined by Newton's method in both angles on `|F|^2/2`, whose matrix is
@@ -28,7 +28,7 @@ const LINE_SAMPLES: usize = 16;
 /// How far each half reaches beyond the end of the long axis, rad: far above rounding, far below a sample.
 const OVERLAP: f64 = 1e-6;
 
-/// Newton's steps for two circles; from a least place of the closed form a few are enough.
+/// Most Newton steps for two circles; from a minimum of the closed form a few are enough.
 const NEWTON_STEPS: usize = 30;
 
 /// Newton's method ends when both angles change by less than this, rad: the square of it is far below rounding.
@@ -48,7 +48,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
     let sine = long.length();
     let long = if sine > PARALLEL_PART { long / sine } else { axis.any_orthonormal_vector() };
     let short = axis.cross(long);
-    // Components along the line do not count.
+    // Components along the line are projected out.
     let [line, long_seen, short_seen] = [point - center, long, short].map(|v| across(v, along));
     let slope_at = |(sine, cosine): (f64, f64)| {
         let to = long_seen * (radius * cosine) + short_seen * (radius * sine) - line;
@@ -82,7 +82,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         if PI - tip < step {
             visit(PI - 0.5 * (PI - tip));
         }
-        // A little farther than the other end, so that a minimum right there lies between two samples.
+        // A little beyond the other end, so that a minimum exactly there lies between two samples.
         visit(PI + OVERLAP);
         // When the line is on the other side of the long axis, the samples may have missed a minimum with the maximum
         // beside it.
@@ -102,9 +102,9 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
     found
 }
 
-/// Where on the half `0 < u < pi` of a circle of this radius (m) the slope over `sin u` rises, for a line beyond the
-/// long axis: `across = b q/R` (m) is below zero there; `sine` is that of the angle between the line and the circle's axis. Nothing
-/// when it rises nowhere, or when the line is on this side.
+/// The interval within `0 < u < pi` in which `G'(u)/sin u` rises, for a line on the other side of the long axis, where
+/// `across = b q/R` (m) is negative. `radius` (m) is that of the circle, `sine` that of the angle between the line and
+/// the circle's axis. None when it rises nowhere, or when the line is on this side.
 fn rising_stretch(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
     let part = -across / (radius * sine * sine);
     let least = libm::asin(libm::cbrt(part));
@@ -126,7 +126,7 @@ fn push_crossing(
 }
 
 /// The unit vector along `f` that is perpendicular to two tangents: from their cross product or from `f`, whichever is
-/// known better; it points along `f`. `scale` is the length whose rounding `f` bears, m.
+/// more accurate; its sign is that of `f`. `scale` is the length that bounds the rounding of `f`, m.
 fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
     let cross = first.cross(second);
     let (sine, length) = (cross.length(), f.length());
@@ -137,7 +137,8 @@ fn common_normal(f: DVec3, first: DVec3, second: DVec3, scale: f64) -> DVec3 {
     f / length
 }
 
-/// Two circles: along the first, half the square of the distance from the second, which is nearest at a closed form.
+/// Two circles: the local minima, along the first, of half the squared distance from the second, which has a closed
+/// form.
 pub(crate) fn circle_circle(first: &Circle, second: &Circle) -> Places {
     let [east, north] = first.radii();
     let between = first.center - second.center;
@@ -188,7 +189,7 @@ fn polished(first: &Circle, second: &Circle, on_a: DVec3, on_b: DVec3) -> Option
     Some(Place { normal, on_a, on_b })
 }
 
-/// The point of a circle an angle further on.
+/// The point of a circle rotated by an angle.
 fn turned(circle: &Circle, radial: DVec3, tangent: DVec3, angle: f64) -> DVec3 {
     let (sine, cosine) = libm::sincos(angle);
     let radial = radial * cosine + tangent * sine;

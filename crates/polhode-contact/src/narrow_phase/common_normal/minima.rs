@@ -3,32 +3,32 @@
 //! `h(t) = p cos t + q sin t - k |m + c cos t + s sin t|`.
 //!
 //! Apart from a constant, these heights are
-//!  - half the square of the distance of a circle's place `x(t)` from another circle: `x.(c_1 - c_2)` less the other's radius
-//!    times the length of `x - c_2` across its axis;
-//!  - the distance of a circle's place `x(t)` from the side of a cone: `sin(alpha) x.a` and `cos(alpha)` times the length of
-//!    `x - apex` across its axis `a`;
-//!  - the overlap of a disc and a cone along the cone's normal `o(t)`: `o.(apex - c)` and the disc's radius times the length of
-//!    `o` across its axis.
+//!  - half the square of the distance of a circle's point `x(t)` from another circle: `x.(c_1 - c_2)` minus the other's
+//!    radius times the length of the component of `x - c_2` perpendicular to its axis;
+//!  - the distance of a circle's point `x(t)` from the side of a cone: `sin(alpha) x.a` plus `cos(alpha)` times the
+//!    length of the component of `x - apex` perpendicular to its axis `a`;
+//!  - the overlap of a disc and a cone along the cone's normal `o(t)`: `o.(apex - c)` plus the disc's radius times the
+//!    length of the component of `o` perpendicular to its axis.
 //!
 //! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at most
 //! four such angles.
 //!
-//! Two of them that are about to merge are arbitrarily close to each other, so that no number of samples is enough. A
-//! stretch of half width `w` about its middle `t` has none when `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of
-//! `|h'''|` on it, or when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is halved. `M` comes from the
-//! harmonics of the square of the length, so that it is as small as `h'` itself where the height hardly changes all
-//! round.
+//! A minimum and a maximum that are about to merge are arbitrarily close to each other, so that no number of samples is
+//! enough. An interval (`Stretch`) of half width `w` about its middle `t` has no minimum when `|h'(t)| > |h''(t)| w + M
+//! w^2/2`, with `M` a bound of `|h'''|` on it, or when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is
+//! halved. `M` follows from the harmonics of the square of the length, so that it is as small as `h'` itself where the
+//! height is almost constant.
 //!
-//! When a stretch is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are open at once (heights that are
-//! constant to rounding), only the slopes at the ends of the stretch decide.
+//! When an interval is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are undecided at once (heights that
+//! are constant to rounding), only the slopes at the ends of the interval are used.
 
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Stretches at first.
+/// Number of initial intervals.
 const FIRST: u32 = 16;
 
-/// Sine and cosine of the middles of the first stretches, the odd multiples of pi/16, with the bits of `libm`.
+/// Sine and cosine of the middles of the initial intervals, the odd multiples of pi/16, with the bits of `libm`.
 const FIRST_MIDDLES: [(f64, f64); FIRST as usize] = [
     (0.19509032201612825, 0.9807852804032304),
     (0.5555702330196022, 0.8314696123025452),
@@ -48,16 +48,16 @@ const FIRST_MIDDLES: [(f64, f64); FIRST as usize] = [
     (-0.19509032201612872, 0.9807852804032303),
 ];
 
-/// Most stretches of one width that are open at once: those about eight angles, some to either side.
+/// Most undecided intervals of one width: those around eight angles, and some beside them.
 const MOST_STRETCHES: usize = 48;
 
-/// Parts of a turn below which a stretch is not halved: places so close have the same height to rounding.
+/// Width, as a fraction of a turn, below which an interval is not halved: within it the height is constant to rounding.
 const NARROWEST: f64 = 1e-9;
 
-/// Most angles that are told: twice as many as there are, for rounding may make several of one.
+/// Most angles that are reported: twice as many as exist, because rounding may split one into several.
 const MOST: usize = 8;
 
-/// Steps that halve a stretch to rounding, with room.
+/// Most steps of the root finder: more than bisection needs to reach rounding.
 const MOST_STEPS: usize = 64;
 
 /// A height as in the module's formula.
@@ -76,14 +76,14 @@ pub(crate) struct Height {
     of_linear: f64,
 }
 
-/// Parts of a turn.
+/// An interval of angles, as fractions of a turn.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
     from: f64,
     width: f64,
 }
 
-/// What is known of the angles in a stretch.
+/// How many minima an interval can contain.
 enum Holds {
     None,
     AtMostOne,
@@ -91,7 +91,7 @@ enum Holds {
 }
 
 impl Height {
-    /// `linear` times cosine and sine, less `weight` times the length of a vector with these parts.
+    /// `linear` times cosine and sine, minus `weight` times the length of `middle + cosine cos t + sine sin t`.
     pub(crate) fn new(linear: [f64; 2], weight: f64, [middle, cosine, sine]: [DVec3; 3]) -> Self {
         let once = 2.0 * libm::hypot(middle.dot(cosine), middle.dot(sine));
         let twice = libm::hypot(0.5 * (cosine.length_squared() - sine.length_squared()), cosine.dot(sine));
@@ -143,7 +143,7 @@ impl Height {
         self.judge_by(half, self.derivatives(TAU * (stretch.from + half)))
     }
 
-    /// Judges a stretch by half its width and what the height does in its middle.
+    /// How many minima an interval can contain, from half its width and the derivatives at its middle.
     fn judge_by(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> Holds {
         let reach = TAU * half;
         let steepest = self.steepest(square - self.of_square[0] * reach);
@@ -158,16 +158,18 @@ impl Height {
         }
     }
 
-    /// The angle in a stretch that has at most one.
+    /// The minimum in an interval that has at most one.
     fn within(&self, stretch: Stretch) -> Option<f64> {
         let (from, to) = (TAU * stretch.from, TAU * (stretch.from + stretch.width));
-        // The end of the last stretch is the start of the first one, with the same bits: an angle right there is found once.
+        // The end of the last interval is the start of the first one, with the same bits: an angle exactly there is
+        // found once.
         let end = if stretch.from + stretch.width == 1.0 { 0.0 } else { to };
         let rises = self.slope(from) <= 0.0 && self.slope(end) > 0.0;
         rises.then(|| -falling_root(-to, -from, |angle| self.slope(-angle)))
     }
 
-    /// Calls `visit` with the angles, in no order; with some angle when the height is level to rounding all round.
+    /// Calls `visit` with the angles of the minima, in no order; with one arbitrary angle when the height is constant
+    /// to rounding.
     pub(crate) fn each_least(&self, mut visit: impl FnMut(f64)) {
         let mut found = 0;
         let mut report = |stretch: Stretch| {
@@ -192,7 +194,7 @@ impl Height {
                 }
                 Holds::AtMostOne | Holds::Unknown => report(stretch),
             };
-        // The first stretches are the same for all heights, and so are the sines and cosines of their middles.
+        // The initial intervals are the same for all heights, and so are the sines and cosines of their middles.
         for (k, &middle) in FIRST_MIDDLES.iter().enumerate() {
             let holds = self.judge_by(0.5 * width, self.derivatives_along(middle));
             sort(Stretch { from: width * k as f64, width }, holds, open, &mut count);
@@ -211,8 +213,8 @@ impl Height {
     }
 }
 
-/// Root of a function that is positive at `left` and not at `right`: regula falsi, in which an end that stays twice counts
-/// half (the Illinois rule), and every third step halves the interval.
+/// Root of a function that is positive at `left` and not at `right`: regula falsi with the Illinois rule (the value at
+/// an end that stays twice is halved); every third step is a bisection.
 pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut left, mut right) = (left, right);
     let (mut value_left, mut value_right) = (f(left), f(right));

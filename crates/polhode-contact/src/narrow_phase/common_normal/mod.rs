@@ -1,13 +1,13 @@
-//! Common normals: the places at which one line is normal to two elements.
+//! Common normals: lines that are normal to two elements. In this folder a place is such a line with its point on each.
 //!
 //! | module | holds |
 //! |---|---|
 //! | `place` | a common normal |
-//! | `minima` | the angles once around a circle or cone at which a height is least |
-//! | `curves` | the places of a circle and a line, and of two circles |
-//! | `places` | those of all pairs of elements |
-//! | `branch_offset` | which of two places of a circle is meant |
-//! | `chosen_place` | the place that two elements name |
+//! | `minima` | all local minima of a height function over the angle about an axis |
+//! | `curves` | the common normals of a circle and a line, and of two circles |
+//! | `places` | the common normals of all pairs of elements |
+//! | `branch_offset` | which of two places of a circle a contact names |
+//! | `chosen_place` | the common normal that a contact names |
 
 pub(crate) mod branch_offset;
 pub(crate) mod chosen_place;

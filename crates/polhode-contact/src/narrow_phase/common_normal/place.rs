@@ -1,4 +1,4 @@
-//! A common normal of two elements, with its place on each of them.
+//! A common normal of two elements, with its point on each of them.
 
 use crate::narrow_phase::feature::element::Element;
 use glam::DVec3;
@@ -6,9 +6,9 @@ use glam::DVec3;
 /// A common normal of two elements.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
-    /// Unit vector from B to A; with two curves of no radius its sign is open.
+    /// Unit vector from B to A; for two curves without a ball its sign is arbitrary.
     pub(crate) normal: DVec3,
-    /// Places on the two loci, m.
+    /// Points of the two loci, m.
     pub(crate) on_a: DVec3,
     pub(crate) on_b: DVec3,
 }
@@ -28,7 +28,7 @@ impl Place {
     }
 }
 
-/// A few places.
+/// At most [`Places::MOST`] common normals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Places {
     items: [Place; Self::MOST],
@@ -36,7 +36,7 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    /// As many as are told of a height (`minima.rs`); of other elements there are two at most.
+    /// As many as `minima.rs` reports; other pairs of elements have at most two.
     const MOST: usize = 8;
 
     pub(crate) const fn none() -> Self {
@@ -44,7 +44,7 @@ impl Places {
         Self { items: [empty; Self::MOST], count: 0 }
     }
 
-    /// Adds a place with a normal that is a number.
+    /// Adds a common normal; one that is not finite or zero is ignored.
     pub(crate) fn push(&mut self, place: Place) {
         if self.count < Self::MOST && place.normal.is_finite() && place.normal != DVec3::ZERO {
             self.items[self.count] = place;

@@ -1,7 +1,7 @@
-//! The common normals of two elements, and the places on them.
+//! The common normals of two elements, with their points on both.
 //!
-//! Two surfaces are closest, or their penetration is smallest, where one line is normal to both: `F = x_A - x_B` is along
-//! the common normal `n`, with `x` a place on each locus. For most pairs of loci these places have closed forms:
+//! Two surfaces are closest, or their penetration is smallest, where one line is normal to both: `F = x_A - x_B` is
+//! along the common normal `n`, with `x` a point of each locus. For most pairs of loci they have closed forms:
 //!
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;
@@ -18,7 +18,7 @@ use crate::shape::circle::Circle;
 use crate::shape::support::across;
 use glam::DVec3;
 
-/// All places of two elements; none for loci that have no common normal of their own (a plane and a line, parallel lines).
+/// All common normals of two elements; none for loci without isolated ones (a plane and a line, parallel lines).
 pub(crate) fn places(a: &Element<'_>, b: &Element<'_>) -> Places {
     match (a.locus, b.locus) {
         (Locus::Point(p), Locus::Point(q)) => Places::one(between(p, q)),
@@ -51,15 +51,15 @@ pub(crate) fn places(a: &Element<'_>, b: &Element<'_>) -> Places {
     }
 }
 
-/// The normal along the line between two points; nothing when they coincide.
+/// The normal along the line between two points; none when they coincide.
 fn between(p: DVec3, q: DVec3) -> Option<Place> {
     let f = p - q;
     let length = f.length();
     (length > 0.0).then(|| Place { normal: f / length, on_a: p, on_b: q })
 }
 
-/// The normal from the nearest place of a curve to a point. It is perpendicular to the curve however near the point is,
-/// where the difference of the two places is all rounding; on the curve itself some perpendicular is as good as all.
+/// The normal from the nearest point of a curve to a point. It is made perpendicular to the curve, also where the
+/// difference of the two points is rounding error; on the curve itself it is some perpendicular.
 fn off_curve(p: DVec3, nearest: DVec3, tangent: DVec3) -> Place {
     let f = across(p - nearest, tangent);
     let length = f.length();
@@ -74,7 +74,7 @@ fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {
     Place { normal, on_a: p, on_b: p - normal * normal.dot(p - through) }
 }
 
-/// The foot of a point on the side of a cone; on the axis itself some generator is as good as all.
+/// The foot of a point on the side of a cone; for a point on the axis on some generator.
 fn point_on_cone(p: DVec3, side: &ConeSide) -> Option<Place> {
     let from = p - side.apex;
     let radial = across(from, side.axis);
@@ -129,8 +129,8 @@ fn straight((p, u, k_u): (DVec3, DVec3, f64), (q, v, k_v): (DVec3, DVec3, f64)) 
     found
 }
 
-/// A rim against a cone: the common normals along which the separation, once around the cone, is largest:
-/// `s = o.(c - apex) - R |a x o|`, the circle's nearest place along a normal being a closed form.
+/// A rim against a cone: the common normals along which the separation, once around the cone, is largest: `s = o.(c -
+/// apex) - R |a x o|`, where the circle's support point along a normal has a closed form.
 fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     let Circle { center, axis, radius } = *circle;
     let first = side.axis.any_orthonormal_vector();
@@ -143,7 +143,7 @@ fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
         let (sine, cosine) = libm::sincos(angle);
         let normal = base + around[0] * cosine + around[1] * sine;
         let on_a = center - across(normal, axis).try_normalize().unwrap_or(DVec3::ZERO) * radius;
-        // The place on the cone's axis from which the normal leads to the circle.
+        // The point of the cone's axis on the line of the normal.
         let down = side.axis - normal * side.sine;
         let axial = (on_a - side.apex).dot(down) / side.axis.dot(down);
         found.push(Place { normal, on_a, on_b: side.apex + side.axis * axial });
@@ -151,7 +151,7 @@ fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     found
 }
 
-/// A ring against a cone: where the distance of the circle's places from the side is least.
+/// A torus against a cone: the local minima of the distance of the circle's points from the side.
 fn ring_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     let [east, north] = circle.radii();
     let linear = [east, north].map(|radius| side.sine * side.axis.dot(radius));
