@@ -1,13 +1,13 @@
 //! Broad phases on moving boxes, against parry3d's hierarchy driven directly.
 //!
-//! Every call gets all boxes, all of which have moved, and must find all pairs. `parry3d driven directly` does what
-//! rapier3d's broad phase does when everything moves: it updates the leaves, optimises a part of the tree, fits the
-//! tree and walks it, and pushes the pairs as they come. The methods of this crate also sort their pairs.
+//! All boxes move before every call, which must find all pairs. `parry3d driven directly` does what rapier3d's broad
+//! phase does when everything moves: it updates the leaves, optimises a part of the tree, refits and traverses it, and
+//! lists the pairs in the order of traversal. The methods of this crate also sort their pairs.
 //!
-//! On a machine that others use too, times of minutes apart do not compare. Before the groups, the library and this
-//! crate's hierarchy are therefore asked in turns, frame by frame, and for every frame the least time of each counts:
-//! once with boxes that move by about 1 % of their size between calls, as bodies do between steps, and once so fast that
-//! nothing found before holds.
+//! On a shared machine, times measured minutes apart cannot be compared. So the library and this crate's hierarchy are
+//! first timed alternately, frame by frame, and for every frame the least time of each is taken: once with boxes that
+//! move by about 1 % of their size between calls, as bodies do between steps, and once so fast that no earlier result
+//! is useful.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use parry3d::bounding_volume::Aabb as ParryAabb;
@@ -28,7 +28,7 @@ fn vector(random: &mut SplitMix64) -> DVec3 {
 /// Largest motion along each axis from frame to frame, m.
 const SPEED: f64 = 0.02;
 
-/// Boxes of about unit size in a cube with a box for every 2.5 cubic metres, each on its own way.
+/// Boxes of about unit size, one for every 2.5 m^3 of a cube, each with its own velocity.
 fn frames(count: usize, speed: f64) -> Vec<Vec<Aabb>> {
     let mut random = SplitMix64::new(5);
     let half_width = 0.5 * libm::cbrt(2.5 * count as f64);
@@ -76,18 +76,18 @@ impl Parry {
     }
 }
 
-/// Rounds of all frames in which the two are asked in turns, after one that is not timed.
+/// Timed rounds of all frames; one more round before them is not timed.
 const ROUNDS: usize = 10;
 
-/// Prints the mean time of a call of the library and of this crate's hierarchy, asked in turns.
-fn in_turns(count: usize, speed: f64) {
+/// Prints the mean time of a call of the library and of this crate's hierarchy, called alternately.
+fn alternately(count: usize, speed: f64) {
     let frames = frames(count, speed);
     let (mut parry, mut bvh, mut found) = (Parry::new(&frames[0]), BroadPhaseMethod::Bvh.build(), Vec::new());
     let mut least = vec![[f64::INFINITY; 2]; frames.len()];
     for round in 0..=ROUNDS {
         for (k, (boxes, least)) in frames.iter().zip(&mut least).enumerate() {
             let mut counts = [0; 2];
-            // Who comes first changes, because the second finds the boxes in the cache.
+            // The order alternates, because the second one finds the boxes in the cache.
             for who in [(k + round) % 2, (k + round + 1) % 2] {
                 let start = Instant::now();
                 counts[who] = match who {
@@ -104,15 +104,15 @@ fn in_turns(count: usize, speed: f64) {
     let mean = |who: usize| least.iter().map(|times| times[who]).sum::<f64>() / frames.len() as f64 * 1e6;
     let (theirs, ours) = (mean(0), mean(1));
     println!(
-        "{count} boxes, {speed} m a call, in turns: parry3d {theirs:.0} us, bvh {ours:.0} us: {:.2}",
+        "{count} boxes, {speed} m a call, alternately: parry3d {theirs:.0} us, bvh {ours:.0} us: {:.2}",
         ours / theirs
     );
 }
 
 fn broad_phases(c: &mut Criterion) {
     for count in [1000, 10_000] {
-        in_turns(count, SPEED);
-        in_turns(count, 10.0 * SPEED);
+        alternately(count, SPEED);
+        alternately(count, 10.0 * SPEED);
         let frames = frames(count, SPEED);
         let mut group = c.benchmark_group(format!("{count} moving boxes"));
         group.sample_size(20).warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));

@@ -1,4 +1,4 @@
-//! A body on a ground of 100,352 triangles: manifold, separation, one contact, and a long flight's time of impact.
+//! A body on a ground of 100,352 triangles: manifold, separation, one contact, and the time of impact of a long flight.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode_contact::{

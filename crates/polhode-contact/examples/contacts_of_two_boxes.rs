@@ -1,4 +1,4 @@
-//! A box that stands on another one, turned by an eighth of a turn: they touch along a regular octagon.
+//! A box stands on another one, rotated by an eighth of a turn: the contact region is a regular octagon.
 
 use polhode_contact::{DVec3, Pose, Rotation, Shape, manifold};
 use std::error::Error;
@@ -9,7 +9,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let lower = Pose::IDENTITY;
     let upper = Pose::new(Rotation::from_rotation_vector(DVec3::Z * FRAC_PI_4), DVec3::Z);
     let touching = manifold(&cube, &upper, &cube, &lower, 1e-9);
-    // Along one side of the square a corner is at its half, along the other at half a side of the octagon.
+    // Each corner of the octagon is at half a side of the square along one axis and at half a side of the octagon along
+    // the other.
     let from_middle = DVec3::new(0.5, 0.5 * (SQRT_2 - 1.0), 0.5).length();
     for contact in &touching.contacts {
         let geometry = &contact.geometry;

@@ -1,7 +1,8 @@
-//! A box on a turntable that runs into a wall, on its true path: a constant screw about the table's axis.
+//! A box on a turntable runs into a wall: the time of impact on its exact path, a constant screw about the table's
+//! axis.
 //!
-//! The cube's outer corner is at the distance r from the axis and the angle b ahead of the cube's middle; it reaches a wall
-//! at y = h when the table has turned by `asin(h/r) - b`.
+//! The cube's outer corner is at the distance r from the axis, at an angle b ahead of the cube's centre. It reaches a
+//! wall at y = h when the table has turned by `asin(h/r) - b`.
 
 use polhode_contact::{ConstantScrew, DVec3, ImpactSearch, Pose, Shape, Still, UnitVector, Velocity, find_impact};
 use std::error::Error;

@@ -1,7 +1,7 @@
-//! Two boxes thrown at each other, one of which spins: the time of impact on their true paths.
+//! Two boxes thrown at each other, one of which spins: the time of impact on their exact paths.
 //!
-//! They fall alike and close in at 4 m/s. At the time of impact the spinning cube has turned by an eighth of a turn, and
-//! so reaches half its diagonal, `1/sqrt(2)` m, towards the other one, which reaches 1/2 m.
+//! Both fall with the same acceleration and approach at 4 m/s. At the time of impact the spinning cube has made an
+//! eighth of a turn, so that it extends half its diagonal, `1/sqrt(2)` m, towards the other one, which extends 1/2 m.
 
 use polhode_contact::{DVec3, ImpactSearch, Pose, Shape, SteadyFlight, Velocity, time_of_impact};
 use std::error::Error;

@@ -1,6 +1,7 @@
-//! After some steps that fill the buffers, steps of the broad and the narrow phase allocate nothing, whatever the shapes.
+//! After some steps that fill the buffers, steps of the broad and the narrow phase allocate nothing, whatever the
+//! shapes.
 //!
-//! A binary of its own: the counting allocator that `allocation-counter` installs serves the whole program.
+//! It is a separate binary, because the counting allocator of `allocation-counter` replaces that of the whole program.
 
 use polhode_contact::{
     Aabb, BroadPhase, Bvh, ConvexPolyhedron, Manifold, PairMemory, Shape, ShapeError, Workspace, near_manifold_with,
@@ -33,8 +34,7 @@ fn pile() -> (Vec<Shape>, Vec<Pose>) {
     (shapes, poses)
 }
 
-/// A motion of the bodies that comes back to where it began after `PERIOD` steps, during which contacts and pairs begin and
-/// end all the time.
+/// Steps after which the motion of the bodies repeats; contacts and pairs begin and end all the time.
 const PERIOD: u32 = 50;
 
 fn frame(start: &[Pose], step: u32) -> Vec<Pose> {
@@ -51,7 +51,7 @@ fn frame(start: &[Pose], step: u32) -> Vec<Pose> {
     start.iter().enumerate().map(moved).collect()
 }
 
-/// What is kept from step to step.
+/// Buffers and memory that are kept from step to step.
 #[derive(Default)]
 struct Detection {
     boxes: Vec<Aabb>,
@@ -83,7 +83,7 @@ impl Detection {
     }
 }
 
-/// Cylinders, cones, capsules, rings, compounds and boxes, every kind beside every kind, on a ground.
+/// Cylinders, cones, capsules, tori, compounds and boxes on a ground, with every pair of kinds as neighbours.
 fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
     let part = |shape: Result<Shape, ShapeError>, x: f64| {
         shape.and_then(|part| part.translated(DVec3::X * x)).expect("a small part")
@@ -106,7 +106,7 @@ fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
     let (mut shapes, mut poses) = (vec![ground], vec![Pose::IDENTITY]);
     for k in 0..36_u32 {
         let (x, y, z) = (k % 3, k / 3 % 4, k / 12);
-        // Neighbours along x differ by one kind, along y by two, upwards by three, and by none.
+        // The kinds of neighbours differ by one along x, by two along y, and by three and none along z.
         shapes.push(kinds[((x + 2 * y + [0, 3, 3][z as usize]) % 6) as usize].clone());
         let turn = Rotation::from_rotation_vector(DVec3::X * (f64::from(k % 2) * std::f64::consts::FRAC_PI_2));
         poses.push(Pose::new(turn, (DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + 0.5) * 0.97));
@@ -114,7 +114,7 @@ fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
     (shapes, poses)
 }
 
-/// A surface of triangles that is plane on one side and rolls on the other.
+/// A surface of triangles that is plane on one side and has waves on the other.
 fn rolling_ground() -> Shape {
     let place = |k: u32| f64::from(k) * 0.5 - 1.0;
     let height = |x: f64| if x < 1.0 { 0.0 } else { 0.05 * libm::sin(5.0 * x) };
@@ -127,13 +127,13 @@ fn rolling_ground() -> Shape {
     Shape::triangle_mesh((0..169).map(vertex).collect(), triangles).expect("a mesh")
 }
 
-/// Frames of the motion that one step passes, so that fewer steps come back to where they began.
+/// Frames of the motion in one step, so that fewer steps complete a period.
 const STRIDE: u32 = 5;
 
 /// Rounds of the motion until the buffers are full.
 const ROUNDS: u32 = 8;
 
-/// Steps through the motion until the buffers are full, then counts what further steps allocate; and the contacts of a step.
+/// Runs the motion until the buffers are full. Returns the allocations of further steps and the number of contacts.
 fn allocations_of(shapes: &[Shape], start: &[Pose]) -> (u64, usize) {
     let mut detection = Detection::default();
     for step in 0..ROUNDS * PERIOD / STRIDE {

@@ -1,6 +1,6 @@
 //! After one round of a motion, no broad phase allocates in the next ones, also when the number of boxes changes.
 //!
-//! A binary of its own: the counting allocator that `allocation-counter` installs serves the whole program.
+//! It is a separate binary, because the counting allocator of `allocation-counter` replaces that of the whole program.
 
 use polhode_contact::{Aabb, BroadPhaseMethod};
 use polhode_spatial::DVec3;
@@ -39,7 +39,7 @@ fn moving_boxes_of_changing_number_allocate_nothing() {
                 counts.push(pairs.len());
             }
         };
-        // The hierarchy's shape, and with it the length of its queues, takes some rounds to repeat.
+        // The hierarchy's structure, and with it the length of its queues, needs some rounds until it repeats.
         (0..4).for_each(|_| round());
         let info = allocation_counter::measure(&mut round);
         // The list of counts is the test's own.

@@ -1,6 +1,5 @@
-//! What the second fuzz target checks: the answers of the crate agree with each other. Distance, separation and manifold
-//! of a pair do, and those of the pair with its names exchanged; rays end on surfaces and pass through none; no time of
-//! impact is late.
+//! The second fuzz target: results of the crate are consistent. Distance, separation and manifold of a pair agree, also
+//! with A and B swapped; rays end on surfaces and pass through none; no time of impact is late.
 
 use crate::screw::Screw;
 use crate::{LARGE, Numbers, ROUNDING};
@@ -11,20 +10,20 @@ use polhode_contact::{
 };
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
 
-/// A pair in its places, and the length up to which its answers may differ, m.
+/// A pair at its poses, and the length up to which its results may differ, m.
 struct Pair {
     shapes: [Shape; 2],
     poses: [Pose; 2],
     tolerance: f64,
 }
 
-/// Places of a ray or a motion at which it is sampled.
+/// Number of samples along a ray or a motion.
 const SAMPLES: u32 = 24;
 
-/// Reads bytes as two shapes, poses, a ray and velocities, and compares the answers.
+/// Reads bytes as two shapes, poses, a ray and velocities, and compares the results.
 ///
 /// # Panics
-/// When two answers contradict each other: a finding.
+/// When two results contradict each other.
 pub fn check_answers(bytes: &[u8]) {
     let mut numbers = Numbers(bytes.iter());
     let (Some(a), Some(b)) = (numbers.shape(1), numbers.shape(1)) else { return };
@@ -51,7 +50,7 @@ pub fn check_answers(bytes: &[u8]) {
     pair.check_impact(velocities);
 }
 
-/// So thin that its slopes are lost in rounding.
+/// Whether a shape is so thin that its slopes are lost in rounding.
 fn is_sliver(shape: &Shape) -> bool {
     if matches!(shape, Shape::HalfSpace(_) | Shape::Points(_) | Shape::TriangleMesh(_)) {
         return false;
@@ -73,15 +72,15 @@ fn is_sliver(shape: &Shape) -> bool {
     width < SLIVER * shape.size() || parts.iter().any(is_sliver)
 }
 
-/// Thinner than this part of their length, shapes are left out.
+/// Shapes thinner than this fraction of their length are skipped.
 const SLIVER: f64 = 1e-4;
 
-/// Convex, with an inside: penetration has one depth.
+/// Whether a shape is convex with an inside, so that its depth of penetration is unique.
 fn is_convex(shape: &Shape) -> bool {
     !matches!(shape, Shape::Torus(_) | Shape::TriangleMesh(_) | Shape::Compound(_) | Shape::Points(_))
 }
 
-/// Whether a shape or one of its parts is of a kind.
+/// Whether a predicate holds for a shape or one of its parts.
 fn any_part(shape: &Shape, is_of_kind: fn(&Shape) -> bool) -> bool {
     match shape {
         Shape::Compound(compound) => compound.parts().iter().any(|part| any_part(part, is_of_kind)),
@@ -89,7 +88,7 @@ fn any_part(shape: &Shape, is_of_kind: fn(&Shape) -> bool) -> bool {
     }
 }
 
-/// Of a compound the part that extends the least, of others the shape.
+/// The smallest part of a compound, or the shape itself.
 fn smallest_part(shape: &Shape) -> &Shape {
     let parts = if let Shape::Compound(compound) = shape { compound.parts() } else { &[] };
     let extended = parts.iter().map(smallest_part).filter(|part| part.size() > 0.0);
@@ -100,23 +99,23 @@ fn has_points(shape: &Shape) -> bool {
     any_part(shape, |part| matches!(part, Shape::Points(_)))
 }
 
-/// Named by two different branches of two circles, which may mean another place of them when they are named the other way
-/// round.
+/// Whether a contact names two different branches of two circles, which may mean another place when A and B are
+/// swapped.
 fn has_an_order(feature: ContactFeature) -> bool {
     use SurfaceFeature::{RimEntry, RimExit};
     let ContactFeature::Elements { a, b } = feature else { return false };
     matches!((a, b), (RimExit(_), RimEntry(_)) | (RimEntry(_), RimExit(_)))
 }
 
-/// Named as the nearest place of a circle, which about a common axis any of its places may be.
+/// Whether a contact names the nearest point of a circle, which is any of its points when the bodies are coaxial.
 fn is_nearest_rim(feature: ContactFeature) -> bool {
     use SurfaceFeature::Rim;
     matches!(feature, ContactFeature::Elements { a: Rim(_), .. } | ContactFeature::Elements { b: Rim(_), .. })
 }
 
 impl Pair {
-    /// Two clouds never touch, but are as far apart as their points; a point behind a mesh lies under its outer side, also
-    /// when it came there around the border.
+    /// Whether separation and distance can be compared. Two clouds never touch, though their points have a distance; a
+    /// point behind a mesh counts as below its outer side, also when it came there around the border.
     fn has_sides(&self) -> bool {
         let sheet = |shape: &Shape| matches!(shape, Shape::TriangleMesh(_)) || has_points(shape);
         let [a, b] = &self.shapes;
@@ -145,7 +144,7 @@ impl Pair {
         }
     }
 
-    /// The manifold with the names exchanged.
+    /// Compares the manifold with that of the swapped pair.
     fn check_mirror(&self) {
         let ([a, b], [pose_a, pose_b]) = (&self.shapes, &self.poses);
         let reach = self.tolerance;
@@ -167,7 +166,7 @@ impl Pair {
             assert!(same, "mirrored: {contact:?} {mirrored:?}");
         }
         let none = |manifold: &Manifold| manifold.contacts.is_empty();
-        // Deeper, an axis or a ring's middle line may be inside, from which no direction is the shortest.
+        // Deeper, an axis or a torus's centre circle may be inside, where no direction of separation is unique.
         if apart <= 0.0 && apart > deep {
             assert!(!none(&found) && !none(&swapped), "{apart} {found:?} {swapped:?}");
         }
@@ -187,7 +186,7 @@ impl Pair {
                 assert!(hit.distance >= 0.0 && (hit.normal.length() - 1.0).abs() < ROUNDING, "{hit:?}");
                 let tolerance = tolerance + ROUNDING * hit.distance;
                 assert!(hit.feature.is_some() || (hit.distance == 0.0 && at_start <= tolerance), "{hit:?} {at_start}");
-                // The end of a ray that grazes is known to the square root.
+                // The end of a grazing ray is known only to the square root of rounding.
                 assert!(hit.feature.is_none() || away(hit.point).abs() <= tolerance, "{hit:?} {}", away(hit.point));
             }
             if hit.is_none_or(|hit| hit.feature.is_some()) {
@@ -224,12 +223,12 @@ impl Pair {
     }
 }
 
-/// Places of contacts may differ by more than separations do: along a flat touch.
+/// Contact points may differ by this factor more than separations do, along a flat region.
 const MIRRORED: f64 = 1e3;
 
-/// Overlaps up to this, relative to the joint size of the smallest parts, have contacts: in a thin part of a compound a body
-/// may be on its axis though it is not deep in the compound.
+/// Penetrations up to this, relative to the joint size of the smallest parts, must have contacts: in a thin part of a
+/// compound a body may be on the part's axis although it is not deep in the compound.
 const SHALLOW: f64 = 0.01;
 
-/// Speeds and spins beyond this, m/s and rad/s, are left out.
+/// Larger speeds and spins, m/s and rad/s, are skipped.
 const FASTEST: f64 = 1e3;

@@ -1,7 +1,7 @@
-//! What the fuzz targets check. `pair`: any two shapes at any poses have a manifold, a separation and a time of impact, or a
-//! stated answer that there is none; whatever is finite keeps the crate's conventions, and what is kept from step to step
-//! changes nothing. `answers`: distance, separation, manifold, ray and time of impact of a pair agree with each other, and with
-//! the bodies named the other way round.
+//! The fuzz targets. `pair`: any two shapes at any poses have a manifold, a separation and a time of impact, or a typed
+//! result that there is none; finite results follow the crate's conventions, and the memory of a pair changes no
+//! result. `answers`: distance, separation, manifold, ray casts and time of impact of a pair agree with each other, and
+//! with those of the swapped pair.
 //!
 //! With cargo-fuzz, from the folder of polhode-contact, ten minutes of each:
 //!
@@ -22,7 +22,7 @@ use polhode_contact::{
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation, UnitVector, Velocity};
 use screw::Screw;
 
-/// Bytes read as numbers, zeros after the end.
+/// Bytes read as numbers; zeros after the end.
 struct Numbers<'a>(std::slice::Iter<'a, u8>);
 
 impl Numbers<'_> {
@@ -30,7 +30,8 @@ impl Numbers<'_> {
         self.0.next().copied().unwrap_or(0)
     }
 
-    /// Mostly small multiples of a half, so that features coincide; sometimes any bits, and what is not finite.
+    /// Mostly small multiples of a half, so that features coincide; sometimes any bits, also numbers that are not
+    /// finite.
     fn number(&mut self) -> f64 {
         let kind = self.byte();
         match kind {
@@ -69,7 +70,7 @@ impl Numbers<'_> {
         Pose::new(rotation, self.vector())
     }
 
-    /// A shape of any kind, or nothing when its numbers make none. `depth` bounds how deep compounds may be nested.
+    /// A shape of any kind, or none when its numbers are not valid. `depth` bounds the nesting of compounds.
     fn shape(&mut self, depth: u32) -> Option<Shape> {
         let shape = match self.byte() % 12 {
             0 | 1 => Shape::cuboid(DVec3::new(self.length(), self.length(), self.length())),
@@ -99,16 +100,17 @@ impl Numbers<'_> {
 /// Distances at which features begin to coincide, m.
 const NEAR: f64 = 1e-12;
 
-/// Separations and lengths that differ by less, relative to the largest length, are the same: rounding on slivers too.
+/// Separations and lengths that differ by less than this, relative to the largest length, count as equal; it covers the
+/// rounding on slivers.
 const ROUNDING: f64 = 1e-9;
 
-/// Lengths beyond this lose so many digits together that only the absence of panics is asked.
+/// With lengths beyond this so many digits are lost that only the absence of panics is checked.
 const LARGE: f64 = 1e9;
 
-/// Reads bytes as two shapes, poses and velocities, and checks what the crate says of them.
+/// Reads bytes as two shapes, poses and velocities, and checks the results of the crate.
 ///
 /// # Panics
-/// When an answer breaks a convention of the crate: a finding.
+/// When a result violates a convention of the crate.
 pub fn check(bytes: &[u8]) {
     let mut numbers = Numbers(bytes.iter());
     let (Some(a), Some(b)) = (numbers.shape(1), numbers.shape(1)) else { return };
@@ -134,7 +136,7 @@ pub fn check(bytes: &[u8]) {
         found.contacts.iter().for_each(|contact| check_contact(contact, reach.max(tolerance)));
         assert!(found.contacts.windows(2).all(|pair| pair[0].feature < pair[1].feature), "out of order: {found:?}");
         let swapped = separation(&b, &pose_b, &a, &pose_a);
-        // Apart, the search may stop at different axes.
+        // For bodies apart the search may stop at different axes.
         let same = (apart - swapped).abs() <= tolerance || (apart > 0.0 && swapped > 0.0) || apart == swapped;
         assert!(same, "swapped: {apart} {swapped}");
     }
@@ -147,7 +149,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// Finite, of unit normal, within reach.
+/// Checks that a contact is finite, has a unit normal and is within reach.
 fn check_contact(contact: &Contact, reach: f64) {
     let geometry = &contact.geometry;
     assert!(geometry.point.is_finite() && geometry.separation.is_finite(), "{contact:?}");

@@ -1,16 +1,17 @@
-//! The narrow phase with memory gives what one without gives, bit for bit, along any motion of two polyhedra.
+//! The narrow phase with a memory of the pair gives the same result as without, bit for bit, along any motion of two
+//! polyhedra.
 
 use crate::screw::Screw;
 use polhode_contact::{Manifold, PairMemory, Shape, Workspace, manifold, near_manifold_with};
 use polhode_spatial::Motion;
 
-/// Times at which a pair is looked at, s: to and fro in steps from rounding to larger than the bodies.
+/// Times at which a pair is queried, s: to and fro, in steps from rounding to larger than the bodies.
 const TIMES: [f64; 14] = [0.0, 0.0, 1e-15, 3e-13, 1e-12, 1e-9, 1e-6, 1e-5, 1e-4, 3e-4, 2e-3, 1e-2, 0.0, 0.5];
 
 /// Updates the pair at each time and compares.
 ///
 /// # Panics
-/// When something stale was used: a finding.
+/// When outdated memory was used.
 pub(crate) fn check_memory(shapes: &[Shape; 2], motions: &[Screw; 2], reach: f64) {
     if !shapes.iter().all(|shape| matches!(shape, Shape::Convex(_))) {
         return;

@@ -6,8 +6,8 @@ use glam::DVec3;
 /// vertex, an edge along an edge. Far above the rounding of computed coordinates, far below anything measurable.
 pub const COINCIDENCE: f64 = 1e-12;
 
-/// Two edges, lines or axes whose directions differ by less than this (sine of the angle) are parallel: the direction of
-/// their common perpendicular would be uncertain by more than the machine's epsilon over this, 2e-9.
+/// Two edges, lines or axes whose directions differ by less than this (sine of the angle) are parallel: the direction
+/// of their common perpendicular would be uncertain by more than the machine's epsilon over this, 2e-9.
 pub const PARALLEL_SINE: f64 = 1e-7;
 
 /// Rounding of a computed separation in units of epsilon times the scale.

@@ -3,8 +3,8 @@
 //! The time for which a part is certainly clear grows as the part gets smaller. So the part with the shortest time is
 //! replaced by smaller parts, until all parts are clear for the whole window or a subdivision gains too little.
 //!
-//! For rings that nearly touch all around, and for bodies so fast that the bounds overflow, subdivision gains nothing. To
-//! bound the work, every window may use a small number of cuts, and only a few windows of one search may use many.
+//! For rings that nearly touch all around, and for bodies so fast that the bounds overflow, subdivision gains nothing.
+//! To bound the work, every window may use a small number of cuts, and only a few windows of one search may use many.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -66,8 +66,8 @@ impl Cuts {
         self.made
     }
 
-    /// How long all pieces certainly stay clear, s, at most `window`. The piece with the shortest time is cut (`cut` adds
-    /// its parts to a list) until all are clear for the whole window, a cut gains too little, or no cuts are left.
+    /// How long all pieces certainly stay clear, s, at most `window`. The piece with the shortest time is cut (`cut`
+    /// adds its parts to a list) until all are clear for the whole window, a cut gains too little, or no cuts are left.
     pub(crate) fn clear<P>(
         &mut self,
         pieces: Vec<Piece<P>>,

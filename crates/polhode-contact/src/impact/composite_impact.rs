@@ -1,16 +1,18 @@
 //! Time of impact of compounds and triangle meshes: the earliest impact of any pair of parts. A triangle is a part of a
 //! mesh.
 //!
-//! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If many
-//! pairs of parts could touch in the interval, the interval is divided into windows. A pair whose boxes first overlap in
-//! a later window was clear before it. The search of a pair runs from its first window to the end of the whole interval:
-//! the border of a window is not a new start.
+//! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If the
+//! boxes of many pairs overlap, the interval is divided into windows. A pair whose boxes first overlap in a later
+//! window is clear before it. The search of a pair runs from its first window to the end of the whole interval: the
+//! border of a window is not a new start.
 //!
-//! Bodies in contact at the start may touch with further parts without an impact, when a body slides over the joint of two
-//! parts or from triangle to triangle. For such bodies, a new touch counts as an impact only if a contact of the whole pair
-//! approaches. Otherwise the search of this pair of parts continues from there, as for a pair in contact at its start.
+//! Bodies in contact at the start may touch with further parts without an impact, when a body slides over the joint of
+//! two parts or from triangle to triangle. For such bodies, a new touch counts as an impact only if a contact of the
+//! whole pair approaches. Otherwise the search of this pair of parts continues from there, as for a pair in contact at
+//! its start.
 //!
-//! A point of a cloud that lies in a triangle at the start is on neither side of the surface. It may leave to either side.
+//! A point of a cloud that lies in a triangle at the start is on neither side of the surface. It may leave to either
+//! side.
 
 use crate::bounding::aabb::Aabb;
 use crate::bounding::around_shape::Sweep;
@@ -37,8 +39,8 @@ const MANY_PAIRS: usize = 64;
 /// Largest number of windows.
 const MOST_WINDOWS: u32 = 64;
 
-/// A contact approaches when its separation rate is below minus this times the speeds of the two contact points. The limit
-/// is above the rounding of the rate of a sliding contact.
+/// A contact approaches when its separation rate is below minus this times the speeds of the two contact points. The
+/// limit is above the rounding of the rate of a sliding contact.
 const APPROACHING: f64 = 1e-10;
 
 /// After this many touches of one pair of parts without approach, the next touch counts as an impact.
@@ -49,7 +51,7 @@ const MOST_SLIDES: u32 = 4096;
 pub(crate) enum Parts {
     /// All.
     All,
-    /// Only those that are clear of each other at the start, for bodies that other parts keep in contact.
+    /// Only those that are clear of each other at the start, for bodies that stay in contact with other parts.
     Clear,
 }
 
@@ -67,9 +69,9 @@ struct Pair<'a> {
     starts_in_touch: OnceCell<bool>,
 }
 
-/// The earliest impact of two bodies, at least one of them a compound or a mesh. When there is none, the reported separation
-/// is infinite: the separation of all parts at the end of the interval costs more than most searches, and few callers need
-/// it.
+/// The earliest impact of two bodies, at least one of them a compound or a mesh. When there is none, the reported
+/// separation is infinite: the separation of all parts at the end of the interval costs more than most searches, and
+/// few callers need it.
 pub(crate) fn find_composite(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],
@@ -212,8 +214,8 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// Whether the bodies touch at the start. This needs the separation of all parts: it is computed only after a pair of
-    /// parts has been found to touch.
+    /// Whether the bodies touch at the start. This needs the separation of all parts: it is computed only after a pair
+    /// of parts has been found to touch.
     fn starts_in_touch(&self, workspace: &mut Workspace, best: &mut ImpactReport) -> bool {
         *self.starts_in_touch.get_or_init(|| {
             best.evaluations = best.evaluations.saturating_add(1);
@@ -229,8 +231,8 @@ impl Pair<'_> {
         let velocities = self.motions.map(|motion| motion.velocity(t));
         let mut touching = Manifold::default();
         near_manifold_into(workspace, shape_a, &poses[0], shape_b, &poses[1], self.touch, &mut touching);
-        // Other parts touched earlier, and their search gives the time. The contacts of bodies that overlap this much do not
-        // decide anything.
+        // Other parts touched earlier, and their search gives the time. Contacts of bodies that overlap this much are
+        // not used.
         if touching.separation < -self.touch {
             return true;
         }

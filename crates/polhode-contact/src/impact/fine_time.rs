@@ -4,9 +4,10 @@
 //! is not always negligible: a body that bounces to a height of 4 um gains or loses 1.5e-11 of this height at every
 //! bounce.
 //!
-//! A motion in closed form can give the rounding error of its pose ([`Motion::residue`]). With it the gap along a contact
-//! normal is `separation + n . (residue of A - residue of B)`, and Newton's method finds its root. Two errors remain: the
-//! rounding of the separation's own arithmetic (none for a ball on a floor through the origin), and that of the time.
+//! A motion in closed form can give the rounding error of its pose ([`Motion::residue`]). With it the gap along a
+//! contact normal is `separation + n . (residue of A - residue of B)`, and Newton's method finds its root. Two errors
+//! remain: the rounding of the separation's own arithmetic (none for a ball on a floor through the origin), and that of
+//! the time.
 
 use crate::Shape;
 use crate::narrow_phase::dispatch::manifold::manifold;
@@ -16,7 +17,7 @@ use polhode_spatial::Motion;
 /// Largest number of Newton steps. Each squares the relative error, which is about 1e-13 at the start.
 const MOST_STEPS: usize = 4;
 
-/// The contact that closes first.
+/// The contact whose separation reaches zero first.
 struct Closing {
     /// s.
     t: f64,
@@ -27,14 +28,14 @@ struct Closing {
 }
 
 impl Closing {
-    /// The time at which it closes at this rate, s.
+    /// The time at which its separation reaches zero at this rate, s.
     fn time(&self) -> f64 {
         self.t - self.gap / self.rate
     }
 }
 
-/// The time near `t` in `(start, end]` (s) at which the contacts of a pair within `reach` (m) close; `t` itself where
-/// motions give no residues, no contact approaches, or no time near it is better.
+/// The time near `t` in `(start, end]` (s) at which the separation of a contact of a pair within `reach` (m) reaches
+/// zero; `t` itself where motions give no residues, no contact approaches, or no time near it is better.
 pub(crate) fn refined(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],

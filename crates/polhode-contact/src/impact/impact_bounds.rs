@@ -1,9 +1,10 @@
-//! How long a gap between two moving shapes stays open: second-order bounds along separating axes.
+//! For how long two moving shapes certainly stay separated: second-order bounds along separating axes.
 //!
-//! The gap along an axis is the least of many smooth functions of time, one for each vertex. Each is bounded from below
-//! by a parabola ([`Quadratic`]) with its present value and rate and a bound of its second derivative that holds over a
-//! window `[t, t + T]`. With `r` an arm in the body V of a vertex, `y` the vertex's place seen from the body E of a face
-//! with normal `n`, `v`, `w`, `alpha` bounds of speed, angular speed and angular acceleration:
+//! The gap along an axis is the minimum of many smooth functions of time, one for each vertex. Each is bounded from
+//! below by a parabola ([`Quadratic`]) from its current value and rate and a bound of its second derivative over a
+//! window `[t, t + T]`. Let `r` be the arm of a vertex in its body V, `y` the vertex's position in the frame of the
+//! body E of a face with normal `n`, and `v`, `w`, `alpha` bounds of speed, angular speed and angular acceleration.
+//! Then
 //!
 //! `gap'' = n.(v_V' - v_E') + n.(alpha_V x r + w_V x (w_V x r)) - n.(alpha_E x y) - (w_E x n).(w_E x y)
 //!          + 2 (w_E x n).(v_V - v_E + w_V x r)`
@@ -11,19 +12,18 @@
 //! `|gap''| <= |v_V' - v_E'| + (alpha_V + w_V^2)|r| + (alpha_E + w_E^2) Y + 2 w_E (V + w_V |r|)`,
 //! `Y = |y| + (V + w_V |r|) T`, `V` the largest relative speed of the centres.
 //!
-//! Across two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has
-//! `|f''| <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves
-//! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
-//! of the two places (all seen from A, where `e_A` rests).
+//! For two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has `|f''|
+//! <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves `|f''| <= E C +
+//! 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed of the two
+//! nearest points (all in A's frame, where `e_A` is at rest).
 //!
-//! A circle (centre `c`, axis `a`, radius `R`) reaches `R |a x n|` farther along `n` than its centre; `circle_below`
+//! A circle (centre `c`, axis `a`, radius `R`) extends `R |a x n|` farther along `n` than its centre; `circle_below`
 //! bounds that.
 //!
-//! The centres' accelerations. The bound `|v'| <= a` alone would allow two bodies that fall side by side to approach
-//! each other with 2g.
-//! But the change of velocity over the window is known: if it is nearly `a T` in a direction `u`, then `v'` is nearly
-//! `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz inequality. Gravity, the
-//! same for both, then cancels but for this small stray velocity.
+//! The centres' accelerations: the bound `|v'| <= a` alone would allow two bodies that fall side by side to approach
+//! each other with 2g. But the change of velocity `dv` over the window is known. If it is nearly `a T` in a direction
+//! `u`, then `v'` is nearly `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz
+//! inequality. Gravity, which is the same for both, then cancels up to this small stray velocity.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::impact::quadratic_bound::{Quadratic, open_until};
@@ -36,8 +36,9 @@ use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
 /// Rounding of a velocity, in epsilons of its magnitude.
 const VELOCITY_ULPS: f64 = 8.0;
 
-/// Lower bound of `-|a x n|` over a window, for a unit vector `a` with rate `a'` and a bound of `|a''|`: the component of
-/// `a + a' s` across `n` has a length that is convex in `s`, and so lies below its chord; the rest is a parabola.
+/// Lower bound of `-|a x n|` over a window, for a unit vector `a` with rate `a'` and a bound of `|a''|`: the length of
+/// the component of `a + a' s` perpendicular to `n` is convex in `s`, and so lies below its chord; the remainder is a
+/// parabola.
 fn circle_below(n: DVec3, axis: DVec3, rate: DVec3, second: f64, window: f64) -> Quadratic {
     let (now, change) = (axis.cross(n), rate.cross(n));
     let start = now.length();
@@ -48,12 +49,12 @@ fn circle_below(n: DVec3, axis: DVec3, rate: DVec3, second: f64, window: f64) ->
 /// Points of a body, inflated by a radius: their support function is that of the shape.
 pub(crate) type Points<'a> = (&'a [DVec3], f64);
 
-/// A body over a window of time that begins now.
+/// A body over a window of time that begins at the current time.
 pub(crate) struct MovingBody {
     pub(crate) pose: Pose,
     pub(crate) velocity: Velocity,
     bounds: MotionBounds,
-    /// `a u`: the acceleration of the centre but for a stray velocity, m/s^2 and m/s.
+    /// `a u`: the acceleration of the centre, up to a stray velocity, m/s^2 and m/s.
     mean: DVec3,
     stray: f64,
 }
@@ -71,7 +72,7 @@ impl MovingBody {
         Self { pose, velocity, bounds, mean, stray }
     }
 
-    /// Bound of the acceleration that turning gives a point on an arm, m/s^2.
+    /// Bound of the acceleration of a point on an arm from the rotation, m/s^2.
     fn turning(&self, arm: f64) -> f64 {
         (self.bounds.angular_acceleration + self.bounds.angular_speed * self.bounds.angular_speed) * arm
     }
@@ -98,7 +99,7 @@ pub(crate) struct Window<'a> {
 }
 
 impl<'a> Window<'a> {
-    /// The window `[t, end]` (s); nothing when a velocity or bound is not finite.
+    /// The window `[t, end]` (s); none when a velocity or bound is not finite.
     pub(crate) fn new(
         motions: [&dyn Motion; 2],
         poses: [Pose; 2],
@@ -110,7 +111,7 @@ impl<'a> Window<'a> {
         let b = MovingBody::new(motions[1], poses[1], t, end);
         let length = end - t;
         let start = a.velocity.linear - b.velocity.linear;
-        // The speed of a straight change of velocity is largest at an end.
+        // When the velocity changes linearly, the speed is largest at an end.
         let straight = start.length().max((start + (a.mean - b.mean) * length).length()) + a.stray + b.stray;
         let speed = straight
             .min(start.length() + (a.bounds.acceleration + b.bounds.acceleration) * length)
@@ -121,7 +122,7 @@ impl<'a> Window<'a> {
         (finite(&a) && finite(&b)).then_some(Self { a, b, length, speed, buffers })
     }
 
-    /// The bodies as (this one, the other one).
+    /// The bodies as (first, other).
     fn sides(&self, first: Side) -> (&MovingBody, &MovingBody) {
         match first {
             Side::A => (&self.a, &self.b),
@@ -129,10 +130,10 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// Bound of the part of a gap's motion that the centres' accelerations make, along an axis from the second body to
-    /// the first that turns at most with `spin` (rad/s).
+    /// Bound of the contribution of the centres' motion to a gap, along an axis from the second body to the first that
+    /// turns at most at `spin` (rad/s).
     fn central(&self, first: Side, axis: DVec3, spin: f64) -> Quadratic {
-        // The axis leaves its direction by at most spin * s, which adds spin |relative| s^3/6 over the window.
+        // The axis deviates from its direction by at most spin * s, which adds spin |relative| s^3/6 over the window.
         self.central_about(first, axis, spin * self.length / 3.0)
     }
 
@@ -151,7 +152,7 @@ impl<'a> Window<'a> {
     }
 
     /// How long points of body `of` stay outside planes that are fixed in the other body: for each point the plane's
-    /// unit normal and the point's gap above it, both at this moment and in the other body's frame, m.
+    /// unit normal and the point's gap above it (m), now and in the other body's frame.
     pub(crate) fn above_planes(&mut self, of: Side, points: Points<'_>, plane: impl Fn(usize) -> (DVec3, f64)) -> f64 {
         self.above_surfaces(of, points, 0.0, plane)
     }
@@ -203,8 +204,8 @@ impl<'a> Window<'a> {
         open
     }
 
-    /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body: its outward unit
-    /// normal and its offset in that body's frame (m).
+    /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body: its outward
+    /// unit normal and its offset in that body's frame (m).
     pub(crate) fn circles_above_plane(&mut self, of: Side, hull: &Hull<'_>, normal: DVec3, offset: f64) -> f64 {
         let (v, e) = self.sides(of);
         let up = e.pose.rotation.rotate(normal);
@@ -212,7 +213,7 @@ impl<'a> Window<'a> {
         let relative = v.velocity.linear - e.velocity.linear;
         let central = self.central(of, up, e.spin());
         let spin = v.velocity.angular - e.velocity.angular;
-        // The axis seen from the plane's body.
+        // The axis in the frame of the plane's body.
         let both = v.spin() + e.spin();
         let swing = v.bounds.angular_acceleration + e.bounds.angular_acceleration + v.spin() * e.spin() + both * both;
         let mut open = self.length;
@@ -240,8 +241,9 @@ impl<'a> Window<'a> {
         self.along_turning(direction, DVec3::ZERO, hull_a, hull_b)
     }
 
-    /// As [`Self::along_direction`], with a direction that turns steadily (`turn`, rad/s): seen from it a body turns by the
-    /// difference. Lines that the direction stays perpendicular to lose nothing of first order at their ends.
+    /// As [`Self::along_direction`], with a direction that rotates at a constant rate (`turn`, rad/s); in its frame a
+    /// body rotates at the difference. The gap at the ends of lines to which the direction stays perpendicular has no
+    /// loss of first order.
     pub(crate) fn along_turning(&mut self, direction: DVec3, turn: DVec3, hull_a: &Hull<'_>, hull_b: &Hull<'_>) -> f64 {
         let turning = turn.length();
         let [mut first, mut second] = std::mem::take(self.buffers);
@@ -277,8 +279,9 @@ impl<'a> Window<'a> {
         open
     }
 
-    /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the bodies;
-    /// of each line the unit vector across it and the axis. Nothing without lines; of parallel lines the first counts.
+    /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the
+    /// bodies; for each line the unit vector perpendicular to it and the axis. None without lines; of parallel lines
+    /// the first is used.
     pub(crate) fn turn_with(&self, across: [Option<DVec3>; 2]) -> Option<DVec3> {
         let (spin_a, spin_b) = (self.a.velocity.angular, self.b.velocity.angular);
         match across {
@@ -316,7 +319,8 @@ impl<'a> Window<'a> {
         let (w_a, w_b) = (a.spin(), b.spin());
         let swing =
             a.bounds.angular_acceleration + b.bounds.angular_acceleration + w_a * w_b + (w_a + w_b) * (w_a + w_b);
-        // The vertices of each body behind its edge: zero at the edge itself, positive beyond, as `N.u`.
+        // The distances `N.u` of the vertices of each body behind its edge: zero at the edge itself, positive for the
+        // others.
         let behind = |bounds: &mut Vec<Quadratic>,
                       body: &MovingBody,
                       arm: DVec3,
@@ -339,7 +343,7 @@ impl<'a> Window<'a> {
         let velocity = (a.velocity.linear - b.velocity.linear)
             + (a.velocity.angular.cross(crossed.arm_a) - b.velocity.angular.cross(crossed.arm_b));
         let gap = (a.pose.translation - b.pose.translation) + (crossed.arm_a - crossed.arm_b);
-        // Place of B's point seen from A's centre, and its largest speed there.
+        // Position of B's point relative to A's centre, and its largest speed there.
         let arm_b = crossed.arm_b.length();
         let speed = self.speed + w_b * arm_b;
         let place = (crossed.arm_a - gap).length() + speed * self.length;
@@ -375,7 +379,7 @@ impl<'a> Window<'a> {
             let normal = d / distance;
             let velocity = (v.velocity.linear - e.velocity.linear)
                 + (v.velocity.angular.cross(arm) - e.velocity.angular.cross(other));
-            // The distance is no less than its component along the present direction.
+            // The distance is at least its component along the current direction.
             let central = self.central(of, normal, 0.0);
             bounds.push(Quadratic {
                 value: distance - points.1 - radius,
@@ -388,8 +392,8 @@ impl<'a> Window<'a> {
         open
     }
 
-    /// How long points on arms of A and of B (m, at most `arms` long) stay apart along axes that are fixed in the world and
-    /// differ from the given one by at most `aside`, when all of them are at least as far apart now as `gap` says.
+    /// How long points on arms of A and of B (m, at most `arms` long) stay apart along axes that are fixed in the world
+    /// and differ from the given one by at most `aside`, when the gap of all of them is now at least `gap`.
     pub(crate) fn between_points(&self, gap: Quadratic, axis: DVec3, aside: f64, arms: [f64; 2]) -> f64 {
         let turning = self.a.turning(arms[0]) + self.b.turning(arms[1]);
         let bound = gap.plus(self.central_about(Side::A, axis, aside));

@@ -1,8 +1,8 @@
-//! Why a search for an impact gave no answer.
+//! Why a search for an impact has no result.
 
 use thiserror::Error;
 
-/// Why the search gave no answer.
+/// Why a search for an impact has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ImpactError {
     /// The interval of time is reversed or not finite.
@@ -19,7 +19,7 @@ pub enum ImpactError {
         /// Time, s.
         t: f64,
     },
-    /// The number of evaluations reached its limit: a pair that stays close without touching.
+    /// The number of evaluations reached its limit, as for a pair that stays close without touching.
     #[error(
         "no answer after {limit} evaluations: at {t} s the separation is {separation:e} m; shorten the interval or raise max_evaluations"
     )]

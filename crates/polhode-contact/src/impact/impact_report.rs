@@ -1,14 +1,14 @@
-//! What a search for an impact found.
+//! The result of a search for an impact.
 
-/// What a search found.
+/// The result of a search for an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactReport {
-    /// First time at which the pair closes, s.
+    /// First time at which the pair touches, s; none without an impact in the interval.
     pub time: Option<f64>,
     /// Separation at that time, or at the end of the interval, m.
     pub separation: f64,
     /// How many separations were evaluated.
     pub evaluations: u32,
-    /// How often arcs of rings were cut to bound their motion.
+    /// Number of subdivisions of arcs of tori.
     pub cuts: u32,
 }

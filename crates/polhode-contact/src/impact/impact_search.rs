@@ -6,9 +6,9 @@ pub struct ImpactSearch {
     /// Separations up to this, relative to the joint size, count as touch at the start of the search
     /// ([`crate::clearance::touch_tolerance`]). Range 1e-15 to 1e-3.
     pub touch_relative: f64,
-    /// How often the interval is halved to look for the departure of a pair that touches at its start.
+    /// Number of halvings of the interval in the search for the separation of a pair that touches at its start.
     pub departure_halvings: u32,
-    /// Largest number of separations evaluated for one pair of parts; reaching it is an error.
+    /// Largest number of evaluations of the separation for one pair of parts; reaching it is an error.
     pub max_evaluations: u32,
 }
 

@@ -1,14 +1,14 @@
-//! Impacts: when two moving shapes close.
+//! Impacts: the time at which two moving shapes touch.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`mod@time_of_impact`] | the questions |
-//! | `impact_search`, `impact_error`, `impact_report` | settings, why there is no answer, the answer |
+//! | [`mod@time_of_impact`] | the entry points |
+//! | `impact_search`, `impact_error`, `impact_report` | settings, errors, the result |
 //! | `composite_impact` | compounds and meshes, part by part |
 //! | `pair_impact` | two shapes without parts |
 //! | `impact_bounds`, `quadratic_bound` | for how long a pair certainly stays clear |
-//! | `ring_arcs`, `ring_pair`, `arc_cuts` | the same of rings, arc by arc |
-//! | `fine_time`, `root_bracket` | the time found, finer than poses are rounded |
+//! | `ring_arcs`, `ring_pair`, `arc_cuts` | the same for tori, arc by arc |
+//! | `fine_time`, `root_bracket` | refinement of the time beyond the rounding of poses |
 
 mod arc_cuts;
 mod composite_impact;

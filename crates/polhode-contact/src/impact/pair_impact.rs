@@ -70,9 +70,9 @@ struct Search<'a> {
     workspace: Workspace,
     /// Buffers of the bounds.
     bounds: [Vec<Quadratic>; 2],
-    /// Best axes at the last look, for two polyhedra.
+    /// Best axes at the last evaluation, for two polyhedra.
     axes: Option<Axes>,
-    /// Best axis at the last look, for a round shape and another convex one.
+    /// Best axis at the last evaluation, for a round shape and another convex one.
     gap: Option<Gap>,
     evaluations: u32,
     cuts: Cuts,
@@ -82,7 +82,7 @@ struct Search<'a> {
 /// that need not hold for long are tighter.
 const NARROWER: f64 = 4.0;
 
-/// A window that was clear to its end is widened this often at most.
+/// Most times that a window which was clear to its end is widened.
 const MOST_WINDOWS: usize = 16;
 
 /// A change of separation by this many resolutions is a change, not rounding.
@@ -92,11 +92,11 @@ const MEASURABLE: f64 = 4.0;
 /// drift of a persistent contact, less than what counts as penetration.
 const NOTICED: f64 = 1.0 / 16.0;
 
-/// At the end of an interval, and before the pair separates again, a smaller decrease counts as an impact: this part of the
-/// touch tolerance, a quarter of [`NOTICED`].
+/// At the end of an interval, and before the pair separates again, a smaller decrease counts as an impact: this part of
+/// the touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
 
-/// A ball may come nearer to the axis of a ring by this part of its distance while a bound holds.
+/// A bound for a ball and a torus holds until the ball's distance from the torus's axis has decreased by this fraction.
 const HALF: f64 = 0.5;
 
 /// More halvings than this give an interval below the smallest double.
@@ -127,7 +127,7 @@ fn hull_clear_of_plane(now: &Moment, window: &mut Window<'_>, of: Side, hull: &H
     circles.min(points_clear_of_plane(now, window, of, (&hull.points, hull.ball), plane))
 }
 
-/// Of a cloud the point that a feature names, of another shape all of it.
+/// The hull of one point of a cloud, named by a feature; for other shapes the whole hull.
 fn only_point<'a>(shape: &Shape, hull: Hull<'a>, feature: SurfaceFeature) -> Hull<'a> {
     match (shape, feature) {
         (Shape::Points(_), SurfaceFeature::Vertex(index)) => hull.of_point(index),
@@ -172,7 +172,7 @@ impl Search<'_> {
         touch_tolerance(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1], self.settings.touch_relative)
     }
 
-    /// From a moment at which the pair is clear: the time of impact, if any, and the separation there or at the end.
+    /// From a time at which the pair is clear: the time of impact, if any, and the separation there or at the end.
     fn advance(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
         let mut now = start;
         loop {
@@ -194,7 +194,7 @@ impl Search<'_> {
         }
     }
 
-    /// The impact found at `now`, finer than poses are rounded where the motions allow it (`fine_time.rs`).
+    /// Refines the impact found at `now` beyond the rounding of poses where the motions allow it (`fine_time.rs`).
     fn refine(&mut self, now: Moment, (t0, t1): (f64, f64)) -> Result<Moment, ImpactError> {
         let t = refined(self.shapes, self.motions, (t0, now.t, t1), self.touch(&now));
         if t == now.t { Ok(now) } else { self.look(t) }
@@ -249,8 +249,8 @@ impl Search<'_> {
         }
     }
 
-    /// The longest step over the best face of each body, the best pair of edges, and the best of these directions held
-    /// still (which is better for bodies that are far away and spin).
+    /// The longest step over the best face of each body, the best pair of edges, and the best of these directions fixed
+    /// in the world (which is better for far bodies that spin).
     fn polyhedra_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let ([Shape::Convex(a), Shape::Convex(b)], Some(axes)) = (self.shapes, self.axes) else { return 0.0 };
         let [pose_a, pose_b] = &now.poses;
@@ -285,7 +285,7 @@ impl Search<'_> {
         if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
     }
 
-    /// Points or a sphere of body `of` against a half-space or a polyhedron: each has a plane of its own, through the
+    /// Points or a sphere of body `of` against a half-space or a polyhedron: each point has its own plane, through the
     /// nearest feature.
     fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
         let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
@@ -302,7 +302,7 @@ impl Search<'_> {
             let nearest = nearest(k);
             (nearest.normal, nearest.distance - points.1)
         });
-        // A single centre far from a spinning polyhedron: its direction held still.
+        // A single centre far from a spinning polyhedron: a direction fixed in the world.
         if points.0.len() > 1 {
             return step;
         }
@@ -319,8 +319,8 @@ impl Search<'_> {
         hull_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset()))
     }
 
-    /// A round shape and another convex one: the best axis held still, or the plane of the face or disc that decides. A
-    /// cloud stays clear as long as each of its points does.
+    /// A round shape and another convex one: along the best axis fixed in the world, or above the plane of the best
+    /// face or disc. A cloud stays clear as long as each of its points does.
     fn round_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let ([a, b], [pose_a, pose_b]) = (self.shapes, now.poses);
         let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
@@ -350,8 +350,9 @@ impl Search<'_> {
         step.max(hull_clear_of_plane(now, window, of, &hull, plane))
     }
 
-    /// A ball and a ring. At a distance `rho` from the ring's axis the distance from its middle line bends towards the axis
-    /// with a curvature of `1/rho` at most, which a speed of `speed` (m/s) takes as an acceleration.
+    /// A ball and a torus. At a distance `rho` from the torus's axis the distance from its centre circle has a second
+    /// derivative of at least `-1/rho` along any unit vector; at a speed of `speed` (m/s) this is an acceleration of
+    /// `speed^2/rho`.
     fn center_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
         let (of, this, other, torus, ball) = match self.shapes {
             [Shape::Torus(torus), Shape::Sphere(ball)] => (Side::B, 1, 0, torus, ball),
@@ -371,8 +372,8 @@ impl Search<'_> {
         window.above_surfaces(of, points, speed * speed / least, |_| (away / distance, gap))
     }
 
-    /// As long as the normal of two elements of which one at least is straight separates, when it turns so as to stay
-    /// perpendicular to them.
+    /// How long the common normal of two elements separates, at least one of them straight, when it rotates so as to
+    /// stay perpendicular to them.
     fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
         let [a, b] = self.shapes;
         let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
@@ -390,14 +391,14 @@ impl Search<'_> {
         }
     }
 
-    /// A ring: the hull of both along the deciding normal, when that separates them; otherwise (a body in its hole) arc by
-    /// arc, or the distance over the largest speed at which a point of one can move relative to the other.
+    /// A torus: the hulls of both along the deciding normal, when that separates them. Otherwise (a body in its hole)
+    /// arc by arc, or the distance over the largest relative speed of two points.
     fn ring_clear(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let Some(gap) = self.gap else { return 0.0 };
         let [a, b] = self.shapes;
         let apart = (now.poses[0].translation - now.poses[1].translation).length();
         let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
-        // The speed is the largest in the window, which says nothing of later.
+        // The speed is a bound within the window only.
         let step = (now.separation / speed).min(window.length()).max(self.center_clear_of_ring(now, window, speed));
         let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
         let step = step.max(self.clear_beside_lines(now, window, &gap));
@@ -410,7 +411,7 @@ impl Search<'_> {
         RingArcs::new(self.shapes, now.poses).map_or(step, |arcs| step.max(arcs.clear(window, &mut self.cuts)))
     }
 
-    /// The search from a moment at which the pair is in contact: see the description in `time_of_impact.rs`.
+    /// The search from a time at which the pair is in contact: see the description in `time_of_impact.rs`.
     fn depart(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
         let rounding = self.resolution(&start);
         // Below this the separation has measurably decreased. Bodies in contact at rest stay above it.
@@ -455,7 +456,8 @@ impl Search<'_> {
                 return self.locate_closing(open, below.unwrap_or(last), level, rounding);
             }
         }
-        // Penetration at the end, below the touch tolerance. It counts, because the next search would take it as its start.
+        // Penetration at the end, below the touch tolerance. It counts, because the next search would take it as its
+        // start.
         if last.separation < closed {
             let open = if open.separation >= closed { open } else { start };
             return self.locate_closing(open, last, closed, rounding);
@@ -463,12 +465,12 @@ impl Search<'_> {
         Ok((None, last.separation))
     }
 
-    /// Whether by the `j`-th departure time a point can have moved by what closes a pair (`CLOSED`).
+    /// Whether a point can have moved by the distance that counts as an impact (`CLOSED`) by the `j`-th departure time.
     fn can_have_moved(&mut self, start: &Moment, t1: f64, j: u32) -> Result<bool, ImpactError> {
         let length = (t1 - start.t) * halved(j);
         let mut buffers = std::mem::take(&mut self.bounds);
         let apart = (start.poses[0].translation - start.poses[1].translation).length();
-        // A half-space has no radius; what matters is how far the other body reaches from its centre.
+        // A half-space has no radius; the radius of the other body is used.
         let reach = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
         let [a, b] = self.shapes;
         let speed = Window::new(self.motions, start.poses, start.t, start.t + length, &mut buffers)

@@ -1,4 +1,4 @@
-//! Lower bounds of functions of time by parabolas that open downwards, and how long these bounds keep a gap open.
+//! Lower bounds of functions of time by parabolas that open downwards, and how long these bounds stay positive.
 //!
 //! A function with value `a`, rate `b` and `|f''| <= c` satisfies `f(t + s) >= a + b s - c s^2/2`. Sums and minima of
 //! such bounds are concave. A bound that is positive at both ends of an interval is therefore positive on all of it.
@@ -33,7 +33,7 @@ impl Quadratic {
         Self { value: factor * self.value, rate: factor * self.rate, curvature: factor * self.curvature }
     }
 
-    /// Whether its computation has not overflowed: infinite bounds prove nothing.
+    /// Whether its computation has not overflowed; an infinite bound is no bound.
     fn is_finite(&self) -> bool {
         (self.value.abs() + self.rate.abs() + self.curvature).is_finite()
     }

@@ -1,21 +1,21 @@
 //! How long a ring stays clear of a convex body when no plane separates the two: a bound arc by arc.
 //!
-//! When the body is in the hole of the ring, or touches the inner side of the tube, no plane separates it from the whole
-//! ring. But for every short arc of the ring's middle line there is a separating plane. An arc of less than half a turn
-//! lies in the triangle of its two ends and the intersection of the tangents there, and this triangle moves with the
-//! ring.
+//! When the body is in the hole of the ring, or touches the inner side of the tube, no plane separates it from the
+//! whole ring. But for every short arc of the ring's centre circle there is a separating plane. An arc of less than
+//! half a turn lies in the triangle of its two ends and the intersection of the tangents there, and this triangle moves
+//! with the ring.
 //!
-//! Along any direction, the triangle (inflated by the radius of the tube) and the hull of the body stay separated for as
-//! long as the bounds of `impact_bounds.rs` say. The direction used is that from the body's closest point to the middle
-//! of the arc. It is tried in two ways:
+//! Along any direction, the triangle (inflated by the radius of the tube) and the hull of the body stay separated for
+//! the time given by the bounds of `impact_bounds.rs`. The direction used is that from the body's closest point to the
+//! middle of the arc. It is tried in two ways:
 //!
 //! - fixed in the world, which is better for a ring that spins above a corner;
 //! - rotating with the body, so that the rotation of the body causes no loss of first order. A ring that slides over a
 //!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch.
 //!
-//! The arc with the shortest time is cut in two (`arc_cuts.rs`). The gap of the chord is smaller than the gap of the arc
-//! by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance from
-//! touch, and the number of cuts is about the number of binary digits of this ratio.
+//! The arc with the shortest time is cut in two (`arc_cuts.rs`). The gap of the chord is smaller than the gap of the
+//! arc by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance
+//! from touch, and the number of cuts is about the number of binary digits of this ratio.
 
 use crate::impact::arc_cuts::{Cuts, Piece};
 use crate::impact::impact_bounds::Window;
@@ -29,7 +29,7 @@ use std::f64::consts::TAU;
 /// Initial number of arcs.
 const ARCS: u32 = 12;
 
-/// A ring and another convex shape at one moment.
+/// A ring and another convex shape at one time.
 pub(crate) struct RingArcs<'a> {
     ring: Ring<'a>,
     tube: f64,

@@ -1,17 +1,18 @@
-//! How long two rings stay clear of each other when no plane separates them: a bound for pairs of arcs.
+//! How long two rings (tori) stay clear of each other when no plane separates them: a bound for pairs of arcs.
 //!
-//! No plane separates linked rings, or rings that nearly touch. But a plane separates two short arcs of their middle lines
-//! (`ring_arcs.rs`). Its normal is the line between their closest points, which alternating projections find. Near touch,
-//! such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s, u)` of the
-//! places of two arcs (arc lengths s and u) is convex. With
-//! `lambda` the least eigenvalue of its second derivatives over both arcs, `g` its gradient at one pair of places, and `L`
-//! the largest change of the rate `nu = n.(v_A - v_B)` at which two material points part per length along the arcs,
+//! No plane separates linked rings, or rings that nearly touch. But a plane separates two short arcs of their centre
+//! circles (`ring_arcs.rs`). Its normal is the line between their closest points, which alternating projections find.
+//! Near touch, such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s,
+//! u)` of the points of two arcs (arc lengths s and u) is convex. With `lambda` the least eigenvalue of its second
+//! derivatives over both arcs, `g` its gradient at one pair of points, and `L` the largest change, per length along the
+//! arcs, of the rate `nu = n.(v_A - v_B)` at which two material points separate,
 //!
-//! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2 >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
+//! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2`,
+//! `D(t + tau) >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
 //!
-//! for every other pair a way `d` off, `c` a bound of the points' relative acceleration. The bound for each pair of
-//! points uses the present direction between them. The second derivatives are those at one pair, less their largest
-//! change over the arcs.
+//! for every other pair at the displacement `d`; `c` is a bound of the points' relative acceleration. The bound for
+//! each pair of points uses the current direction between them. The second derivatives are those at one pair, minus
+//! their largest change over the arcs.
 //!
 //! The pair of arcs with the shortest time is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 
@@ -25,16 +26,16 @@ use glam::DVec3;
 use polhode_spatial::Pose;
 use std::f64::consts::TAU;
 
-/// Arcs of either ring at first.
+/// Initial number of arcs of each ring.
 const ARCS: u32 = 8;
 
 /// Number of alternating projections that find the closest points of two arcs.
 const ALTERNATIONS: usize = 4;
 
-/// An arc that is shorter than this part of the other is not cut with it.
+/// An arc shorter than this fraction of the other is not cut when the other is.
 const MUCH_SHORTER: f64 = 0.5;
 
-/// Arcs along which two places may move by more than this part of their distance use separating planes only.
+/// For arcs longer than this fraction of their distance only separating planes are used.
 const NEAR: f64 = 0.5;
 
 /// An arc between two angles.
@@ -61,7 +62,7 @@ impl Arc {
     }
 }
 
-/// A place on an arc, in the world's directions.
+/// A point of an arc, in world axes.
 #[derive(Debug, Clone, Copy)]
 struct On {
     /// From the body's centre of mass, m.
@@ -70,7 +71,7 @@ struct On {
     /// Unit vector away from the circle's centre.
     radial: DVec3,
     radius: f64,
-    /// Ways to the arc's ends, backwards and forwards, m.
+    /// Arc lengths to the two ends, backwards and forwards, m.
     ways: [f64; 2],
 }
 
@@ -79,15 +80,15 @@ impl On {
         self.ways[0].max(self.ways[1])
     }
 
-    /// What the distance may lose along the arc to first order (m), and the part of its slope that loses more the farther
-    /// one goes: a slope that falls towards a near end counts by its loss at that end.
+    /// Bounds of the decrease of the distance along the arc: a constant (m), and a slope that acts over the whole arc.
+    /// A slope that falls towards a near end is bounded by its decrease at that end, as a constant.
     fn loss(&self, slope: f64, stiffness: f64) -> (f64, f64) {
         let at_end = slope.abs() * if slope > 0.0 { self.ways[0] } else { self.ways[1] };
         if at_end <= 0.5 * slope * slope / stiffness { (at_end, 0.0) } else { (0.0, slope) }
     }
 }
 
-/// Two rings at one moment.
+/// Two rings at one time.
 pub(crate) struct RingPair<'a> {
     /// Each in its own body's frame.
     rings: [Ring<'a>; 2],
@@ -128,7 +129,7 @@ impl<'a> RingPair<'a> {
     fn piece(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> Piece<[Arc; 2]> {
         let [a, b] = &self.rings;
         let [pose_a, pose_b] = &self.poses;
-        // B's centre of mass as seen from A's, in the world's directions.
+        // B's centre of mass relative to A's, in world axes.
         let between = pose_b.translation - pose_a.translation;
         let mut angles = arcs.map(Arc::middle);
         for _ in 0..ALTERNATIONS {
@@ -170,7 +171,7 @@ impl<'a> RingPair<'a> {
         still.max(window.along_turning(direction, window.turn_of(Side::A, direction), &hull(0), &hull(1)))
     }
 
-    /// By the distance of all pairs of places, convex over both arcs.
+    /// By the distance of all pairs of points, convex over both arcs.
     fn convex(&self, window: &Window<'_>, [a, b]: &[On; 2], apart: DVec3) -> f64 {
         let distance = apart.length();
         let way = a.reach() + b.reach();
@@ -178,7 +179,7 @@ impl<'a> RingPair<'a> {
             return 0.0;
         }
         let n = apart / distance;
-        // How far the direction may turn over the arcs.
+        // Bound of the rotation of the direction over the arcs.
         let aside = way / (distance - way);
         let stiffness = least_stiffness([a, b], apart, way, aside) / (distance + way);
         if stiffness.is_nan() || stiffness <= 0.0 {
@@ -190,7 +191,7 @@ impl<'a> RingPair<'a> {
         let [of_a, of_b] = window.velocities();
         let velocity = (of_a.linear - of_b.linear) + of_a.angular.cross(a.arm) - of_b.angular.cross(b.arm);
         let (spin_a, spin_b) = (of_a.angular.length(), of_b.angular.length());
-        // Of `n.v` along the arcs: exact at the pair, and how fast that may change.
+        // Derivatives of `n.v` along the arcs: exact at the pair, and a bound of their change.
         let first = (a.tangent - n * slopes[0]).dot(velocity) / distance + n.dot(of_a.angular.cross(a.tangent));
         let second = (b.tangent + n * slopes[1]).dot(velocity) / distance + n.dot(of_b.angular.cross(b.tangent));
         let (speed, least) = (velocity.length() + spin_a * a.reach() + spin_b * b.reach(), distance - way);
@@ -210,8 +211,8 @@ impl<'a> RingPair<'a> {
     }
 }
 
-/// Least eigenvalue of the second derivatives of the distance of two places, times the distance, over arcs along which
-/// their connection changes by `way` (m) and its direction by `aside`.
+/// Least eigenvalue of the second derivatives of the distance of two points, times the distance, over arcs along which
+/// the vector between them changes by at most `way` (m) and its direction by at most `aside`.
 fn least_stiffness([a, b]: [&On; 2], apart: DVec3, way: f64, aside: f64) -> f64 {
     let distance = apart.length();
     let n = apart / distance;

@@ -1,10 +1,10 @@
 //! A root between two points at which a function has opposite signs.
 //!
 //! Regula falsi with the Illinois weighting (superlinear where the function is smooth), with a bisection after every
-//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md, Dowell
-//! and Jarratt 1971.
+//! step that has not halved the bracket, so that the number of evaluations is bounded. Source: docs/REFERENCES.md,
+//! Dowell and Jarratt 1971.
 
-/// A place and the function's value there.
+/// A point and the function's value there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
     pub(crate) at: f64,
@@ -14,8 +14,8 @@ pub(crate) struct Sample {
 /// Largest number of steps: more than bisection needs to reduce any bracket to two neighbouring doubles.
 const MAX_STEPS: u32 = 256;
 
-/// The last place found with a value that is not negative, or any with a value within `tolerance` of zero, between
-/// `left` (value >= 0) and `right` (value < 0). The function may fail; its error ends the search.
+/// The last point found with a value that is not negative, or any point with a value within `tolerance` of zero,
+/// between `left` (value >= 0) and `right` (value < 0). The function may fail; its error ends the search.
 pub(crate) fn last_open<E>(
     mut left: Sample,
     mut right: Sample,

@@ -1,27 +1,29 @@
-//! Time of impact: the first time at which two moving shapes close from clear to touching.
+//! Time of impact: the first time at which two moving shapes, clear (separated) before, touch.
 //!
 //! Conservative advancement on the true motion (docs/REFERENCES.md, Mirtich 1996): from a time at which the pair is
 //! clear, second-order bounds (`impact_bounds.rs`) along the best separating axes give a time for which it certainly
 //! stays clear. The search advances by this time and evaluates the separation again. Near a touch at which the bodies
 //! approach, the remaining time decreases quadratically, so that a few evaluations bring the separation to rounding
-//! ([`crate::clearance::resolution`]). The time found is never late, except for rounding, and no touch is missed, however
-//! fast the bodies spin. For motions in closed form it is more accurate than the rounded poses (`fine_time.rs`). The
-//! distance of a torus is that which
-//! `narrow_phase/axis/ring.rs` finds.
+//! ([`crate::clearance::resolution`]). The time found is never late, except for rounding, and no touch is missed,
+//! however fast the bodies spin. For motions in closed form it is more accurate than the rounded poses
+//! (`fine_time.rs`). For a torus the distance is that of `narrow_phase/axis/ring.rs`, with the limits stated there.
 //!
-//! Two shapes without parts are searched in `pair_impact.rs`; compounds and meshes go part by part (`composite_impact.rs`).
+//! Two shapes without parts are searched in `pair_impact.rs`; compounds and meshes are searched part by part
+//! (`composite_impact.rs`).
 //!
 //! A pair that touches at the start (separation up to [`crate::clearance::touch_tolerance`]) has no gap to bound. The
 //! search then evaluates the separation at the times `t0 + (t1 - t0) 2^-j`:
 //!
 //! - From the first of these times at which the pair is clear, the rigorous search continues.
-//! - If the pair overlaps by more than the tolerance at one of them, the start of this overlap is bracketed and located.
+//! - If the pair overlaps by more than the tolerance at one of them, the start of this overlap is bracketed and
+//!   located.
 //! - At the end of the interval, and before the pair separates again, a smaller overlap counts, a part of the tolerance
-//!   (`CLOSED`). At the end, the next search would take the overlap as its start; before a separation, no later time would
-//!   show that the pair has touched.
+//!   (`CLOSED`). At the end, the next search would take the overlap as its start; before a separation, no later time
+//!   would show that the pair has touched.
 //! - A pair that neither separates nor overlaps has no impact.
 //!
-//! Between these times the search is not rigorous: a pair that separates and touches again between two of them is missed.
+//! Between these times the search is not rigorous: a pair that separates and touches again between two of them is
+//! missed.
 
 use crate::Shape;
 use crate::impact::composite_impact::{Parts, find_composite};
@@ -35,7 +37,7 @@ pub use crate::impact::impact_error::ImpactError;
 pub use crate::impact::impact_report::ImpactReport;
 pub use crate::impact::impact_search::ImpactSearch;
 
-/// First time in `(t0, t1]` at which the pair closes from clear to touching.
+/// First time in `(t0, t1]` (s) at which the pair, clear before, touches; none without an impact.
 ///
 /// # Errors
 /// See [`ImpactError`].
@@ -51,7 +53,7 @@ pub fn time_of_impact(
     search([shape_a, shape_b], [motion_a, motion_b], (t0, t1), settings, Parts::All).map(|report| report.time)
 }
 
-/// As [`time_of_impact`], with the work it took.
+/// As [`time_of_impact`], with the separation and the amount of work.
 ///
 /// # Errors
 /// See [`ImpactError`].
@@ -74,7 +76,8 @@ pub fn find_impact(
     Ok(report)
 }
 
-/// The impact, and the separation there; that at the end of the interval only of shapes of one part each.
+/// The impact and the separation there; without an impact the separation at the end of the interval, for shapes without
+/// parts only.
 fn search(
     shapes: [&Shape; 2],
     motions: [&dyn Motion; 2],
@@ -94,9 +97,9 @@ fn search(
     }
 }
 
-/// First time in `(t0, t1]` at which parts that are clear of each other at `t0` close and their bodies approach: for bodies
-/// that touch with other parts of theirs all along, of which one at least is a compound or a triangle mesh. Others have
-/// one part each, and there is no such time.
+/// First time in `(t0, t1]` (s) at which two parts that are clear of each other at `t0` touch while their bodies
+/// approach. It is for bodies that stay in contact with other parts, at least one body a compound or a triangle mesh;
+/// for other shapes there is no such time.
 ///
 /// # Errors
 /// See [`ImpactError`].

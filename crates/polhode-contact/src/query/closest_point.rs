@@ -65,8 +65,8 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
     Ok(SurfacePoint { point: pose.transform_point(best.point), normal: pose.rotation.rotate(best.normal), ..best })
 }
 
-/// Whether a shape contains a point; its surface counts, to rounding. Meshes and clouds contain their own points only; no
-/// shape contains a point that is not finite.
+/// Whether a shape contains a point; its surface counts, to rounding. Meshes and clouds contain their own points only;
+/// no shape contains a point that is not finite.
 ///
 /// ```
 /// use polhode_contact::{DVec3, Pose, Shape, contains};

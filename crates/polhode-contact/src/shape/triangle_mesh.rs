@@ -76,8 +76,8 @@ impl TriangleMesh {
     /// From vertices in the body's frame (m) and triangles, anticlockwise seen from outside.
     ///
     /// # Errors
-    /// When there is no triangle, one names a vertex that does not exist or has no area (its height is below 1e-12 of its
-    /// longest side), two are the same, or a coordinate is not finite.
+    /// When there is no triangle, one names a vertex that does not exist or has no area (its height is below 1e-12 of
+    /// its longest side), two are the same, or a coordinate is not finite.
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, ShapeError> {
         if triangles.is_empty() {
             return Err(ShapeError::NoPart { what: "triangles" });

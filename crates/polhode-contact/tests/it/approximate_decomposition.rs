@@ -1,4 +1,4 @@
-//! Approximate decomposition: convex parts, a volume error that is stated and right, and no dependence on units.
+//! Approximate decomposition: convex parts, a correct volume error, and no dependence on units.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
@@ -79,7 +79,7 @@ fn settings() {
     }
 }
 
-/// The hull of polhode-mesh is that of the library behind this crate's shapes: same volume on random points.
+/// The hull of polhode-mesh agrees with that of parry3d: same number of vertices and volume for random points.
 #[test]
 fn hulls_agree_with_the_library() {
     let mut random = Random(1);

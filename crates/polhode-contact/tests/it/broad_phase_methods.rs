@@ -1,8 +1,8 @@
-//! Every broad phase finds the same pairs in the same order, whatever it has seen before.
+//! Every broad phase finds the same pairs in the same order, whatever its earlier calls.
 //!
-//! The reference compares all boxes with all, written here again. Boxes are random, clustered, in layers and rows, of
-//! sizes from 1e-6 to 1e4 m, up to 1e60 m away, coincident, flat, infinite, and move and change in number from call to
-//! call; each method is asked with its history and afresh.
+//! The reference is a comparison of all pairs, written independently here. Boxes are random, clustered, in layers and
+//! rows, of sizes from 1e-6 to 1e4 m, up to 1e60 m away, coincident, flat, infinite, and move and change in number from
+//! call to call; each method is tested with its history and newly built.
 
 use crate::support::Random;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseMethod};
@@ -17,7 +17,7 @@ fn all_pairs(boxes: &[Aabb]) -> Vec<(u32, u32)> {
     (0..boxes.len()).flat_map(indices).collect()
 }
 
-/// A method with a history, and the buffer that it fills.
+/// A method with its history, and its result.
 struct Asked {
     method: BroadPhaseMethod,
     broad_phase: Box<dyn BroadPhase>,
@@ -49,7 +49,7 @@ fn aabb(low: DVec3, size: DVec3) -> Aabb {
     Aabb::new(low, low + size).expect("ordered bounds")
 }
 
-/// Any box of a kind that is known to be hard.
+/// A random box of a kind that is difficult for some method.
 fn any_box(random: &mut Random, kind: u32) -> Aabb {
     let decade = |random: &mut Random, low: f64, high: f64| libm::exp10(random.between(low, high));
     let cube = (random.vector() + DVec3::splat(1.5)) * 0.2;
@@ -62,7 +62,7 @@ fn any_box(random: &mut Random, kind: u32) -> Aabb {
         2 => aabb(random.vector() * decade(random, -3.0, 3.0), cube * decade(random, -6.0, 4.0)),
         // A lattice of cubes that touch, with negative zeros.
         3 => aabb((random.vector() * 3.0).round() * -1.0, DVec3::ONE),
-        // A row askew and a layer.
+        // An oblique row and a layer.
         4 => aabb(DVec3::new(1.0, 2.0, -1.0) * random.between(-5.0, 5.0), cube),
         5 => aabb(random.vector() * DVec3::new(9.0, 9.0, 0.01), cube),
         // Flat boxes, needles and points.
@@ -98,7 +98,7 @@ fn every_method_finds_the_same_pairs() {
     }
 }
 
-/// Boxes that move a little, then jump, while some leave and some come.
+/// Boxes that move a little, then jump, while some are removed and some added.
 #[test]
 fn moving_boxes() {
     let mut random = Random(77);
@@ -119,8 +119,8 @@ fn moving_boxes() {
     }
 }
 
-/// Boxes that creep, so that what was found before holds for many calls, until they have crept far, one jumps, or their
-/// number changes; in half of the rounds there are boxes without end, in all some that are flat.
+/// Boxes that move slowly, so that earlier candidates are valid for many calls, until they have moved far, one jumps,
+/// or their number changes; half of the rounds have infinite boxes, all have some flat ones.
 #[test]
 fn creeping_boxes() {
     let mut random = Random(78);
@@ -168,7 +168,7 @@ fn degenerate_crowds() {
     methods.check("geometric", &geometric);
 }
 
-/// Names go there and back; another name is refused with the list.
+/// Names are parsed to their methods; another name gives an error with the list.
 #[test]
 fn names() {
     for method in BroadPhaseMethod::ALL {

@@ -1,5 +1,6 @@
-//! Compounds: parts that fill a body are that body. Two boxes side by side must answer as the one box they make up, with
-//! the same contacts and none at the seam, because a body that slides over the seam must see one plane surface.
+//! Compounds: parts that fill a body are that body. Two boxes side by side must give the results of the one box they
+//! make up, with the same contacts and none at the seam, because a body must slide over the seam as over one plane
+//! surface.
 
 use crate::support::{Flight, Random, at, cuboid, prism};
 use polhode_contact::{
@@ -9,7 +10,7 @@ use polhode_contact::{
 use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
 use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector, Velocity};
 
-/// Rounding of a place or a separation of bodies of size one, m: some operations on coordinates near one.
+/// Rounding of a position or a separation of bodies of size one, m: some operations on coordinates near one.
 const ROUNDING: f64 = 1e-13;
 
 /// A box of these sizes about the origin, cut at `x`, `y` into four.
@@ -25,7 +26,7 @@ fn quartered(size: DVec3, x: f64, y: f64) -> Shape {
     Shape::compound(parts).expect("four parts")
 }
 
-/// Asserts that two sets of contacts have the same places, normals and separations.
+/// Asserts that two sets of contacts have the same points, normals and separations.
 pub(crate) fn assert_same(found: &[Contact], expected: &[Contact], tolerance: f64, what: &str) {
     let same = |a: &Contact, b: &Contact| {
         let (a, b) = (a.geometry, b.geometry);
@@ -73,7 +74,7 @@ fn four_quarters_resting_on_a_plane_or_a_box_have_the_contacts_of_the_whole() {
             let below = Pose::from_translation(far);
             let expected = manifold(&whole, &pose, other, &below, 1e-9);
             let found = manifold(&parts, &pose, other, &below, 1e-9);
-            // Far away a place is known to the rounding of its coordinates.
+            // Far away a position has the rounding of its coordinates.
             let tolerance = if case % 3 == 0 { 1e-9 } else { 1e-12 };
             assert_same(&found.contacts, &expected.contacts, tolerance, &format!("case {case} on the {name}"));
             assert!((found.separation - expected.separation).abs() <= ROUNDING);
@@ -81,7 +82,8 @@ fn four_quarters_resting_on_a_plane_or_a_box_have_the_contacts_of_the_whole() {
     }
 }
 
-/// What is within reach is the same, bit by bit; beyond it the separation is not asked for, and said to be beyond.
+/// Contacts within reach are the same, bit for bit; beyond it the separation is not computed, and some value above the
+/// reach is given.
 #[test]
 fn a_near_manifold_is_the_manifold_within_reach() {
     let mut random = Random(29);
@@ -154,8 +156,8 @@ fn quarters_strike_at_the_time_of_the_whole() {
     assert!(hits > 30, "only {hits} of 60 shots hit");
 }
 
-/// A body that rests on one part and slides over the seam has no impact there; a step on the way is one. A search of the
-/// parts that are clear at the start alone says the same, and nothing of a ground of one part.
+/// A body that rests on one part and slides over the seam has no impact there; a step on the way is one. A search of
+/// only the parts that are clear at the start gives the same result, and none for a ground of one part.
 #[test]
 fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
     let settings = ImpactSearch::default();
@@ -271,7 +273,7 @@ fn sizes_boxes_and_mirror_images() {
     assert!(mirror_defect(&parts, UnitVector::X, 0.0) > 0.1);
 }
 
-/// Boxes on boxes of any attitude: edges that lie in the other body's plane give no axis by rounding.
+/// Boxes on boxes of any attitude: edges that lie in the other body's plane give no spurious axis by rounding.
 #[test]
 fn boxes_on_sloped_boxes_touch_with_the_slope_s_normal() {
     let mut random = Random(107);

@@ -65,7 +65,7 @@ fn check(name: &str, feature: ContactFeature, shape_a: &Shape, shape_b: &Shape, 
     check_at(60, name, feature, shape_a, shape_b, random);
 }
 
-/// At this many random poses, of which at least 20 must have the contact.
+/// Checks at this many random poses, of which at least 20 must have the contact.
 pub(crate) fn check_at(
     poses: u32,
     name: &str,
@@ -86,8 +86,8 @@ pub(crate) fn check_at(
         let chi =
             |t: f64| evaluate(feature, shape_a, &a.pose(t), shape_b, &b.pose(t)).map_or(f64::NAN, |g| g.separation);
         let ((coarse, coarser), (first, second)) = (differences(chi, 0.02), differences(chi, 0.01));
-        // Near parallel edges, and near the feature itself, the separation is too curved for differences: three steps
-        // tell (two may agree by chance).
+        // Near parallel edges, and near the feature itself, the separation is too curved for finite differences, which
+        // three steps show (two may agree by chance).
         let (middle, middles) = differences(chi, 0.014);
         let doubt = (coarse - first).abs().max((middle - first).abs());
         let doubts = (coarser - second).abs().max((middles - second).abs());
@@ -109,14 +109,14 @@ pub(crate) fn check_at(
     assert!(checked > 20, "{name}: only {checked}");
 }
 
-/// Every kind of contact, each way round.
+/// Every kind of contact, in both orders.
 #[test]
 fn of_every_kind() {
     let mut random = Random(1234);
     each_kind(|name, feature, a, b| check(name, feature, a, b, &mut random));
 }
 
-/// Calls `visit` with every kind of contact of polyhedra, clouds, spheres and half-spaces, each way round.
+/// Calls `visit` with every kind of contact of polyhedra, clouds, spheres and half-spaces, in both orders.
 pub(crate) fn each_kind(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Shape)) {
     let (cube, hexagon) = (cuboid(0.5, 0.4, 0.3), prism(6, 0.3, 0.4));
     let moved = |s: Shape, by: DVec3| s.translated(by).expect("moved");
@@ -150,7 +150,8 @@ pub(crate) fn each_kind(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Sha
     }
 }
 
-/// Parallel edges have no common perpendicular, and features of other shapes do not exist.
+/// There is no contact of parallel edges, which have no common perpendicular, or of features that the shapes do not
+/// have.
 #[test]
 fn without_meaning() {
     let cube = cuboid(1.0, 1.0, 1.0);

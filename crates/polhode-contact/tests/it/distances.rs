@@ -69,7 +69,7 @@ fn segments(p: [DVec3; 2], q: [DVec3; 2]) -> f64 {
     least
 }
 
-/// Distance of a point from a convex polygon, infinite where it does not stand over it.
+/// Distance of a point from a convex polygon, infinite where it does not project onto it.
 fn over_polygon(corners: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let inside = (0..corners.len()).all(|i| {
         let (p, q) = (corners[i], corners[(i + 1) % corners.len()]);
@@ -103,8 +103,8 @@ fn brute_force(a: &ConvexPolyhedron, pose_a: &Pose, b: &ConvexPolyhedron, pose_b
     least
 }
 
-/// How far a place is off a shape's surface. The planes of needle-shaped faces of random hulls stand 2e-14 off their own
-/// edges, so that a place on an edge is on the surface whatever the planes say.
+/// Distance of a point from a shape's surface. The planes of needle-shaped faces of random hulls are 2e-14 off their
+/// own edges, so that a point on an edge counts as on the surface.
 fn off_surface(shape: &Shape, pose: &Pose, place: DVec3) -> f64 {
     let off = closest_point(shape, pose, place).expect("finite").distance.abs();
     let Shape::Convex(polyhedron) = shape else { return off };
@@ -113,7 +113,7 @@ fn off_surface(shape: &Shape, pose: &Pose, place: DVec3) -> f64 {
     edges.fold(off, f64::min)
 }
 
-/// What every answer must satisfy: a unit normal, points that are as far apart as is said and lie on their surfaces.
+/// Checks every result: a unit normal, witness points that lie on their surfaces at the stated distance.
 fn check_consistent(name: &str, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose, tolerance: f64) -> f64 {
     let found = distance(a, pose_a, b, pose_b).expect("finite poses");
     assert!((found.normal.length() - 1.0).abs() < 1e-14, "{name}: {found:?}");
@@ -128,8 +128,8 @@ fn check_consistent(name: &str, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Po
     found.distance
 }
 
-/// Gaps from a thousandth of the size to below rounding, and whole ones: GJK's features must give what all pairs give. The
-/// tolerance is a few epsilon of the coordinates, which reach 2.
+/// Gaps from below rounding to a thousandth of the size, and large ones: the features found by GJK must give the result
+/// of all pairs. The tolerance is a few epsilon of the coordinates, which reach 2.
 #[test]
 fn polyhedra_are_as_far_apart_as_their_nearest_features() {
     let mut random = Random(11);
@@ -141,7 +141,7 @@ fn polyhedra_are_as_far_apart_as_their_nearest_features() {
         let (sa, sb) = (Shape::convex(a.clone()), Shape::convex(b.clone()));
         let first = distance(&sa, &pose_a, &sb, &pose_b).expect("finite");
         if round % 2 == 0 {
-            // Moved along the normal until the wanted gap is left.
+            // Moved along the normal to the wanted gap.
             let gap = libm::pow(10.0, -random.between(0.0, 16.0));
             pose_a.translation += first.normal * (gap - first.distance);
         }
@@ -155,7 +155,8 @@ fn polyhedra_are_as_far_apart_as_their_nearest_features() {
     assert!(apart > 1500 && worst < 4e-15, "{apart} {worst:e}");
 }
 
-/// The depth is the least over all directions; the separating-axis search of the narrow phase is another program.
+/// The depth is the least over all directions; the reference is the separating-axis search of the narrow phase, which
+/// is independent code.
 #[test]
 fn overlapping_polyhedra_are_as_deep_as_their_separation_says() {
     let mut random = Random(5);
@@ -172,11 +173,11 @@ fn overlapping_polyhedra_are_as_deep_as_their_separation_says() {
         }
     }
     println!("depth: worst difference {worst:e}");
-    // The narrow phase gives faces the benefit of the doubt up to 1e-12 of the size.
+    // The narrow phase prefers faces up to a difference of 1e-12 of the size.
     assert!(worst < 2e-12, "{worst:e}");
 }
 
-/// Where a face decides, distance and separation are the same thing; elsewhere the separation is less.
+/// Where a face normal is the best axis, distance and separation are equal; elsewhere the separation is less.
 #[test]
 fn separation_is_a_lower_bound_that_faces_meet() {
     let mut random = Random(3);
@@ -197,7 +198,7 @@ fn separation_is_a_lower_bound_that_faces_meet() {
     assert!(met > 100, "{met}");
 }
 
-/// Pairs whose distance can be written down. Poses are turned and moved together, so that no axis is special.
+/// Pairs whose distance has a closed form. Both poses are rotated and moved together, so that no axis is special.
 #[test]
 fn closed_forms_of_curved_shapes() {
     let shape = |made: Result<Shape, _>| made.expect("positive lengths");
@@ -258,8 +259,8 @@ fn closed_forms_of_curved_shapes() {
     assert!(worst < 4e-12, "{worst:e}");
 }
 
-/// Round bodies that touch overlap, wherever the pair stands and whatever the iteration that finds their distance loses;
-/// a millionth of their size apart they do not.
+/// Round bodies that touch overlap, at any position and whatever the error of the iteration for their distance; a
+/// millionth of their size apart they do not.
 #[test]
 fn round_bodies_that_touch_overlap() {
     let shape = |made: Result<Shape, _>| made.expect("positive lengths");
@@ -289,9 +290,9 @@ fn round_bodies_that_touch_overlap() {
     }
 }
 
-/// Bodies on one axis, of which a half turn has made one's axis longer or shorter than one by rounding (fuzz findings: what that
-/// left of a direction along the axis was taken for one across it, so that a cylinder reached beyond its cap and a ring had
-/// its middle line on its axis): as far apart as the closed forms say.
+/// Bodies on one axis, after a half turn that made an axis longer or shorter than one by rounding (fuzz findings: the
+/// remainder of a direction along the axis was taken for one perpendicular to it, so that a cylinder extended beyond
+/// its cap and a torus had its centre circle on its axis): the distances are those of the closed forms.
 #[test]
 fn axes_of_unit_length_to_rounding_have_no_part_across_themselves() {
     let ball = Shape::sphere(0.1).expect("a ball");
@@ -302,7 +303,7 @@ fn axes_of_unit_length_to_rounding_have_no_part_across_themselves() {
         let turn = random.between(0.0, TAU);
         let half = Rotation::renormalized(DQuat::from_xyzw(libm::cos(turn), libm::sin(turn), 0.0, 0.0));
         let (gap, aside) = (random.between(0.5, 3.0), random.between(-0.5, 0.5));
-        // Each turned over, below the other; how far its centre and the other's stand apart beyond the gap.
+        // Each rotated by half a turn, below the other; the distance of their centres minus the gap.
         let off_ring = libm::hypot(2.7, gap) - 1.2;
         let stacks = [
             (&ball, &ring, gap, 0.0, off_ring),
@@ -324,7 +325,7 @@ fn axes_of_unit_length_to_rounding_have_no_part_across_themselves() {
     }
 }
 
-/// Along a straight path the distance changes by no more than the path is long, and symmetric bodies agree from both sides.
+/// The distance changes by no more than the length of a motion, and does not depend on the order of the bodies.
 #[test]
 fn distances_are_lipschitz_and_symmetric() {
     let mut random = Random(21);
@@ -354,9 +355,9 @@ fn distances_are_lipschitz_and_symmetric() {
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// Moving A out by the depth along the normal leaves touch: the depth is a way out.
+/// Moving A along the normal by the depth of penetration leaves the bodies touching.
 #[test]
-fn depth_is_a_way_out() {
+fn moving_out_by_the_depth_leaves_touch() {
     let mut random = Random(33);
     let solid: Vec<_> =
         zoo().into_iter().filter(|(name, _)| !["points", "mesh", "compound", "torus"].contains(name)).collect();
@@ -379,11 +380,11 @@ fn depth_is_a_way_out() {
             }
         }
     }
-    println!("way out: worst {worst:e}");
+    println!("moved out: worst {worst:e}");
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// Far from the origin, turned, larger, smaller and mirrored, the same distance comes out.
+/// Far from the origin, rotated, scaled and mirrored, the distance is the same.
 #[test]
 fn distances_do_not_depend_on_place_attitude_and_units() {
     let mut random = Random(77);
@@ -413,7 +414,7 @@ fn distances_do_not_depend_on_place_attitude_and_units() {
     }
 }
 
-/// The nearest place of every shape's surface lies on it, and walking there from outside takes the distance.
+/// The nearest point of every shape's surface lies on it, at the stated distance.
 #[test]
 fn closest_points_lie_on_surfaces() {
     let mut random = Random(15);

@@ -1,4 +1,4 @@
-//! Named face-face cases with their exact contacts.
+//! Face-face contacts of known cases.
 
 use crate::support::{at, cuboid, yaw};
 use polhode_contact::{Contact, ContactFeature, Manifold, Side, manifold};
@@ -37,7 +37,7 @@ fn figure_17() {
     }
 }
 
-/// Bricks of the diamonds: half over each other and flush in y, four contacts, two vertices of each brick.
+/// Bricks of the diamond scenes, overlapping by half and flush in y: four contacts, two vertices of each brick.
 #[test]
 fn half_overlap_flush() {
     let brick = cuboid(1.0, 0.5, 0.25);
@@ -67,7 +67,8 @@ fn over_a_table_edge() {
     }
 }
 
-/// Equal boxes exactly on each other: four contacts, one for each coincident pair of vertices, of one and the same box.
+/// Equal boxes exactly on each other: four contacts, one for each coincident pair of vertices, all with vertices of the
+/// same box.
 #[test]
 fn aligned_boxes() {
     let brick = cuboid(1.0, 0.5, 0.25);
@@ -94,7 +95,8 @@ fn overhangs() {
     }
 }
 
-/// A box balanced on its edge: the two vertices of the edge, and across the border of a table one vertex and a crossing.
+/// A box balanced on its edge: the two vertices of the edge, and across the border of a table one vertex and a
+/// crossing.
 #[test]
 fn standing_on_an_edge() {
     let table = cuboid(4.0, 4.0, 1.0);
@@ -106,7 +108,7 @@ fn standing_on_an_edge() {
     assert_eq!(count(&result, is_vertex_of(Side::A)), 2);
     let across = manifold(&cube, &Pose::new(turn, DVec3::new(0.0, 1.75, height)), &table, &Pose::IDENTITY, 1e-9);
     assert_eq!((count(&across, is_vertex_of(Side::A)), count(&across, is_edge_edge)), (1, 1));
-    // Standing along the table's border, edge on edge: the ends are vertices on edges and no crossing is made.
+    // Along the table's border, edge on edge: the ends are vertices on edges, and there is no crossing.
     let along = manifold(&cube, &Pose::new(turn, DVec3::new(2.0, 0.0, height)), &table, &Pose::IDENTITY, 1e-9);
     assert_eq!((along.contacts.len(), count(&along, is_edge_edge)), (2, 0));
 }
@@ -122,8 +124,8 @@ fn edge_along_edge() {
     assert_eq!(corner.contacts.len(), 1);
 }
 
-/// Two bricks that lean apart with their lower edges together, each the other's mirror image: the edge touches along its
-/// whole length, so that both of its ends are contacts, at any angle, whichever brick is called A.
+/// Two bricks that lean apart with their lower edges together, each the other's mirror image: the edge touches along
+/// its whole length, so that both of its ends are contacts, at any angle, whichever brick is called A.
 #[test]
 fn edges_that_meet_keep_both_ends() {
     let brick = cuboid(1.0, 0.5, 0.25);
@@ -143,9 +145,10 @@ fn edges_that_meet_keep_both_ends() {
     }
 }
 
-/// A bar that lies almost flat across a corner of a plate, deep in it, slides along: the contact region has four corners at
-/// every step. Where a corner of the plate comes to an edge of the bar, the crossing there lies beyond the end of an edge
-/// when it is measured along its own normal, which differs by the small angle from that of the faces; it stays a corner.
+/// A bar that lies almost flat across a corner of a plate, deep in it, slides along: the contact region has four
+/// corners at every step. Where a corner of the plate comes to an edge of the bar, the crossing there lies beyond the
+/// end of an edge along its own normal, which differs by the small angle from that of the faces; it must stay a
+/// contact.
 #[test]
 fn no_corner_is_missing_where_faces_at_a_small_angle_overlap_deeply() {
     let (bar, plate) = (cuboid(2.0, 0.1, 0.1), cuboid(1.0, 1.0, 1.0));
@@ -157,9 +160,9 @@ fn no_corner_is_missing_where_faces_at_a_small_angle_overlap_deeply() {
     }
 }
 
-/// Two bars laid crosswise, each tilted along itself by less than what tells features apart: the faces decide what touches,
-/// and the separation is that of the edges, which is larger: with the tilts `alpha` and `beta` the long edges bear, and the
-/// bars' half widths times the tilts are lost, as against half lengths for the faces.
+/// Two crossed bars, each tilted along its length by less than the place tolerance: the contacts are those of the
+/// faces, and the separation is that of the edges, which is larger. The tilts `alpha` and `beta` reduce the separation
+/// of the long edges by the half widths times the tilts, that of the faces by the half lengths times the tilts.
 #[test]
 fn the_separation_is_not_that_of_a_face_where_edges_in_a_tie_separate_by_more() {
     let (along_x, along_y) = (cuboid(2.0, 0.25, 0.25), cuboid(0.25, 2.0, 0.25));

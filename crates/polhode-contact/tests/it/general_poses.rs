@@ -42,9 +42,10 @@ fn pressed_together(random: &mut Random, target: f64) -> (DVec3, DVec3, Pose) {
     (h1, h2, Pose::new(turn, direction * high))
 }
 
-/// Two roofs whose ridges cross at a small angle do not penetrate by more than they do along the vertical of the ridges,
-/// whatever the angle and however steep they are: where the ridges are nearly parallel, their common perpendicular is
-/// uncertain, but the separation is not (ridges that touched at 1e-7 rad looked like a penetration of 5e-8 of their length).
+/// Two roofs whose ridges cross at a small angle do not penetrate by more than along the vertical direction between the
+/// ridges, whatever the angle and however steep they are: where the ridges are nearly parallel, their common
+/// perpendicular is uncertain, but the separation is not (ridges that touched at 1e-7 rad looked like a penetration of
+/// 5e-8 of their length).
 #[test]
 fn nearly_parallel_ridges_do_not_penetrate_by_more_than_along_the_vertical() {
     let mut random = Random(362_436_069);
@@ -64,7 +65,7 @@ fn nearly_parallel_ridges_do_not_penetrate_by_more_than_along_the_vertical() {
             let along = lowest - heights(&lower).into_iter().fold(f64::NEG_INFINITY, f64::max);
             let found = separation(&roof, &lower, &roof, &upper);
             assert!(found > along.min(0.0) - 4e-15, "{steepness} {angle:e} {gap:e}: {found:e} and {along:e}");
-            // And they meet when they have fallen by the gap, to where they touch.
+            // The time of impact is that of a fall through the gap.
             let apart = gap.abs() + 1e-3;
             let from = Pose::new(upper.rotation, up * apart);
             let fall = Flight::new(from, -up, DVec3::ZERO);
@@ -78,8 +79,8 @@ fn nearly_parallel_ridges_do_not_penetrate_by_more_than_along_the_vertical() {
     }
 }
 
-/// Boxes in general poses: the separation is that of an independent test, the deepest contact has that depth, and a pair
-/// of edges gives exactly one contact.
+/// Boxes in general poses: the separation is that of an independent test, the deepest contact has that depth, and a
+/// pair of edges gives exactly one contact.
 #[test]
 fn boxes_against_an_independent_test() {
     let mut random = Random(88_172_645_463_325_252);
@@ -107,7 +108,7 @@ fn boxes_against_an_independent_test() {
     assert!(crossings > 200 && faces > 200, "{crossings} {faces}");
 }
 
-/// A manifold with the bodies named the other way round.
+/// The contacts of a manifold with A and B swapped.
 fn mirrored(manifold: &Manifold) -> Vec<Contact> {
     let mut contacts = manifold.contacts.clone();
     for contact in &mut contacts {
@@ -138,8 +139,8 @@ fn bodies(random: &mut Random) -> Vec<Shape> {
     ]
 }
 
-/// Swapping the bodies mirrors the manifold; moving both by 1e6 m, turning both, and scaling everything from 1e-4 to 1e4
-/// changes nothing else.
+/// Swapping the bodies mirrors the manifold; moving both by 1e6 m, turning both, and scaling everything from 1e-4 to
+/// 1e4 changes nothing else.
 #[test]
 fn symmetries() {
     let mut random = Random(42);

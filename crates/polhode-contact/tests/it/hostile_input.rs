@@ -1,4 +1,4 @@
-//! NaN, infinity, huge and tiny numbers: answers without meaning are marked as such, and nothing panics or hangs.
+//! NaN, infinity, huge and tiny numbers: results without meaning are marked as such, and nothing panics or hangs.
 
 use crate::support::{Flight, Random, at, cuboid, prism, tangential};
 use polhode_contact::{
@@ -36,7 +36,7 @@ fn poses_that_are_not_finite() {
     }
 }
 
-/// A workspace that has served other pairs gives the same bits as a fresh one.
+/// A workspace that was used for other pairs gives the same bits as a new one.
 #[test]
 fn workspaces_carry_nothing_over() {
     let mut random = Random(23);
@@ -51,8 +51,8 @@ fn workspaces_carry_nothing_over() {
     }
 }
 
-/// Bodies in one place: a deep overlap with a finite depth and at least one contact of unit normal, or nothing to touch
-/// (two clouds, two half-spaces, concentric spheres have no direction); never NaN.
+/// Bodies at the same pose: a deep overlap with a finite depth and at least one contact with a unit normal, or no
+/// contact (two clouds, two half-spaces, concentric spheres have no direction); never NaN.
 #[test]
 fn coincident_bodies() {
     for shape in shapes() {
@@ -81,8 +81,8 @@ fn distances_that_overflow_give_no_contact() {
     }
 }
 
-/// A cone deep in a polyhedron (a fuzz finding): of the two normals that an edge and the cone's side have in common one leads
-/// through the polyhedron, and is no contact: none is farther apart than the bodies, which are as deep as the search says.
+/// A cone deep in a polyhedron (a fuzz finding): an edge and the cone's side have two common normals, one of which
+/// passes through the polyhedron and is no contact. No contact has a separation above that of the bodies.
 #[test]
 fn a_cone_deep_in_a_polyhedron_touches_no_edge_from_inside() {
     let mut random = Random(71);
@@ -101,8 +101,8 @@ fn a_cone_deep_in_a_polyhedron_touches_no_edge_from_inside() {
     }
 }
 
-/// Points at just the reach over a triangle or a box of a compound (a fuzz finding): within it in the frame of the part, and
-/// beyond by rounding in the world. Contacts are listed by what they say of themselves.
+/// Points at just the reach over a triangle or a box of a compound (a fuzz finding): within it in the frame of the
+/// part, and beyond it by rounding in the world. The separation of the listed contact itself decides.
 #[test]
 fn a_contact_beyond_reach_by_rounding_is_not_listed() {
     let mut random = Random(41);
@@ -124,8 +124,8 @@ fn a_contact_beyond_reach_by_rounding_is_not_listed() {
     assert!(listed >= 4 * 500, "those that touch are: {listed}");
 }
 
-/// A ring deep in a body (a fuzz finding): its deepest place may lie where two elements of the body are equally near, and is
-/// no common normal; the common normal of these elements elsewhere is no contact when it is apart there.
+/// A ring deep in a body (a fuzz finding): its deepest point may be equally near to two elements of the body, and is
+/// then no common normal. A common normal of these elements elsewhere with a positive separation is no contact.
 #[test]
 fn a_ring_deep_in_a_body_has_no_contact_beyond_reach() {
     let mut random = Random(83);
@@ -145,9 +145,9 @@ fn a_ring_deep_in_a_body_has_no_contact_beyond_reach() {
     }
 }
 
-/// A ball whose centre lies on the axis of a capsule, or on the middle line of a ring's tube, to rounding or exactly (a
-/// fuzz finding): the shortest way out is across the axis, whatever direction the rounding of the difference has, and is the
-/// same when the bodies change names.
+/// A ball whose centre lies on the axis of a capsule, or on the centre circle of a ring's tube, to rounding or exactly
+/// (a fuzz finding): the direction of least penetration is perpendicular to the axis, whatever the rounding of the
+/// difference, and is the same with A and B swapped.
 #[test]
 fn a_ball_on_an_axis_leaves_across_it() {
     let (ball, mut random) = (Shape::sphere(3.2).expect("a ball"), Random(5));
@@ -168,8 +168,9 @@ fn a_ball_on_an_axis_leaves_across_it() {
     }
 }
 
-/// A ball whose centre lies on the axis of a cone, exactly or to rounding (a fuzz finding), leaves through the nearest of side
-/// and disc: `R + s sin(alpha)` deep at the distance s from the apex, or `R + h - s`, whichever is less.
+/// A ball whose centre lies on the axis of a cone, exactly or to rounding (a fuzz finding), has the smaller of the
+/// depths through its side and its disc: `R + s sin(alpha)` deep at the distance s from the apex, or `R + h - s`,
+/// whichever is less.
 #[test]
 fn a_ball_on_the_axis_of_a_cone_leaves_through_its_side() {
     let (ball, mut random) = (Shape::sphere(1.5).expect("a ball"), Random(29));
@@ -191,8 +192,8 @@ fn a_ball_on_the_axis_of_a_cone_leaves_through_its_side() {
     }
 }
 
-/// A point within rounding of an axis or of the middle line of a ring's tube (a fuzz finding) has no direction, whatever the
-/// rounding says; a little farther off it has one. What is listed as a contact can be evaluated and moves.
+/// A point within rounding of an axis or of the centre circle of a ring's tube (a fuzz finding) has no normal, whatever
+/// the rounding; a little farther off it has one. Every listed contact can be evaluated, with its rates.
 #[test]
 fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
     let mut random = Random(17);
@@ -233,8 +234,8 @@ fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
     }
 }
 
-/// A rim that is tiny beside its distance from a plane (a fuzz finding: 10^27 m deep) moves as its lowest point does: the
-/// rate of its separation is finite, whatever the ratio of the two lengths.
+/// A rim much smaller than its distance from a plane (a fuzz finding: 10^27 m deep) has the rates of its lowest point,
+/// finite for any ratio of the two lengths.
 #[test]
 fn a_rim_far_below_a_plane_has_kinematics() {
     let (rim, floor) = (Shape::cylinder(0.5, 1.0).expect("a cylinder"), Shape::half_space(UnitVector::Z));
@@ -250,7 +251,7 @@ fn a_rim_far_below_a_plane_has_kinematics() {
             let moving = moving.unwrap_or_else(|| panic!("no kinematics at {depth}: {contact:?}"));
             assert_eq!(moving.geometry, contact.geometry);
             let rate = (falling.linear + falling.angular.cross(arm)).z;
-            // The arm is read from places of the size of the depth.
+            // The arm is computed from positions of the size of the depth.
             let rounding = 1e-12 * (1.0 + depth);
             assert!((moving.separation_rate - rate).abs() <= rounding && moving.acceleration_bias.is_finite());
             let slips = tangential(contact.feature, &rim, &pose, &falling, &floor, &Pose::IDENTITY, &Velocity::ZERO);
@@ -260,7 +261,7 @@ fn a_rim_far_below_a_plane_has_kinematics() {
     }
 }
 
-/// Nothing, points in one place, on a line, in a plane, or not finite make no shape, and the error says why.
+/// No points, coincident, collinear, coplanar or not finite ones give no shape, and the error says why.
 #[test]
 fn empty_and_degenerate_shapes() {
     use polhode_contact::{ConvexPolyhedron, ShapeError};
@@ -308,9 +309,9 @@ proptest! {
     }
 }
 
-/// A bar of astronomic length that spins almost as fast as numbers go sweeps over a ball that draws away from it. The bounds
-/// of its corners' accelerations overflow, which is no proof that it stays clear (it was taken for one): within a turn it
-/// hits.
+/// A bar of astronomic length and almost the largest finite spin sweeps over a ball that moves away from it. The bounds
+/// of its corners' accelerations overflow, which proves nothing (before, it was taken for a proof that the pair stays
+/// clear): within a turn it hits.
 #[test]
 fn accelerations_that_overflow_are_no_proof_of_clearance() {
     let (bar, ball) = (cuboid(2e10, 1e9, 1e9), Shape::sphere(1.0).expect("a ball"));

@@ -1,4 +1,4 @@
-//! Times of impact that are known: head-on shots, falls, grazing, resting contact, bad input.
+//! Times of impact with closed forms: head-on shots, falls, grazing, resting contact, invalid input.
 
 use crate::support::{Flight, at, cuboid, yaw};
 use polhode_contact::{ImpactError, ImpactSearch, Shape, find_impact, separation, time_of_impact};
@@ -40,12 +40,12 @@ fn head_on() {
         assert_close(time(&point, &fly(-3.0, speed), &sphere, &still, 1e4), 2.5 / speed);
         assert_close(time(&sphere, &fly(-3.0, speed), &sphere, &fly(3.0, -speed), 1e4), 2.5 / speed);
     }
-    // Corner first: a cube turned by 45 degrees reaches as far as half its diagonal.
+    // Corner first: a cube rotated by 45 degrees extends half its diagonal.
     let turned = Flight::new(Pose::new(yaw(std::f64::consts::FRAC_PI_4), DVec3::X * -3.0), DVec3::X, DVec3::ZERO);
     assert_close(time(&cube, &turned, &cube, &still, 10.0), 2.5 - 0.5_f64.sqrt());
 }
 
-/// Bodies falling on a floor: `t = sqrt(2 h/g)`; a box that also turns about the vertical falls the same.
+/// Bodies falling on a floor: `t = sqrt(2 h/g)`; a box that also spins about the vertical has the same time.
 #[test]
 fn falls() {
     for height in [1e-6, 1e-3, 1.0, 100.0] {
@@ -53,7 +53,7 @@ fn falls() {
         fall.acceleration = DVec3::Z * -9.81;
         let expected = (2.0 * height / 9.81_f64).sqrt();
         let still = Still(Pose::IDENTITY);
-        // The search ends when the separation is rounding, 4 ulps of the lengths that make it up.
+        // The search ends when the separation is within rounding, 4 epsilons of the lengths it is computed from.
         let slack = 4.0 * f64::EPSILON * (4.0 + height) / (9.81 * expected);
         for (shape, spin) in [(ball(0.5), 0.0), (cuboid(1.0, 1.0, 1.0), 0.0), (cuboid(1.0, 2.0, 1.0), 7.0)] {
             fall.velocity.angular = DVec3::Z * spin;
@@ -87,7 +87,8 @@ fn tumbling_fall_is_cheap() {
     assert!(total < 50 * 12, "{total} evaluations for 50 falls");
 }
 
-/// A thrown ball that just reaches a ceiling, just misses it, or grazes a sphere: the search ends and is right.
+/// A thrown ball that just reaches a ceiling, just misses it, or grazes a sphere: the search ends with the right
+/// result.
 #[test]
 fn grazing() {
     let ceiling = Shape::half_space(UnitVector::new(DVec3::NEG_Z).expect("down"));
@@ -108,7 +109,8 @@ fn grazing() {
     }
 }
 
-/// Two bodies that fall side by side a nanometre apart stay clear, and the search knows it cheaply although each falls with g.
+/// Two bodies that fall side by side a nanometre apart stay clear, and the search needs few evaluations although each
+/// accelerates with g.
 #[test]
 fn falling_together() {
     for gap in [1e-9, 1e-6, 1e-3] {
@@ -124,8 +126,8 @@ fn falling_together() {
     }
 }
 
-/// A pair that touches at the start: at rest it has no impact; leaving, none until it comes back; pressed together,
-/// it closes where it begins to overlap.
+/// A pair that touches at the start: at rest it has no impact; separating, none until it comes back; approaching, the
+/// impact is where it begins to overlap.
 #[test]
 fn starting_in_touch() {
     let (cube, still) = (cuboid(1.0, 1.0, 1.0), Still(Pose::IDENTITY));
@@ -176,8 +178,8 @@ fn errors() {
     assert_eq!(time(&plane, &still, &plane, &still, 1.0), None);
 }
 
-/// Two balls that start within touch, close by less than a touch and open again before the interval ends have met on the way
-/// (the dip between two looks was forgotten where the last one saw them open).
+/// Two balls that start in touch, overlap by less than the touch tolerance and separate again before the interval ends
+/// have an impact (before, a minimum between two evaluations was ignored when the last one found them separated).
 #[test]
 fn balls_that_close_from_touch_and_open_again_have_met() {
     let ball = ball(0.2);

@@ -5,7 +5,7 @@ use polhode_contact::clearance::touch_tolerance;
 use polhode_contact::{ImpactSearch, Shape, find_impact, kinematics, manifold, separation};
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector};
 
-/// What a batch of shots found.
+/// The result of a batch of shots.
 #[derive(Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) hits: u32,
@@ -19,8 +19,8 @@ pub(crate) fn shoot(tally: &mut Tally, a: &Shape, motion_a: &Flight, b: &Shape, 
     shoot_within(tally, a, motion_a, b, motion_b, 1.0, samples);
 }
 
-/// One shot over `[0, t1]` s: the time found has no separation left, and no sample before it (of `samples`) overlaps; when
-/// nothing is found, no sample overlaps at all.
+/// One shot over `[0, t1]` s: at the time found the separation is zero, and no sample before it (of `samples`)
+/// overlaps; when no impact is found, no sample overlaps at all.
 pub(crate) fn shoot_within(
     tally: &mut Tally,
     a: &Shape,
@@ -146,7 +146,7 @@ fn all_kinds() {
     println!("{tally:?}");
 }
 
-/// Far from the origin the answer is as exact as the poses are, and the search ends.
+/// Far from the origin the result is as exact as the poses are, and the search ends.
 #[test]
 fn far_from_the_origin() {
     let mut random = Random(31);

@@ -4,8 +4,8 @@ use crate::support::{cuboid, yaw};
 use polhode_contact::{Manifold, manifold};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
-/// A long box on its edge, turned by `turn` about the vertical and tilted by `tilt`, on a table over whose border it
-/// reaches; the line of contact runs from the box's end at x = -1 to the border at x = 1.
+/// A long box on its edge, turned by `turn` about the vertical and tilted by `tilt`, on a table whose border it extends
+/// beyond; the line of contact runs from the box's end at x = -1 to the border at x = 1.
 fn leaning_over_the_border(tilt: f64, turn: f64) -> Manifold {
     let (beam, table) = (cuboid(4.0, 0.5, 0.5), cuboid(2.0, 8.0, 1.0));
     let on_edge = Rotation::from_rotation_vector(DVec3::X * std::f64::consts::FRAC_PI_4);

@@ -1,5 +1,5 @@
-//! Impacts on triangle meshes: a grid is struck when the plane is, sliding over it is no impact, walls are struck by
-//! bodies that rest on the floor, and a fast body over many triangles meets few of them.
+//! Impacts on triangle meshes: the time of impact on a flat grid is that on the plane, sliding over it is no impact,
+//! bodies that rest on the floor hit walls, and a fast flight over many triangles tests few of them.
 
 use crate::meshes::grid;
 use crate::support::{Flight, Random, cuboid, prism};
@@ -68,7 +68,7 @@ fn thin_sheets_stop_fast_bodies_from_both_sides() {
     }
 }
 
-/// A ground of 100,352 triangles: a long fast flight low over it costs the triangles under its path.
+/// A ground of 100,352 triangles: a long fast flight low over it tests only the triangles under its path.
 #[test]
 fn a_flight_over_a_hundred_thousand_triangles_meets_few() {
     let mut random = Random(83);
@@ -115,9 +115,9 @@ fn kinematics_on_a_mesh_are_the_derivatives_of_the_separation() {
     assert!(kinds.len() >= 4, "{kinds:?}");
 }
 
-/// Bodies that touch the ground at the start: what moves into it strikes at once, from either side, what leaves does not,
-/// and what slides strikes the ramp where it begins. A point has no inside and so no side of a sheet that it lies in: by the
-/// stated choice it may leave on either.
+/// Bodies that touch the ground at the start: a body that moves into it has an impact at once, from either side; one
+/// that leaves has none; one that slides has an impact where the ramp begins. A point in a sheet is on neither side of
+/// it, and may leave on either.
 #[test]
 fn bodies_that_touch_a_mesh_at_the_start() {
     let mut random = Random(83);
@@ -125,7 +125,7 @@ fn bodies_that_touch_a_mesh_at_the_start() {
     let still = Still(Pose::IDENTITY);
     let points = |places: &[DVec3]| Shape::points(places.to_vec()).expect("points");
     let corners = [DVec3::new(0.1, 0.0, 0.0), DVec3::new(-0.1, 0.1, 0.0), DVec3::new(-0.1, -0.1, 0.0)];
-    // The shape, its lowest place and how far it reaches forward there.
+    // The shape, its lowest point and its extent forward there.
     let bodies = [
         ("a cube", cuboid(0.2, 0.2, 0.2), 0.1, 0.1),
         ("a point", points(&[DVec3::ZERO]), 1e-15, 0.0),

@@ -1,4 +1,4 @@
-//! Valleys of a mesh, where one face ends and the next one rises: what lies in the bottom touches both.
+//! Valleys of a mesh, where one face ends and the next one rises: a body at the bottom touches both.
 
 use crate::meshes::grid;
 use crate::support::Random;
@@ -21,8 +21,8 @@ fn face_normals(valley: &Shape, body: &Shape, pose: &Pose) -> Vec<DVec3> {
     found.contacts.iter().filter(|c| of_face(&c.feature)).map(|c| -c.geometry.normal).collect()
 }
 
-/// The lowest place of a rim on the bottom line bears on both sides of the valley, also where it lies on a vertex of the
-/// mesh; on one side alone it would slide through the other.
+/// The lowest point of a rim on the bottom line touches both sides of the valley, also where it lies on a vertex of the
+/// mesh; with a contact on one side alone it would slide through the other.
 #[test]
 fn a_rim_in_the_bottom_of_a_valley_touches_both_sides() {
     let valley = grid(10, 10.0, 0.0, &mut Random(3), |x, _| x.abs());
@@ -51,8 +51,8 @@ fn a_rim_in_the_bottom_of_a_valley_touches_both_sides() {
     }
 }
 
-/// A disc that lies on one side with its rim in the bottom has all its lowest stated points there, also the one that meets a
-/// vertex of the mesh.
+/// A disc that lies on one side with its rim in the bottom has all its lowest sample points there, also the one that
+/// meets a vertex of the mesh.
 #[test]
 fn a_disc_that_lies_on_one_side_of_a_valley_keeps_the_point_at_its_bottom() {
     let valley = grid(10, 10.0, 0.0, &mut Random(3), |x, _| x.abs());
@@ -62,7 +62,7 @@ fn a_disc_that_lies_on_one_side_of_a_valley_keeps_the_point_at_its_bottom() {
         for y in [0.0, 0.1, 0.5, -1.0] {
             let rotation = Rotation::from_rotation_vector(DVec3::NEG_Y * std::f64::consts::FRAC_PI_4);
             let high = Pose::new(rotation, DVec3::new(0.0, y, 3.0));
-            // The rim's end at the bottom is a stated point.
+            // The rim's end at the bottom is a sample point.
             let ends = (0..16).map(|vertex| ContactFeature::VertexFace { vertex_of: Side::B, vertex, face: 0 });
             let places = ends.filter_map(|f| evaluate(f, &wall, &Pose::IDENTITY, &shape, &high));
             let places = places.map(|g| g.point - g.normal * (0.5 * g.separation));

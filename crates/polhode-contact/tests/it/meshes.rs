@@ -1,13 +1,14 @@
-//! Triangle meshes as ground. A plane of triangles must answer as the plane: the same contacts however it is cut, none
-//! twice and none at an inner edge, because wrong normals at inner edges are what makes bodies trip on flat ground.
+//! Triangle meshes as ground. A plane of triangles must give the results of the plane: the same contacts however it is
+//! divided, none twice and none at an inner edge, because wrong normals at inner edges make bodies catch on flat
+//! ground.
 
 use crate::compounds::{assert_same, touching};
 use crate::support::{Random, cuboid, prism, yaw};
 use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, aabb_of, evaluate, manifold, mirror_defect, separation};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 
-/// A square of `n` by `n` cells about the origin with this side; inner vertices moved within the plane by up to
-/// `jitter` cells, diagonals either way, heights by a function.
+/// A square of `n` by `n` cells about the origin with this side; inner vertices are moved within the plane by up to
+/// `jitter` cells, diagonals are random, heights are given by a function.
 pub(crate) fn grid(n: u32, side: f64, jitter: f64, random: &mut Random, height: impl Fn(f64, f64) -> f64) -> Shape {
     let cell = side / f64::from(n);
     let mut vertices = Vec::new();
@@ -72,7 +73,7 @@ fn polyhedra_on_a_flat_grid_have_the_contacts_of_a_half_space() {
         let gap = [0.0, 1e-13, -1e-13][case / 3 % 3] * scale;
         let shift = if case % 8 == 0 { DVec3::ZERO } else { random.vector() };
         let place = DVec3::new(shift.x * scale, shift.y * scale, gap - lowest(&body, turn));
-        // The ground is turned as a whole, and stands far away.
+        // The ground is rotated as a whole, and far from the origin.
         let ground = Pose::new(
             if case % 7 < 3 { Rotation::IDENTITY } else { random.rotation() },
             if case % 4 == 1 { DVec3::new(1e6, 2e6, -1e6) } else { DVec3::ZERO },
@@ -95,7 +96,7 @@ fn polyhedra_on_a_flat_grid_have_the_contacts_of_a_half_space() {
     }
 }
 
-/// The same with the ground's vertices themselves turned and moved, so that no two triangles have the same normal bits.
+/// The same with the ground's vertices rotated and moved, so that no two triangles have the same bits of the normal.
 #[test]
 fn polyhedra_on_a_sloped_grid_have_the_contacts_of_the_slope() {
     let mut random = Random(101);
@@ -113,9 +114,9 @@ fn polyhedra_on_a_sloped_grid_have_the_contacts_of_the_slope() {
         let expected = manifold(body, &pose, &floor, &Pose::IDENTITY, 1e-9);
         let found = manifold(body, &pose, &mesh, &Pose::IDENTITY, 1e-9);
         assert_same(&found.contacts, &expected.contacts, 1e-12, &format!("case {case}"));
-        // Of the plane that the turned vertices span: a rounded rotation is not quite orthogonal.
+        // The normal of the plane that the rotated vertices span: a rounded rotation is not exactly orthogonal.
         let normal = slope.rotation.rotate(DVec3::X).cross(slope.rotation.rotate(DVec3::Y)).normalize();
-        // The turned vertices err by the rounding of a dozen operations on lengths up to 4 m (4e-16 m each) over a
+        // The rotated vertices have the rounding of a dozen operations on lengths up to 4 m (4e-16 m each) over a
         // ground of 4 m; all contacts have the one normal of the patch.
         let off = found.contacts.iter().map(|c| c.geometry.normal.distance(normal)).fold(0.0, f64::max);
         let first = found.contacts[0].geometry.normal;
@@ -124,8 +125,8 @@ fn polyhedra_on_a_sloped_grid_have_the_contacts_of_the_slope() {
     }
 }
 
-/// A corner of a body on the tip of a spike, and on a vertex and an edge of a ridge: no axis is the only one, and still
-/// there is a contact with a normal that keeps the body up.
+/// A corner of a body on the tip of a spike, and on a vertex and an edge of a ridge: the separating axis is not unique,
+/// but there must be a contact with an upward normal.
 #[test]
 fn a_corner_on_a_spike_or_a_ridge_has_a_contact() {
     let mut random = Random(103);
@@ -180,7 +181,7 @@ fn a_ball_on_a_flat_grid_has_one_contact_with_the_plane_s_normal() {
     let cell = 0.4;
     for case in 0..300 {
         let (i, j) = (f64::from(case % 5), f64::from(case / 5 % 5));
-        // Over a vertex, over an edge, anywhere.
+        // Over a vertex, over an edge, or at a random point.
         let x = if case % 3 < 2 { i * cell } else { random.between(-1.5, 1.5) };
         let y = if case % 3 < 1 { j * cell } else { random.between(-1.5, 1.5) };
         let gap = [0.0, 1e-13, -1e-13, -0.1, 1e-3][case as usize % 5];
@@ -252,8 +253,8 @@ fn boxes_on_a_ridge_in_a_valley_and_over_a_crack() {
     assert_eq!((count(&found, DVec3::Z), found.contacts.len()), (8, 8), "{found:#?}");
 }
 
-/// Contacts of a body that touches a curved ground in any attitude: each is a touch of the two surfaces, and no vertex
-/// of one stands inside the other.
+/// Contacts of a body that touches a curved ground in any attitude: at each the two surfaces touch, and no vertex of
+/// one is inside the other.
 #[test]
 fn bodies_touch_a_hilly_ground_without_wrong_normals() {
     let mut random = Random(53);
@@ -262,7 +263,7 @@ fn bodies_touch_a_hilly_ground_without_wrong_normals() {
         let mesh = grid(8, 4.0, 0.3, &mut random, |x, y| 0.3 * libm::sin(2.0 * x) * libm::cos(1.7 * y));
         let body = &bodies[case % 4];
         let turn = random.rotation();
-        // From the height of the ground, where it is cut by it, up to touch.
+        // Raised from the height of the ground, where it penetrates, to touch.
         let mut height = [0.07, 4.0];
         let at = |z: f64| Pose::new(turn, DVec3::new(0.13, -0.21, z));
         for _ in 0..100 {
@@ -276,7 +277,7 @@ fn bodies_touch_a_hilly_ground_without_wrong_normals() {
             let g = contact.geometry;
             assert!(g.separation.abs() < 1e-10 && g.margin > -1e-10, "case {case}: {contact:?}");
             assert!(g.normal.z > 0.0, "case {case}: {contact:?}");
-            // Moved along the normal the body is clear.
+            // Moved along the normal, the body is separated.
             let clear = Pose { translation: pose.translation + g.normal * 1e-6, ..pose };
             if found.contacts.len() == 1 {
                 let apart = separation(body, &clear, &mesh, &Pose::IDENTITY);
@@ -333,8 +334,8 @@ fn a_compound_rests_on_a_grid_as_its_whole() {
     }
 }
 
-/// A vertex that no triangle names (a fuzz finding: at 10^19 m) is no part of the mesh: it decides no tolerance and no bound,
-/// and every answer is that of the mesh without it, to the bit.
+/// A vertex of no triangle (a fuzz finding: at 10^19 m) is not part of the mesh: it affects no tolerance and no bound,
+/// and every result is that of the mesh without it, bit for bit.
 #[test]
 fn a_vertex_of_no_triangle_far_away_changes_no_answer() {
     let mut random = Random(19);

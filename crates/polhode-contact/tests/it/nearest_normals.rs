@@ -1,13 +1,13 @@
-//! Normals where the nearest place lies on an edge, close to one of its ends. The distances from the edge and from the end
-//! then differ by the square of the way between them, which rounding hides up to 1e-8 of the distance; the normals differ by
-//! the way itself. And depths where many axes are as good but for a little.
+//! Normals where the nearest point lies on an edge, close to one of its ends. The distances from the edge and from the
+//! end then differ by the square of the displacement between them, which rounding hides up to 1e-8 of the distance; the
+//! normals differ by the displacement itself. And depths where many axes are almost equally good.
 
 use crate::support::Random;
 use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, closest_point, distance, manifold, separation};
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation};
 
-/// A body, one end of one of its edges, the unit vector along the edge from there, and the outward normals between which those
-/// of the edge lie.
+/// A body, one end of one of its edges, the unit vector along the edge from there, and the outward normals between
+/// which those of the edge lie.
 struct Border {
     body: Shape,
     end: DVec3,
@@ -15,7 +15,7 @@ struct Border {
     sides: [DVec3; 2],
 }
 
-/// Of a tetrahedron.
+/// A border of a tetrahedron.
 fn of_tetrahedron(random: &mut Random, size: f64) -> Option<Border> {
     let corners = [(); 4].map(|()| random.vector() * size);
     let polyhedron = ConvexPolyhedron::from_points(&corners).ok()?;
@@ -28,7 +28,7 @@ fn of_tetrahedron(random: &mut Random, size: f64) -> Option<Border> {
     Some(Border { body: Shape::convex(polyhedron), end: p, along: (q - p).normalize(), sides })
 }
 
-/// Of a triangle, around whose sides the normals turn by half a turn.
+/// A border of a triangle, around whose sides the normals turn by half a turn.
 fn of_triangle(random: &mut Random) -> Option<Border> {
     let corners = [(); 3].map(|()| random.vector());
     let [p, q, r] = corners;
@@ -38,14 +38,14 @@ fn of_triangle(random: &mut Random) -> Option<Border> {
     Some(Border { body, end: p, along, sides: [normal, along.cross(normal)] })
 }
 
-/// A place on the rim of a round body, and towards its axis.
+/// A border at a rim of a round body, and the direction towards its axis.
 fn on_rim(body: Result<Shape, ShapeError>, end: DVec3) -> Option<Border> {
     Some(Border { body: body.ok()?, end, along: -DVec3::X, sides: [DVec3::Z * end.z.signum(), DVec3::X] })
 }
 
-/// Balls, rods, cones and points above random edges, 1e-12 to 1e-5 from an end (of 2000 balls and points above tetrahedra 147
-/// had had the normal of the end, up to 1e-8 rad off, and a rod's distance as often; a fuzz run had found a cylinder 3.7e-8 m
-/// too deep for it).
+/// Balls, rods, cones and points above random edges, 1e-12 to 1e-5 from an end (before, 147 of 2000 balls and points
+/// above tetrahedra had the normal of the end, up to 1e-8 rad off, and so had as many rods; a fuzz run found a cylinder
+/// 3.7e-8 m too deep because of it).
 #[test]
 fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
     let mut random = Random(17);
@@ -65,7 +65,7 @@ fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
             (Shape::cone(0.3, 1.0), Pose::new(upside_down, place + normal * 0.75)),
             (Shape::points(vec![DVec3::ZERO]), Pose::from_translation(place)),
         ];
-        // Rounding of the place over the distance.
+        // Rounding of the position over the distance.
         let known = 2e-14 / away;
         let check = |found: DVec3, what: &str| {
             let off = (found - normal).length();
@@ -87,10 +87,10 @@ fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
     }
 }
 
-/// A small cylinder, cone or capsule with its centre on a corner, an edge, a rim or a face of a large body is as deep in it by
-/// the distance as by the separation, whichever is named first (the distance had been up to 1.6e-6 m more: there the depth
-/// hardly depends on the axis, and its iteration ended anywhere). One such case in twenty thousand still is, by 5.2e-13 m:
-/// a flat cylinder on a rim, case 1369 of seed 29.
+/// A small cylinder, cone or capsule with its centre on a corner, an edge, a rim or a face of a large body has the same
+/// depth by the distance and by the separation, in either order of the bodies (before, the distance was up to 1.6e-6 m
+/// more: the depth hardly depends on the axis there, so that its iteration converged badly). One such case in twenty
+/// thousand still differs, by 5.2e-13 m: a flat cylinder on a rim, case 1369 of seed 29.
 #[test]
 fn small_round_bodies_on_large_corners_are_as_deep_by_both_queries() {
     let mut random = Random(30);

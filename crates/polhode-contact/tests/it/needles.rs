@@ -1,11 +1,12 @@
-//! Needle triangles: as high as a mesh lets them be, a part 1e-12 of their length. Rounding decides where such a plane
-//! points, but not how far a point is from the triangle: moved by rounding, its corners move all its places by no more.
+//! Needle triangles of the least height that a mesh admits, 1e-12 of their length. The normal of such a triangle is
+//! uncertain, but its distance from a point is not: rounding of its corners moves no point of it farther.
 
 use crate::support::Random;
 use polhode_contact::{Ray, Shape, closest_point, ray_cast};
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
-/// A triangle with its longest side from the origin along x: its length, where its tip stands over it, and how high.
+/// A triangle with its longest side from the origin along x: its length, the position of the tip along it, and its
+/// height.
 fn flat_triangle(random: &mut Random) -> [DVec3; 3] {
     let length = random.between(0.5, 8.0);
     let height = 0.5 * length * libm::exp10(random.between(-11.6, 0.0));
@@ -26,7 +27,8 @@ fn off_triangle([a, b, c]: [DVec3; 3], x: DVec3) -> f64 {
     off_segment(a, b, x).min(off_segment(b, c, x)).min(off_segment(c, a, x))
 }
 
-/// A fuzz finding: a point on a needle of 5.1 m x 4e-11 m was 3.4e-6 m off it, its normal being that of its long sides.
+/// A fuzz finding: a point on a needle of 5.1 m x 4e-11 m was 3.4e-6 m off it, because the normal was computed from the
+/// long sides.
 #[test]
 fn a_point_is_as_far_from_a_needle_as_in_its_plane() {
     let (mut random, mut worst) = (Random(41), 0.0_f64);
@@ -50,7 +52,7 @@ fn a_point_is_as_far_from_a_needle_as_in_its_plane() {
     println!("worst relative error of a distance from a needle: {worst:e}");
 }
 
-/// The normal of a needle is that of its two shortest sides, whichever corner is named first.
+/// The normal of a needle is that of its two shortest sides, whichever corner is first.
 #[test]
 fn a_needle_has_the_normal_of_its_short_sides() {
     let corners = [DVec3::new(4.0, -1.0, -3.0), DVec3::ZERO, DVec3::new(4.2e-11, -1e-12, 0.0)];

@@ -1,4 +1,4 @@
-//! The narrow phase with memory gives what one without gives, bit for bit, however the bodies move.
+//! The narrow phase with a memory of each pair gives the same result as without, bit for bit, however the bodies move.
 
 use crate::support::{Random, at, cuboid, prism, yaw};
 use polhode_contact::{
@@ -19,7 +19,7 @@ fn bits(manifold: &Manifold) -> Vec<(polhode_contact::ContactFeature, [u64; 8])>
     manifold.contacts.iter().map(of).collect()
 }
 
-/// A world whose pairs are looked at by both.
+/// Bodies whose pairs are queried with and without memory.
 struct World {
     shapes: Vec<Shape>,
     poses: Vec<Pose>,
@@ -36,7 +36,7 @@ impl World {
         Self { shapes, poses, workspace, memories, found, compared: 0 }
     }
 
-    /// Finds the contacts of a pair with what is remembered of it.
+    /// Finds the contacts of a pair with its memory.
     fn find(&mut self, pair: (u32, u32), reach: f64) {
         let Self { shapes, poses, workspace, memories, found, .. } = self;
         let placed = |body: u32| (&shapes[body as usize], &poses[body as usize]);
@@ -79,8 +79,8 @@ fn moved(pose: &Pose, random: &mut Random, step: f64) -> Pose {
     Pose::new(turn * pose.rotation, pose.translation + random.vector() * step)
 }
 
-/// Bodies of every kind that walk at random near each other, from steps that a search outlasts by far to steps that end it
-/// every time.
+/// Bodies of every kind in random walks near each other, from steps so small that the memory stays valid for long to
+/// steps that invalidate it every time.
 #[test]
 fn random_walks() {
     let mut random = Random(17);
@@ -110,8 +110,8 @@ fn random_walks() {
     }
 }
 
-/// One pair with a memory that is asked at poses to and fro, as a search for a time asks, and with another reach each time:
-/// what `near_manifold` gives without.
+/// One pair with a memory, queried at poses to and fro, as a search for a time does, and with a different reach each
+/// time: the result is that of `near_manifold`.
 #[test]
 fn one_pair_with_changing_reach() {
     let mut random = Random(23);
@@ -141,7 +141,8 @@ fn one_pair_with_changing_reach() {
     assert!(compared > 2000, "{compared}");
 }
 
-/// Stacks at rest, aligned, turned, and rocking by amounts from rounding to visible: where several axes are equally good.
+/// Stacks at rest, aligned, turned, and rocking by amounts from rounding to visible: where several axes are equally
+/// good.
 #[test]
 fn resting_stacks() {
     let mut random = Random(23);
@@ -170,7 +171,8 @@ fn resting_stacks() {
     }
 }
 
-/// A box that slides over the edge of a slab and tips, and a prism that rolls on its side: features come and go.
+/// A box that slides over the edge of a slab and tips, and a prism that rolls on its side: the features in contact
+/// change.
 #[test]
 fn sliding_and_rolling() {
     let shapes = vec![cuboid(4.0, 4.0, 1.0), cuboid(1.0, 1.0, 1.0), prism(32, 0.5, 2.0), prism(5, 0.5, 2.0)];
@@ -190,8 +192,9 @@ fn sliding_and_rolling() {
     assert!(world.compared > 5000, "{}", world.compared);
 }
 
-/// Two faces whose corners pass the reach, the sides and each other's corners slowly, in steps from far below the tolerance
-/// of places up to ones that pass it at once: a list of contacts is kept no longer than it holds. Both orders of the bodies.
+/// Two faces whose corners slowly pass the reach, the sides and each other's corners, in steps from far below the place
+/// tolerance to steps that pass it at once: a list of contacts is not kept after it has become invalid. Both orders of
+/// the bodies.
 #[test]
 fn corners_that_pass_limits_slowly() {
     let at_edge = |tilt: f64, x: f64, z: f64| {
@@ -223,8 +226,8 @@ fn corners_that_pass_limits_slowly() {
     assert!(compared > 2000, "{compared}");
 }
 
-/// Boxes that were so far apart that the rounding of their distance is more than the reach, and are back: their separation
-/// then, less the way they went, says nothing of now.
+/// Boxes that were so far apart that the rounding of their distance exceeded the reach, and are back: the bound from
+/// that separation minus the motion must not be used.
 #[test]
 fn boxes_that_were_far_apart_touch_again() {
     let (mut random, mut compared) = (Random(47), 0);
@@ -244,7 +247,7 @@ fn boxes_that_were_far_apart_touch_again() {
     assert!(compared > 500, "{compared}");
 }
 
-/// Pairs that come and go, reaches that change, a body of another shape, poses that are not finite: nothing stale is used.
+/// Pairs that appear and disappear, changes of reach and shape, poses that are not finite: no outdated memory is used.
 #[test]
 fn pairs_that_come_and_go() {
     let mut random = Random(31);

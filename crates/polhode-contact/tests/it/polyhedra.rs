@@ -1,4 +1,4 @@
-//! Building polyhedra: hulls, meshes, boxes; what is refused.
+//! Construction of polyhedra: hulls, meshes, boxes, and invalid input.
 
 use crate::support::{Random, cuboid, prism_points};
 use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, Sphere};
@@ -6,7 +6,7 @@ use polhode_mesh::{SolidMesh, TriangleMesh};
 use polhode_spatial::{DVec3, UnitVector};
 use proptest::prelude::*;
 
-/// Euler's formula, outward faces, edges that know their faces.
+/// Checks Euler's formula, outward normals, and the faces of edges.
 fn check(p: &ConvexPolyhedron) {
     assert_eq!(p.vertices().len() + p.face_count(), p.edges().len() + 2);
     let size = p.size();
@@ -41,10 +41,10 @@ fn hulls() {
         (0..1000).map(|i| DVec3::new(f64::from(i % 10), f64::from(i / 10 % 10), f64::from(i / 100))).collect();
     let p = ConvexPolyhedron::from_points(&grid).expect("a box");
     assert_eq!((p.face_count(), p.edges().len(), p.vertices().len()), (6, 12, 8));
-    // A thin plate, which a hull in absolute terms takes for flat.
+    // A thin plate, which a hull with an absolute tolerance would take for flat.
     let plate: Vec<DVec3> = p.vertices().iter().map(|v| *v * DVec3::new(1.0, 1.0, 1e-6)).collect();
     check(&ConvexPolyhedron::from_points(&plate).expect("a plate"));
-    // Points given twice, exactly or nearly, count once.
+    // Duplicate points, exact or nearly so, become one vertex.
     let twice: Vec<DVec3> = p.vertices().iter().flat_map(|&v| [v, v, v + DVec3::splat(1e-12)]).collect();
     let p = ConvexPolyhedron::from_points(&twice).expect("a box");
     assert_eq!((p.face_count(), p.edges().len(), p.vertices().len()), (6, 12, 8));
@@ -92,7 +92,7 @@ fn boxes() {
     assert_eq!(p.face(1).expect("a face").offset, 0.15 + 0.1);
 }
 
-/// Everything that is no shape is refused with an error that names the value.
+/// Invalid input gives an error that names the value.
 #[test]
 fn refusals() {
     assert!(matches!(Shape::cuboid(DVec3::new(1.0, 0.0, 1.0)), Err(ShapeError::TooSmall { value: 0.0, .. })));
@@ -110,7 +110,7 @@ fn refusals() {
     let faces = |f: &[[u32; 3]]| f.iter().map(|l| l.to_vec()).collect::<Vec<_>>();
     let build = |f: &[[u32; 3]]| ConvexPolyhedron::from_faces(tetrahedron.clone(), faces(f));
     assert!(build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]).is_ok());
-    // Inside out, open, wound both ways, a wild index.
+    // Inside out, open, with inconsistent orientation, with an index out of range.
     assert!(matches!(build(&[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]), Err(ShapeError::NotConvex { .. })));
     assert!(matches!(build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3]]), Err(ShapeError::NotClosed { .. })));
     assert!(matches!(build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 2, 3]]), Err(ShapeError::NotClosed { .. })));
@@ -119,8 +119,8 @@ fn refusals() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
-    /// Whatever points come (many on a coarse lattice, so that coplanar, collinear and equal points abound), the hull is
-    /// a proper polyhedron that contains them, or an error; never a panic.
+    /// Whatever points come (many on a coarse lattice, so that coplanar, collinear and equal points abound), the hull
+    /// is a proper polyhedron that contains them, or an error; never a panic.
     #[test]
     fn hull_of_anything(points in prop::collection::vec((0_i32..5, 0_i32..5, 0_i32..4), 0..40), scale in prop::sample::select(vec![1e-9, 1.0, 1e7])) {
         let points: Vec<DVec3> = points.into_iter().map(|(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * scale).collect();

@@ -1,12 +1,12 @@
-//! A question to a mesh or a compound has the answer of the part that decides: the tree over the parts leaves none out,
-//! also where several are equally near. Shown against asking every part by itself.
+//! A query of a mesh or compound gives the result of its nearest part: the tree over the parts skips none, also where
+//! several are equally near. The reference queries every part by itself.
 
 use crate::distances::zoo;
 use crate::support::Random;
 use polhode_contact::{Ray, Shape, SurfaceFeature, closest_point, distance, ray_cast};
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
-/// Hills on a grid of half metres, so that many places are equally near.
+/// Hills on a grid of half metres, so that many points are equally near.
 fn hills(random: &mut Random, sides: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let at = |i: u32, j: u32| j * (sides + 1) + i;
     let mut vertices = Vec::new();
@@ -22,7 +22,7 @@ fn hills(random: &mut Random, sides: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (vertices, halves.collect())
 }
 
-/// A place or an attitude from a grid every other time.
+/// A random vector, every other time from a grid.
 fn place(random: &mut Random, reach: f64) -> DVec3 {
     let place = DVec3::splat(2.0) + random.vector() * reach;
     if random.unit() < 0.5 { (place * 2.0).round() * 0.5 } else { place }
@@ -97,7 +97,7 @@ fn a_compound_answers_as_the_nearest_of_its_parts() {
     }
 }
 
-/// What a query met bears the name that it has in a contact; a point of a cloud is a vertex by its number.
+/// Queries name features as contacts do; a point of a cloud is a vertex by its number.
 #[test]
 fn features_of_round_shapes_are_named_as_in_contacts() {
     use SurfaceFeature::{Cap, Face, Rim, Side, Sphere, Vertex};

@@ -61,7 +61,7 @@ fn closed_forms() {
     }
 }
 
-/// Every hit lies on the surface, nothing before it is inside, and where a ray misses no place of it is inside.
+/// Every hit lies on the surface, and no point of the ray before it is inside; no point of a ray that misses is inside.
 #[test]
 fn hits_are_the_first_places_of_the_surface() {
     let mut random = Random(41);
@@ -114,14 +114,14 @@ fn no_ray_slips_between_triangles() {
     for _ in 0..5000 {
         let (i, j) = ((random.unit() * 8.0) as usize, (random.unit() * 8.0) as usize);
         let target = points[i].lerp(points[j], random.unit());
-        // Seen from the middle every edge and every diagonal is inside the surface's outline.
+        // From the middle every edge and every diagonal is inside the surface's outline.
         let hit = ray_cast(&mesh, &Pose::IDENTITY, &ray(random.vector() * 0.01, target), f64::INFINITY);
         assert!(hit.is_some(), "{target}");
     }
 }
 
-/// A ray in the plane of a triangle (a finding of random answers), or within rounding of it, sees it edge-on: where the signs
-/// of its volumes are all rounding it is not met, and what is met is on the triangle.
+/// A ray in the plane of a triangle, or within rounding of it (a fuzz finding): the triangle is missed where the signs
+/// of its volumes are rounding error, and every hit is on the triangle.
 #[test]
 fn a_ray_in_the_plane_of_a_triangle_meets_it_nowhere_else() {
     let mut random = Random(12);
@@ -145,8 +145,8 @@ fn a_ray_in_the_plane_of_a_triangle_meets_it_nowhere_else() {
     }
 }
 
-/// A ray along an edge of a triangle, within rounding of its plane (a finding of random answers: it ended 3.3e-4 m beyond the
-/// corner): to rounding it passes the triangle on one side.
+/// A ray along an edge of a triangle, within rounding of its plane (a fuzz finding: the hit was 3.3e-4 m beyond the
+/// corner): all corners are on one side of the ray, by rounding.
 #[test]
 fn a_ray_along_an_edge_ends_on_the_triangle() {
     let (mut random, mut met) = (Random(14), 0);
@@ -166,13 +166,14 @@ fn a_ray_along_an_edge_ends_on_the_triangle() {
     assert!(met > 1000, "{met}");
 }
 
-/// A ray through a corner of a triangle whose sides there, seen along the ray, are at right angles (a fuzz finding: it ended
-/// at the height of the other end of a side, 0.5 m from the triangle).
+/// A ray through a corner of a triangle whose sides there, projected along the ray, are perpendicular (a fuzz finding:
+/// the hit was at the height of the other end of a side, 0.5 m from the triangle).
 #[test]
 fn a_ray_through_a_corner_ends_there() {
     let (mut random, mut met) = (Random(15), 0);
     for case in 0..50_000 {
-        // Seen along the ray to rounding, or nearly, at right angles; half of them along a diagonal.
+        // Projected along the ray the sides are perpendicular, exactly or nearly; half of the rays are along a
+        // diagonal.
         let direction = if case % 2 == 0 { DVec3::ONE.normalize() } else { random.direction() };
         let turn = Rotation::from_rotation_vector(direction * random.between(0.0, 6.0));
         let east = turn.rotate(direction.any_orthonormal_vector());
@@ -191,7 +192,8 @@ fn a_ray_through_a_corner_ends_there() {
     assert!(met > 1000, "{met}");
 }
 
-/// From far away a ray meets a triangle where it aims: inside or outside by a thousandth, at ten million times its size.
+/// A ray from ten million times the triangle's size away hits or misses it correctly when it aims inside or outside by
+/// a thousandth.
 #[test]
 fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {
     let mut random = Random(13);
@@ -210,8 +212,9 @@ fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {
     }
 }
 
-/// Rays that leave the direction of an axis by anything down to the smallest number (a fuzz finding: the square of 1e-159
-/// vanished, and a ray 5 m beside a cylinder met its cap): they meet the body if they start over it, and at its end.
+/// Rays that deviate from the direction of an axis by any angle down to the smallest number (a fuzz finding: the square
+/// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its cap): they hit the end of the body if they start over
+/// it, and otherwise miss it.
 #[test]
 fn rays_all_but_along_an_axis_meet_only_what_they_start_over() {
     let bodies = [Shape::cylinder(0.5, 0.3).expect("a cylinder"), Shape::capsule(0.5, 0.3).expect("a capsule")];
@@ -235,7 +238,7 @@ fn rays_all_but_along_an_axis_meet_only_what_they_start_over() {
     }
 }
 
-/// A ray from inside is told so; meshes are surfaces and have no inside.
+/// A ray from inside has a hit at its origin; meshes are surfaces and have no inside.
 #[test]
 fn rays_from_inside_start_there() {
     for (name, shape) in zoo() {
@@ -248,7 +251,7 @@ fn rays_from_inside_start_there() {
     }
 }
 
-/// The same ray on the same shape far away, larger and turned is the same hit.
+/// The same ray and shape far away, scaled and rotated give the same hit.
 #[test]
 fn hits_do_not_depend_on_place_and_attitude() {
     let mut random = Random(6);
@@ -265,7 +268,7 @@ fn hits_do_not_depend_on_place_and_attitude() {
             match (first, other) {
                 (Some(p), Some(q)) => assert!((p.distance - q.distance).abs() < 1e-7, "{name}: {p:?} {q:?}"),
                 (None, None) => {}
-                // Only what grazes to the rounding of places a million away may change.
+                // Only rays that graze to the rounding of positions a million metres away may differ.
                 _ => {
                     let least = (0..4000).map(|k| one.at(f64::from(k) / 400.0));
                     let least =
@@ -277,7 +280,7 @@ fn hits_do_not_depend_on_place_and_attitude() {
     }
 }
 
-/// What is not a number is no ray and meets nothing.
+/// Numbers that are not finite make no ray, or a ray that hits nothing.
 #[test]
 fn hostile_rays_meet_nothing() {
     assert!(matches!(Ray::new(DVec3::X * f64::NAN, UnitVector::X), Err(QueryError::NotFinite { .. })));

@@ -1,22 +1,22 @@
 //! Where two parts of a compound meet in a re-entrant edge, the bottom of a groove or an inner corner, the body's own
-//! normals are those of the two faces beside it and no others. What touches the bottom touches both faces, with the whole
-//! region that they share; along the edges of the parts that the other part hides nothing is held.
+//! normals are those of the two faces beside it and no others. A body at the bottom touches both faces, with contacts
+//! over the whole common region; edges of a part that the other part covers have no contacts.
 
 use crate::support::{Random, at, cuboid};
 use polhode_contact::{ConvexPolyhedron, Manifold, Shape, manifold};
 use polhode_spatial::{DVec3, Pose};
 
-/// Half the width of the groove at its mouth and its depth, m: its sides are as steep as wide.
+/// Half the width of the groove at its opening, and its depth, m: its sides have a slope of 45 degrees.
 const GROOVE: f64 = 0.3;
 
-/// Touching, m.
+/// Largest separation of a touch, m.
 const REACH: f64 = 1e-10;
 
 fn hull(points: &[DVec3]) -> Shape {
     Shape::convex(ConvexPolyhedron::from_points(points).expect("a polyhedron"))
 }
 
-/// The solid over a convex outline in x and y, half this deep before and behind it.
+/// The prism over a convex outline in x and y, extended by `half` to either side along z.
 fn over(outline: &[[f64; 2]], half: f64) -> Shape {
     let points = [half, -half].map(|z| outline.iter().map(move |&[x, y]| DVec3::new(x, y, z)));
     hull(&points.into_iter().flatten().collect::<Vec<_>>())
@@ -34,8 +34,8 @@ fn count(found: &Manifold, normal: DVec3) -> usize {
     found.contacts.iter().filter(|contact| contact.geometry.normal.distance(normal) < 1e-9).count()
 }
 
-/// Both orders of a pair at the same pose, turned and moved together: as many contacts with each of the normals (towards
-/// the body), and no others.
+/// Asserts the number of contacts with each normal (towards the body), and that there are no others, for both orders of
+/// the pair and for poses rotated and moved together.
 fn assert_counts(body: &Shape, pose: Pose, compound: &Shape, normals: &[(DVec3, usize)], what: &str) {
     let mut random = Random(5);
     for turn in 0..20 {
@@ -61,7 +61,7 @@ fn a_knife_at_the_bottom_of_a_groove_touches_both_sides() {
     for shift in [0.0, 3e-13, -3e-13] {
         assert_counts(&knife, at(shift, 0.0, 0.0), &grooved(), &both, &format!("shifted by {shift} m"));
     }
-    // Shorter than the groove, so that its ends are the ends of the region; and turned over, a point.
+    // Shorter than the groove, so that its ends are the ends of the region; and upside down, a point.
     let short = over(&[[0.0, 0.0], [0.2, -1.5], [-0.2, -1.5]], 0.25);
     assert_counts(&short, Pose::IDENTITY, &grooved(), &both, "short");
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, z)| DVec3::new(0.1 * x, -1.0, 0.1 * z));
@@ -80,7 +80,7 @@ fn a_brick_that_is_wider_than_an_inner_corner_touches_all_of_it() {
     }
 }
 
-/// Two blocks edge on edge, the edges along each other but one longer: the contacts are the ends of what they share.
+/// Two blocks edge on edge, the edges collinear but one longer: the contacts are the ends of the common part.
 #[test]
 fn edges_along_each_other_touch_as_far_as_both_go() {
     let block = over(&[[0.0, 0.0], [GROOVE, -GROOVE], [7.5, -GROOVE], [7.5, 0.7], [0.0, 0.7]], 0.5);

@@ -1,5 +1,5 @@
-//! Ridges that bend, as those on the inner side of a ring of straight pieces: what rests in a bend touches both pieces, and
-//! two bends that meet cross in four places. Neither an edge of one part nor a vertex has a normal there.
+//! Ridges that bend, as on the inner side of a ring of straight pieces: a body in a bend touches both pieces, and two
+//! bends that touch have four crossings. No edge or vertex of a single part has a valid normal there.
 
 use crate::support::{Random, at};
 use polhode_contact::{ConvexPolyhedron, Manifold, Shape, manifold};
@@ -7,13 +7,13 @@ use polhode_mesh::SolidMesh;
 use polhode_mesh::primitives::{Refinement, Torus};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
-/// Touching, m.
+/// Largest separation of a touch, m.
 const REACH: f64 = 1e-11;
 
-/// Radius of the ring's middle line and of its tube, m.
+/// Radius of the ring's centre circle and of its tube, m.
 const RING: [f64; 2] = [0.3, 0.05];
 
-/// Slope of the pieces of the innermost ridge beside a bend: half of a sixteenth of a turn, rad.
+/// Slope of the two pieces of the innermost ridge at a bend: half of a sixteenth of a turn, rad.
 const SLOPE: f64 = std::f64::consts::PI / 16.0;
 
 fn ring_mesh() -> SolidMesh {
@@ -35,7 +35,7 @@ fn bar() -> Shape {
     Shape::convex(ConvexPolyhedron::from_points(points.as_flattened()).expect("a prism"))
 }
 
-/// Exactly these unit normals, from the lower to the upper body, in any order.
+/// Asserts that the contacts have exactly these unit normals, from the lower to the upper body, in any order.
 fn assert_normals(found: &Manifold, towards: f64, normals: &[DVec3], what: &str) {
     let contacts = &found.contacts;
     assert_eq!(contacts.len(), normals.len(), "{what}: {contacts:#?}");
@@ -48,7 +48,7 @@ fn assert_normals(found: &Manifold, towards: f64, normals: &[DVec3], what: &str)
     }
 }
 
-/// Both orders of a pair, moved and turned together.
+/// Asserts the same for both orders of a pair and for poses moved and rotated together.
 fn assert_everywhere(lower: &Shape, upper: &Shape, pose: Pose, normals: &[DVec3], what: &str) {
     let mut random = Random(11);
     for turn in 0..10 {
@@ -76,14 +76,14 @@ fn a_bar_in_a_bend_touches_both_pieces_of_the_ridge() {
 #[test]
 fn two_bends_that_meet_cross_in_four_places() {
     let upper = Shape::solid(&ring_mesh()).expect("parts");
-    // Hangs under the other: its uppermost inner bend rests on the lowest of the other.
+    // One ring hangs in the other: its uppermost inner bend rests on the lowest inner bend of the other.
     let turn = Rotation::from_rotation_vector(DVec3::Y * std::f64::consts::FRAC_PI_2);
     let pose = Pose::new(turn, DVec3::Y * (2.0 * (RING[1] - RING[0])));
     let (sine, cosine) = libm::sincos(SLOPE);
     let along = |sign: f64| DVec3::new(cosine, sign * sine, 0.0);
     let across = |sign: f64| DVec3::new(0.0, sign * sine, cosine);
     let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-    // The ring that hangs has its tube above the other's: it is the upper body.
+    // The hanging ring has its tube above the other's: it is the upper body.
     let normals = signs.map(|(x, z)| across(z).cross(along(x)).normalize());
     for (ring, what) in &rings() {
         assert_everywhere(ring, &upper, pose, &normals, what);

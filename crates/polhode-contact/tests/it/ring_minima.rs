@@ -1,23 +1,23 @@
-//! A ring against a body, at any scale: every place at which its middle line is nearest to the body is a contact. The
-//! oracle shares no code with the narrow phase: the distances of fine samples of the middle line from the body, by
-//! closed forms of the body, each minimum refined by golden section.
+//! A torus ("ring") against a body, at any scale: every local minimum of the distance along its centre circle is a
+//! contact. The reference shares no code with the narrow phase: it samples the distance of the centre circle from the
+//! body finely, by closed forms, and refines each minimum by golden section.
 
 use crate::support::{Random, cuboid, prism};
 use polhode_contact::{Contact, ConvexPolyhedron, Shape, evaluate, manifold, separation};
 use polhode_spatial::{DVec3, Pose, Rotation};
 use std::f64::consts::TAU;
 
-/// Samples of the middle line.
+/// Samples of the centre circle.
 const SAMPLES: usize = 2000;
 
-/// Minima that rise less than this to either side, relative to the size, are not told from rounding.
+/// Minima whose rise to either side is less than this, relative to the size, cannot be distinguished from rounding.
 const SHALLOW: f64 = 1e-10;
 
-/// A separation of the manifold agrees with the oracle's within this, relative to the size.
+/// Largest difference between a separation of the manifold and that of the reference, relative to the size.
 const AGREES: f64 = 1e-12;
 
-/// A contact stands at a minimum when it is this near, relative to the size: where a minimum is shallow its place is
-/// hardly known.
+/// Largest distance of a contact from its minimum, relative to the size: the position of a shallow minimum is
+/// uncertain.
 const NEAR: f64 = 1e-2;
 
 /// Distance of a point from a rectangle or triangle with these corners in order, anticlockwise; negative inside.
@@ -82,16 +82,16 @@ fn from_body(body: &Shape, p: DVec3) -> f64 {
 struct Case<'a> {
     major: f64,
     minor: f64,
-    /// Of the ring in the frame of the body.
+    /// Pose of the ring in the frame of the body.
     pose: Pose,
     body: &'a Shape,
 }
 
-/// A place at which the middle line is nearest to the body.
+/// A local minimum of the distance along the centre circle.
 #[derive(Debug, Clone, Copy)]
 struct Minimum {
     place: DVec3,
-    /// Of the tube from the body, m.
+    /// Separation of the tube from the body, m.
     separation: f64,
 }
 
@@ -104,13 +104,13 @@ impl Case<'_> {
         from_body(self.body, self.place(angle))
     }
 
-    /// All places at which the middle line is nearest, but for minima that are level to rounding.
+    /// All local minima except those that are flat to rounding.
     fn minima(&self) -> Vec<Minimum> {
         let step = TAU / SAMPLES as f64;
         let samples: Vec<f64> = (0..SAMPLES).map(|k| self.distance(step * k as f64)).collect();
         let at = |k: usize| samples[k % SAMPLES];
         let shallow = SHALLOW * self.body.size().max(self.major);
-        // Up to the next lower place on either side it must rise.
+        // The distance must rise on either side before it falls below the minimum.
         let rises = |k: usize, way: usize| {
             let higher = (1..SAMPLES).map(|j| at(k + way * j)).take_while(|&there| there >= at(k));
             higher.fold(0.0, |most: f64, there| most.max(there - at(k))) > shallow
@@ -135,8 +135,8 @@ impl Case<'_> {
         Minimum { place: self.place(middle), separation: self.distance(middle) - self.minor }
     }
 
-    /// What is wrong with the manifold within `reach` (m), if anything: a minimum without a contact, or a contact
-    /// deeper than any minimum or off the middle line.
+    /// A description of the first error of the manifold within `reach` (m), if any: a minimum without a contact, or a
+    /// contact deeper than any minimum or off the centre circle.
     fn complaint(&self, world: &Pose, reach: f64, minima: &[Minimum]) -> Option<String> {
         let ring = Shape::torus(self.major, self.minor).ok()?;
         let size = self.body.size().max(self.major);
@@ -197,14 +197,14 @@ fn reported(box_at: ([f64; 3], [f64; 4]), ring_at: ([f64; 3], [f64; 4])) -> Pose
     pose(box_at).relative(&pose(ring_at))
 }
 
-/// A ring over an edge and a corner of a box at once (reported: 0.18 mm of penetration on the edge went unseen). Seen
-/// along the edge the ring is an ellipse with the edge beyond its long axis: the place nearest to the edge there had
-/// just come apart from the farthest beside it, samples of the slope stepped over both, and the edge's contact was
-/// given another place, 0.4 m away. At four times of the reported run, at three scales.
+/// A ring over an edge and a corner of a box at once (reported: a penetration of 0.18 mm on the edge was missed). In
+/// projection along the edge the ring is an ellipse, with the edge beyond its long axis. A minimum and a maximum of the
+/// distance had just separated there; samples of the slope missed both, and the edge's contact was put 0.4 m away. The
+/// test uses four times of the reported run, at three scales.
 #[test]
 fn a_ring_over_an_edge_and_a_corner_touches_both() {
     let poses = [
-        // Before the edge is met, at 0.678 ms; both within reach, at 0.838 ms; the edge alone, at 1.318 and 3.558 ms.
+        // Before the edge touches, at 0.678 ms; both within reach, at 0.838 ms; the edge alone, at 1.318 and 3.558 ms.
         reported(
             (
                 [-0.1664367915360878, -0.12803077847852756, 0.1001134809957453],
@@ -258,8 +258,8 @@ fn a_ring_over_an_edge_and_a_corner_touches_both() {
     }
 }
 
-/// A random ring beside or around a body, with its minima; nothing where its middle line runs inside the body, where
-/// it has no one way out.
+/// A random ring beside or around a body, with its minima; none where its centre circle enters the body, where the
+/// direction of separation is not unique.
 fn random_case<'a>(random: &mut Random, body: &'a Shape, scale: f64) -> Option<(Case<'a>, Vec<Minimum>)> {
     let major = random.between(0.15, 0.8) * scale;
     let minor = random.between(0.05, 0.4) * major;
@@ -274,9 +274,9 @@ fn least(minima: &[Minimum]) -> f64 {
 }
 
 /// Random rings and bodies: boxes, plates and sticks whose edges and corners the ring lies over, prisms, hulls,
-/// cylinders, cones, capsules and balls. Every minimum within reach is a contact with its separation, the least of
-/// them is the separation, and no contact lies deeper (of minima beside a lower one, on another element, one in ten
-/// was missing).
+/// cylinders, cones, capsules and balls. Every minimum within reach is a contact with its separation, the least of them
+/// is the separation, and no contact lies deeper (before, one in ten of the minima beside a lower one on another
+/// element was missing).
 #[test]
 fn every_minimum_of_a_ring_is_a_contact() {
     let mut random = Random(20_011);
@@ -303,12 +303,11 @@ fn every_minimum_of_a_ring_is_a_contact() {
     assert!(several > 100, "{several}");
 }
 
-/// Poses at which two minima are about to merge, or a minimum with the crest beside it, found by halving the way
-/// between two poses of which one has more minima: from there back to where there are more, each minimum has its
-/// contact however near it lies to its end. Bodies without rims: of two places over one rim that lie on one half of
-/// it no name tells one from the other.
+/// Poses at which a minimum is about to merge with another one or with a maximum, found by bisection between two poses
+/// with different numbers of minima. From there towards the pose with more minima, each minimum has its contact,
+/// however close to merging. The bodies have no rims: no name distinguishes two places on the same half of one rim.
 #[test]
-fn dips_about_to_vanish_are_contacts_to_their_end() {
+fn minima_about_to_vanish_are_contacts_until_they_do() {
     let mut random = Random(3_511);
     let mut bodies = bodies(&mut random, 1.0);
     bodies.retain(|body| !matches!(body, Shape::Cylinder(_) | Shape::Cone(_)));
@@ -356,8 +355,8 @@ fn dips_about_to_vanish_are_contacts_to_their_end() {
     assert!(vanishing > 60, "{vanishing}");
 }
 
-/// While a ring moves a little, each contact that stays on its features moves a little, and keeps the separation of a
-/// minimum: a name does not go over to another place.
+/// While a ring moves a little, each contact that stays within its features moves a little and keeps the separation of
+/// a minimum: its name does not change to another place.
 #[test]
 fn a_contact_of_a_ring_stays_at_its_place_while_the_ring_moves() {
     let mut random = Random(7_919);
@@ -379,7 +378,8 @@ fn a_contact_of_a_ring_stays_at_its_place_while_the_ring_moves() {
                 continue;
             }
             followed += 1;
-            // The separation is no steeper than the place moves; the place slides faster where the minimum is shallow.
+            // The separation changes by at most the motion; the contact point slides faster where the minimum is
+            // shallow.
             let change = (after.separation - separation).abs();
             let slid = after.point.distance(contact.geometry.point);
             assert!(change < 1e-5 && slid < 1e-2, "{number}: {contact:?} {after:?}");

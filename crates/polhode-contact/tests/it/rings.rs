@@ -1,4 +1,5 @@
-//! Tori against everything: closed forms, the distance of a finely sampled ring, contacts, shots through the hole.
+//! Tori ("rings") against all shapes: closed forms, the distance of a finely sampled ring, contacts, shots through the
+//! hole.
 
 use crate::impact_random::{Tally, shoot, shooter};
 use crate::round_gaps::{capsule, cone, cylinder, turned};
@@ -18,7 +19,7 @@ fn ball(radius: f64) -> Shape {
     Shape::sphere(radius).expect("a ball")
 }
 
-/// Gaps that can be written down.
+/// Gaps with closed forms.
 #[test]
 fn closed_forms() {
     let still = Pose::IDENTITY;
@@ -59,8 +60,8 @@ fn closed_forms() {
     }
 }
 
-/// Random pairs that are apart: no point of a finely sampled middle line is nearer than the separation says, and the
-/// nearest of them is hardly farther.
+/// Random pairs that are apart: no sample of the centre circle is nearer than the separation, and the nearest sample is
+/// hardly farther.
 #[test]
 fn against_samples() {
     let mut random = Random(404);
@@ -78,7 +79,7 @@ fn against_samples() {
             let pose = Pose::new(random.rotation(), random.direction() * random.between(0.0, 1.3));
             let pose_other = Pose::new(random.rotation(), DVec3::ZERO);
             let found = separation(&own, &pose, other, &pose_other);
-            // Points of the middle line as a cloud, measured by the code of clouds.
+            // Points of the centre circle as a cloud, whose distance is computed by other code.
             let count = 720_u32;
             let places = (0..count).map(|k| {
                 let angle = f64::from(k) / f64::from(count) * TAU;
@@ -91,7 +92,7 @@ fn against_samples() {
                 separation(&Shape::points(places.collect()).expect("points"), &pose, other, &pose_other) - 0.1
             };
             assert!(found <= sampled + 1e-13, "{found} {sampled} {other:?} {pose:?} {pose_other:?}");
-            // Between two samples the distance falls by no more than half their distance.
+            // Between two samples the distance decreases by at most half their distance.
             assert!(found >= sampled - 0.6 * TAU / f64::from(count) * 0.5, "{found} {sampled}");
             let swapped = separation(other, &pose_other, &own, &pose);
             assert!((swapped - found).abs() < 1e-12, "{found} {swapped}");
@@ -104,7 +105,7 @@ fn against_samples() {
     }
 }
 
-/// Lying on a floor or a plate a ring touches at its eight stated points; standing, at one; across two rails, at four
+/// Lying on a floor or a plate a ring touches at its eight sample points; standing, at one; across two rails, at four
 /// places over their edges; hanging on a rod along its axis, at one.
 #[test]
 fn contacts() {
@@ -172,8 +173,8 @@ fn spinning_shots() {
     println!("{tally:?}");
 }
 
-/// A body in the hole of a ring that spins (a finding of random answers: an arc whose hull did not yet stand clear of the body
-/// but moved away from it counted as clear all along, and the impact was 1 ms late): each against dense samples.
+/// A body in the hole of a ring that spins (a fuzz finding: an arc whose hull still overlapped the body but moved away
+/// from it was taken as clear from the start, and the impact was 1 ms late): each against dense samples.
 #[test]
 fn a_body_in_the_hole_is_met_no_later_than_it_touches() {
     let mut random = Random(31);
@@ -194,8 +195,8 @@ fn a_body_in_the_hole_is_met_no_later_than_it_touches() {
     assert!(tally.hits > 20 && tally.misses > 10, "{tally:?}");
 }
 
-/// A ring around a shaft of many corners touches it at each of them, also where they lie nearer to each other than any
-/// fixed samples of the ring; moved sideways it touches at the corner or the pair of corners that come first.
+/// A ring around a shaft of many corners touches it at each of them, also where they are closer together than any fixed
+/// samples of the ring; moved sideways, it touches at the corner or the pair of corners that it reaches first.
 #[test]
 fn around_a_shaft_of_many_corners() {
     let mut random = Random(61);
@@ -211,13 +212,13 @@ fn around_a_shaft_of_many_corners() {
             let found = manifold(&ring, &(all * spin), &tight, &all, 0.0);
             assert!((found.separation + clearance).abs() < 1e-13, "{sides}: {}", found.separation);
             assert_eq!(found.contacts.len(), sides as usize, "{sides} corners");
-            // To the side on which a corner stands, and between two of them.
+            // Moved towards a corner, and towards the middle between two corners.
             for (half, touching) in [(0.0, 1), (0.5, 2)] {
                 let angle = TAU * (3.0 + half) / f64::from(sides);
                 let toward = DVec3::new(angle.cos(), angle.sin(), 0.0);
                 let moved = Pose::from_translation(-toward * clearance) * spin;
                 let found = manifold(&ring, &(all * moved), &shaft, &all, 0.0);
-                // The corner's place and the inner circle of the ring about its centre.
+                // The corner's distance from the inner circle of the ring.
                 let corner = |k: f64| {
                     let at = TAU * k / f64::from(sides);
                     DVec3::new(at.cos(), at.sin(), 0.0) + toward * clearance
@@ -231,8 +232,8 @@ fn around_a_shaft_of_many_corners() {
     }
 }
 
-/// Random polyhedra of all proportions, among them blades far thinner than any fixed samples stand apart: a hundred thousand
-/// samples of the middle line find nothing nearer than the separation.
+/// Random polyhedra of all proportions, among them blades far thinner than the distance of any fixed samples: a hundred
+/// thousand samples of the centre circle find nothing nearer than the separation.
 #[test]
 fn blades_and_splinters() {
     let mut random = Random(67);
@@ -242,7 +243,7 @@ fn blades_and_splinters() {
             DVec3::new(random.between(0.0, 1.0).powi(6) + 1e-4, random.between(0.05, 1.5), random.between(0.05, 1.5));
         let blade = cuboid(size.x, size.y, size.z);
         let turn = random.rotation();
-        // Near the middle line, wherever on it.
+        // Near a random point of the centre circle.
         let place = random.direction().with_z(0.0).normalize_or(DVec3::X) + random.vector() * 0.4;
         let pose = Pose::new(turn, place);
         let found = separation(&ring, &Pose::IDENTITY, &blade, &pose);
@@ -255,14 +256,14 @@ fn blades_and_splinters() {
             least = least.min(distance - 0.1);
         }
         assert!(found <= least + 1e-13, "{case}: {found} {least} {size:?}");
-        // The samples stand 6.3e-5 apart, and near a corner the distance falls as steeply as the place moves.
+        // The samples are 6.3e-5 apart, and near a corner the distance changes by as much as the point moves.
         assert!(found >= least - 4e-5, "{case}: {found} {least} {size:?}");
     }
 }
 
-/// A ring that rests across a rail stands on its edges at two places each, one on either half of the ring. While it rocks
-/// on them, each name stays at its own place: it moves as little as the ring does, also where the two places' separations
-/// cross.
+/// A ring that lies across a rail touches each of its edges at two places, one on either half of the ring. While it
+/// rocks on them, each name stays at its own place: it moves as little as the ring does, also where the separations of
+/// the two places become equal.
 #[test]
 fn names_of_two_places_on_one_edge_stay_at_their_places() {
     let own = ring(1.0, 0.2);
@@ -289,8 +290,8 @@ fn names_of_two_places_on_one_edge_stay_at_their_places() {
     }
 }
 
-/// A ring about a shaft that it fits with little play, tilted: it touches the shaft at two places on opposite sides, both
-/// named; coaxial with it, at any place.
+/// A tilted ring around a shaft with little clearance touches it at two places on opposite sides, both named; a coaxial
+/// one at any place.
 #[test]
 fn a_tilted_ring_touches_a_shaft_on_two_sides() {
     let own = ring(1.0, 0.2);
@@ -302,7 +303,7 @@ fn a_tilted_ring_touches_a_shaft_on_two_sides() {
         let halves = [SurfaceFeature::RimExit(0), SurfaceFeature::RimEntry(0)];
         let both = halves.map(|a| ContactFeature::Elements { a, b: SurfaceFeature::Side(0) });
         assert!(both.iter().all(|name| named.contains(name)), "{tilt}: {contacts:?}");
-        // The ring's middle line, seen along the shaft, is an ellipse with the half axis cos(tilt).
+        // The ring's centre circle, seen along the shaft, is an ellipse with the half axis cos(tilt).
         for contact in contacts.iter().filter(|c| both.contains(&c.feature)) {
             let expected = libm::cos(tilt) - 0.9;
             assert!((contact.geometry.separation - expected).abs() < 1e-14, "{tilt}: {contact:?}");
@@ -313,8 +314,8 @@ fn a_tilted_ring_touches_a_shaft_on_two_sides() {
     assert!(coaxial.contacts.iter().all(|c| (c.geometry.separation - 0.1).abs() < 1e-9), "{coaxial:?}");
 }
 
-/// Every least distance of a ring's middle line, its angle and the distance: where fine samples fall and rise again, and
-/// between those by parts of three. Dips too shallow to be told from rounding are left out.
+/// The angle and distance of every local minimum along a ring's centre circle: where fine samples fall and rise again,
+/// refined by ternary search. Minima too shallow to be distinguished from rounding are omitted.
 fn minima_by_samples(own: f64, pose: &Pose, other: &Shape, pose_other: &Pose) -> Vec<(f64, f64)> {
     let tip = 1e-3;
     let distance = |angle: f64| {
@@ -343,12 +344,12 @@ fn minima_by_samples(own: f64, pose: &Pose, other: &Shape, pose_other: &Pose) ->
         .collect()
 }
 
-/// Where two places at which a ring is nearest to a body are about to merge they lie as close together as one likes (two places
-/// 0.055 m apart on a ring of 0.3 m were taken for one, and one of the contacts was lost): each dip of fine samples is a
-/// contact. Two of three bodies lie above the ring, almost in its plane and with their rim or middle line almost inside the
-/// ring's, where places merge; the third anywhere.
+/// Two local minima that are about to merge are arbitrarily close together (before, two places 0.055 m apart on a ring
+/// of 0.3 m were taken for one, and one contact was lost): each minimum of fine samples is a contact. Two of three
+/// bodies lie above the ring, almost in its plane and with their rim or centre circle almost inside the ring's, where
+/// minima merge; the third at a random pose.
 #[test]
-fn places_about_to_merge_are_all_found() {
+fn minima_about_to_merge_are_all_found() {
     let mut random = Random(1123);
     let own = ring(0.3, 0.05);
     // Each with the height of its rim.
@@ -368,7 +369,7 @@ fn places_about_to_merge_are_all_found() {
         if expected.iter().any(|&(_, distance)| distance < 1e-3) {
             continue;
         }
-        // As far as touch reaches: of minima that are not nearly the least some are left out.
+        // Only minima within touch are compared: of those far above the least some may be missing.
         let reach = expected.iter().map(|(_, distance)| distance - 0.05).fold(f64::INFINITY, f64::min) + 1e-5;
         let found = manifold(&own, &pose, other, &pose_other, reach).contacts;
         for (angle, distance) in expected.iter().filter(|(_, distance)| distance - 0.05 < reach) {
@@ -383,9 +384,9 @@ fn places_about_to_merge_are_all_found() {
     assert!(close > 20, "{close}");
 }
 
-/// A ring on another one, a disc or a cone's base, upside down or not (fuzz findings: the place where the middle lines cross
-/// had the name of the other one when the bodies changed names), and rings in any attitude: every contact is found again by
-/// its name with the bodies named the other way round.
+/// A ring on another one, a disc or a cone's base, upside down or not (fuzz findings: a crossing of the centre circles
+/// had the name of the other crossing after swapping A and B), and rings in any attitude: every contact is found again
+/// by its swapped name with A and B swapped.
 #[test]
 fn contacts_of_a_ring_have_the_same_names_swapped() {
     let (mut random, mut crossings) = (Random(63), 0);
@@ -418,9 +419,9 @@ fn contacts_of_a_ring_have_the_same_names_swapped() {
     assert!(crossings > 1000, "{crossings}");
 }
 
-/// A ring that fits around or into another body of revolution, on the same axis to rounding, touches it all round (a fuzz
-/// finding: rounding alone decided whether the two had a common normal, and with the bodies named the other way round they
-/// had none): every contact is found again by its name swapped, at some place of the circle.
+/// A ring that fits around or into another body of revolution, on the same axis to rounding, touches it all around (a
+/// fuzz finding: rounding decided whether the two had a common normal, and with A and B swapped they had none): every
+/// contact is found again by its swapped name, at some point of the circle.
 #[test]
 fn a_ring_on_the_axis_of_a_body_has_the_same_contacts_swapped() {
     let mut random = Random(79);
@@ -448,9 +449,9 @@ fn a_ring_on_the_axis_of_a_body_has_the_same_contacts_swapped() {
     assert!(all_round > 100, "{all_round}");
 }
 
-/// Far from the origin of the other's frame places are known to the rounding of the way there (a fuzz finding: the nearest
-/// place of two rings was held for none of theirs, and some other place was given): parallel rings, one beside and above the
-/// other, are as far apart as the nearest places of their middle lines, less the tubes.
+/// Far from the origin of the other body's frame, positions have the rounding of that distance (a fuzz finding: the
+/// nearest place of two rings was rejected, and another one was given). The separation of parallel rings, one beside
+/// and above the other, is the distance of the nearest points of their centre circles minus the radii of the tubes.
 #[test]
 fn rings_far_apart_are_as_far_apart_as_their_nearest_places() {
     let (own, other) = (ring(2.8, 0.9), ring(2.2, 0.4));
@@ -463,15 +464,15 @@ fn rings_far_apart_are_as_far_apart_as_their_nearest_places() {
         let there = here * Pose::from_translation(place);
         let expected = libm::hypot(place.x - 5.0, place.z) - 1.3;
         let found = [separation(&own, &there, &other, &here), separation(&other, &here, &own, &there)];
-        // As much as places are held for known.
+        // The tolerance of positions.
         let rounding = 1e-13 + 16.0 * f64::EPSILON * aside;
         assert!(found.iter().all(|s| (s - expected).abs() < rounding), "{case}: {found:?} of {expected}");
     }
 }
 
-/// Parallel rings whose middle lines, seen along their axes, cross at two places close together (a fuzz finding: between them
-/// the search rested on the saddle, and the separation was 4.1e-7 m too large): they are as far apart as their planes, less
-/// the tubes.
+/// Parallel rings whose centre circles, projected along their axes, cross at two close places (a fuzz finding: the
+/// search stopped at the saddle between them, and the separation was 4.1e-7 m too large): the separation is the
+/// distance of their planes minus the radii of the tubes.
 #[test]
 fn rings_that_cross_twice_close_together_are_as_far_apart_as_their_planes() {
     let mut random = Random(67);
@@ -492,9 +493,9 @@ fn rings_that_cross_twice_close_together_are_as_far_apart_as_their_planes() {
     }
 }
 
-/// A ring deep in a polyhedron of long faces (a fuzz finding: beside the deepest place, where two faces are as near, the
-/// search ended in a shallower dip, and the separation was 7.5 mm too large): fine samples of the middle line go no deeper than
-/// the separation, nor hardly less.
+/// A ring deep in a polyhedron with long faces (a fuzz finding: beside the deepest point, where two faces are equally
+/// near, the search ended in a shallower minimum, and the separation was 7.5 mm too large): the deepest of fine samples
+/// agrees with the separation.
 #[test]
 fn a_ring_deep_in_a_polyhedron_is_as_deep_as_its_deepest_place() {
     let corners = [[0.0, 0.0, 0.0], [0.0, -6.0, -6.0], [-6.0, -6.0, -6.0], [-6.0, 6.0, 6.0], [6.0, 6.5, -6.0]];
@@ -519,10 +520,10 @@ fn a_ring_deep_in_a_polyhedron_is_as_deep_as_its_deepest_place() {
     }
 }
 
-/// A ring laid into a wider one that slides aside touches it nearly all around before it meets it at one place (random rings,
-/// after a fuzz run had met slow searches of two rings: arcs were cut 2048 times in each of hundreds of windows without
-/// gaining anything). Met at the time of the closed form, `(r - u t)^2 + (z + w t)^2 = (sum of the tubes)^2` for radii that
-/// differ by `r`; the number of cuts is bounded by the number of looks.
+/// A ring inside a wider one that slides sideways comes close to it nearly all around before it touches at one place
+/// (random rings, after a fuzz run with slow searches of two rings: arcs were cut 2048 times in each of hundreds of
+/// windows without effect). The time of impact is that of the closed form, `(r - u t)^2 + (z + w t)^2 = (sum of the
+/// tubes)^2` for radii that differ by `r`; the number of cuts is bounded by the number of evaluations.
 #[test]
 fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
     let (own, other) = (ring(1.0, 0.04), ring(1.08, 0.2));
@@ -543,16 +544,17 @@ fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
         let expected = (root >= 0.0).then(|| rest / (libm::sqrt(root) - half)).filter(|t| (0.0..=0.01).contains(t));
         let late = found.time.zip(expected).map_or(0.0, |(found, expected)| (found - expected).abs());
         assert!(found.time.is_some() == expected.is_some() && late < 1e-13, "{case}: {found:?} {expected:?} {gap:e}");
-        // 256 in each of two windows a look, and 4096 to spare.
+        // 256 cuts in each of two windows per evaluation, and 4096 additional ones.
         assert!(found.cuts <= 4096 + 2 * 256 * found.evaluations, "{case}: {found:?} {gap:e}");
         finely += u32::from(found.cuts > 4096);
     }
     assert!(finely > 2, "{finely}");
 }
 
-/// What names of places rest on: of a circle's dips over a line and over the side of a cone there is at most one on either half
-/// of it, as the line or the cone's axis divides it. Closed forms of the distance, fine samples, random circles and cones of all
-/// proportions; for lines it is proved, for cones this is all that is known.
+/// The assumption behind the names of places: the distance of a circle from a line or from the side of a cone has at
+/// most one local minimum on either half of the circle, as divided by the line or the cone's axis. Closed forms of the
+/// distance, fine samples, random circles and cones of all proportions. For lines it is proved; for cones this test is
+/// the only evidence.
 #[test]
 fn a_circle_has_at_most_one_local_minimum_on_either_half() {
     let mut random = Random(1999);
@@ -568,7 +570,8 @@ fn a_circle_has_at_most_one_local_minimum_on_either_half() {
         let (east, (sine, cosine)) = (axis.any_orthonormal_vector(), libm::sincos(random.between(0.02, 1.5)));
         let north = axis.cross(east);
         let side = if case % 2 == 0 { (0.0, 1.0) } else { (sine, cosine) };
-        // Of the place, above the line or cone about z with its apex in the origin: what it is over, distance, half.
+        // For a point above the line or the cone (about z, with its apex at the origin): the locus, the distance, and
+        // the half.
         let places: Vec<(bool, f64, bool)> = circle
             .iter()
             .map(|&(s, c)| {

@@ -1,11 +1,11 @@
-//! Boxes about moving round shapes, and whether a round shape is its own mirror image.
+//! Boxes around moving round shapes, and the mirror symmetry of round shapes.
 
 use crate::round_gaps::{capsule, cone, cylinder};
 use crate::support::{Flight, Random};
 use polhode_contact::{Shape, mirror_defect, swept_aabb};
 use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector};
 
-/// A still cylinder's and ring's box is tight; a moving shape's holds points of its surface at all times.
+/// The box of a cylinder or torus at rest is tight; that of a moving shape contains points of its surface at all times.
 #[test]
 fn swept_boxes() {
     let mut random = Random(3);
@@ -28,7 +28,7 @@ fn swept_boxes() {
             let aabb = swept_aabb(&shape, &motion, 0.2, 0.7).expect("a box");
             for k in 0..=20 {
                 let pose = motion.pose(0.2 + 0.025 * f64::from(k));
-                // Its least height above the box's floor, and so on for every side, by the closed form of half-spaces.
+                // The least distance of the shape from each side of the box, by the closed form of half-spaces.
                 for (direction, bound) in
                     [(DVec3::Z, aabb.min().z), (-DVec3::X, -aabb.max().x), (DVec3::Y, aabb.min().y)]
                 {
@@ -44,7 +44,8 @@ fn swept_boxes() {
     assert!(!swept_aabb(&floor, &still, 0.0, 1.0).expect("a box").is_finite());
 }
 
-/// Planes through the axis and across the middle mirror a cylinder and a ring; only those through the axis a cone.
+/// A cylinder and a torus are symmetric in planes through the axis and in the plane across the middle; a cone only in
+/// planes through the axis.
 #[test]
 fn mirrors() {
     let (across, through) = (UnitVector::Z, UnitVector::new(DVec3::new(1.0, 2.0, 0.0)).expect("a direction"));

@@ -10,7 +10,7 @@ fn floor() -> Shape {
     Shape::half_space(UnitVector::Z)
 }
 
-/// Contacts of A on B within 1e-9, which must be their own mirror image when the bodies are named the other way round.
+/// Contacts of A on B within 1e-9; those of the swapped pair must be the same, swapped.
 fn touching(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Vec<Contact> {
     let result = manifold(a, pose_a, b, pose_b, 1e-9);
     assert_swapped(&result, &manifold(b, pose_b, a, pose_a, 1e-9));
@@ -34,7 +34,7 @@ fn assert_swapped(one: &Manifold, other: &Manifold) {
     }
 }
 
-/// Whether the contacts are at these places, each once.
+/// Asserts that the contacts are at these points, each once.
 fn assert_places(contacts: &[Contact], expected: &[DVec3]) {
     assert_eq!(contacts.len(), expected.len(), "{contacts:?}");
     for place in expected {
@@ -55,8 +55,8 @@ fn octagon(center: DVec3, radius: f64) -> Vec<DVec3> {
     (0..8).map(place).collect()
 }
 
-/// On a floor: a disc stands on eight stated points, a lying cylinder or capsule on two, a cone on its side on two, and a
-/// tilted cylinder or a cone on its tip on one.
+/// On a floor: a disc stands on eight sample points, a lying cylinder or capsule on two, a cone on its side on two, and
+/// a tilted cylinder or a cone on its tip on one.
 #[test]
 fn on_a_floor() {
     let still = Pose::IDENTITY;
@@ -71,7 +71,7 @@ fn on_a_floor() {
         assert_normals(&line, DVec3::Z);
     }
     let half_angle = libm::atan2(0.3, 1.0);
-    // Turned by 90 degrees and the half angle more, the generator towards the floor is level.
+    // Turned by 90 degrees and the half angle more, the generator towards the floor is horizontal.
     let shape = cone(0.3, 1.0);
     let turn = Rotation::from_rotation_vector(DVec3::Y * (FRAC_PI_2 + half_angle));
     let apex = turn.rotate(DVec3::Z * 0.75);
@@ -88,7 +88,7 @@ fn on_a_floor() {
     assert_eq!(edge[0].feature, ContactFeature::Elements { a: SurfaceFeature::Rim(0), b: SurfaceFeature::Face(0) });
 }
 
-/// A slightly tilted cylinder has a contact at its very lowest place, whatever the tilt.
+/// A slightly tilted cylinder has a contact at its exact lowest point, whatever the tilt.
 #[test]
 fn lowest_place_of_a_tilted_disc() {
     let mut random = Random(11);
@@ -105,13 +105,13 @@ fn lowest_place_of_a_tilted_disc() {
     }
 }
 
-/// A cylinder that overhangs the edge of a box: the stated points over the box, the two places where the edge runs in
-/// and out under the disc, and none beyond.
+/// A cylinder that overhangs the edge of a box: the sample points over the box, the two points where the edge enters
+/// and leaves the disc, and none beyond.
 #[test]
 fn overhanging() {
     let block = cuboid(2.0, 2.0, 1.0);
     for (x, inside) in [(1.0, 4), (0.9, 5), (1.15, 3), (1.29, 1), (0.6, 8)] {
-        // Turned a little, so that no stated point is exactly on the edge.
+        // Turned a little, so that no sample point is exactly on the edge.
         let pose = Pose::new(yaw(0.1), DVec3::new(x, 0.1, 0.6));
         let contacts = touching(&cylinder(0.3, 0.2), &pose, &block, &Pose::IDENTITY);
         let stated = |c: &&Contact| matches!(c.feature, ContactFeature::VertexFace { .. });
@@ -142,7 +142,7 @@ fn overhanging() {
     }
 }
 
-/// Symmetric stackings and bodies side by side: every normal is right to 1e-9 and every gap exact, at any yaw.
+/// Symmetric stacks and bodies side by side: every normal is right to 1e-9 and every gap exact, at any yaw.
 #[test]
 fn stackings() {
     let gaps = [0.0, 1e-12, -1e-12, 1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
@@ -185,8 +185,8 @@ fn stackings() {
     }
 }
 
-/// A square whose edges the disc under it just touches: the tangent places are no corners of the overlap, one apart they
-/// are.
+/// A square whose edges are tangent to the disc under it: the points of tangency are no corners of the contact region,
+/// but separate crossings are.
 #[test]
 fn edges_that_graze_a_disc() {
     for (size, count) in [(1.0, 8), (1.0 - 1e-9, 4 + 8), (1.0 + 1e-9, 8)] {
@@ -215,7 +215,7 @@ fn separation_and_contacts_agree() {
                 let pose_b = Pose::new(random.rotation(), DVec3::ZERO);
                 let (turn, direction) = (random.rotation(), random.direction());
                 let (mut low, mut high) = (0.0, 3.0);
-                // Brought to touch along a direction by halving.
+                // Moved to touch along a direction by bisection.
                 for _ in 0..60 {
                     let middle = 0.5 * (low + high);
                     let pose_a = Pose::new(turn, direction * middle);
@@ -234,8 +234,8 @@ fn separation_and_contacts_agree() {
     }
 }
 
-/// Poses on a grid, turned by multiples of 45 degrees: faces flush, axes parallel or meeting, rims on edges, centres that
-/// coincide. The answer does not depend on which body is named first, and bodies that touch have a contact.
+/// Poses on a grid, turned by multiples of 45 degrees: faces flush, axes parallel or meeting, rims on edges, centres
+/// that coincide. The result does not depend on the order of the bodies, and bodies that touch have a contact.
 #[test]
 fn aligned_poses() {
     let mut random = Random(808);
@@ -261,7 +261,8 @@ fn aligned_poses() {
                 let one = manifold(a, &pose_a, b, &pose_b, 1e-9);
                 let other = manifold(b, &pose_b, a, &pose_a, 1e-9);
                 let case = || format!("{a:?} {pose_a:?} {b:?} {pose_b:?} {one:?} {other:?}");
-                // Rings are measured from their own middle line; deep overlaps of two have several measures.
+                // The distance of a torus is that of its centre circle; for two deeply overlapping tori it depends on
+                // the order.
                 let deep = one.separation < -0.2;
                 assert!(deep || (one.separation - other.separation).abs() < 1e-12, "{}", case());
                 if one.separation.abs() < 1e-12 {
@@ -284,7 +285,8 @@ fn almost_parallel() {
         for factor in [1.0, 2.0, 5.0] {
             let angle = factor * libm::exp10(-f64::from(exponent));
             for gap in [0.0, 1e-9, -1e-9, 1e-3] {
-                // Turned in the plane of the axes: the end of the shorter one comes near by sin(angle) half its height.
+                // Turned in the plane of the axes: the end of the shorter one comes nearer by sin(angle) times half its
+                // height.
                 let (sine, cosine) = libm::sincos(angle);
                 let lean = turned(DVec3::Y, -angle, DVec3::X * -(0.5 * cosine + 0.5 * sine + 0.3 + gap));
                 let lean = Pose::new(lean.rotation.inverse(), lean.translation);
@@ -302,8 +304,9 @@ fn almost_parallel() {
     }
 }
 
-/// A capsule that is hardly longer than a ball (a fuzz finding: of one of 1e-43 m the ends fell together in the other body's
-/// frame, and it had no axis): its side touches across the axis of its own frame, at any place.
+/// A capsule that is hardly longer than a ball (a fuzz finding: the ends of one of 1e-43 m coincided in the other
+/// body's frame, and it had no axis): the normal at its side is perpendicular to the axis of its own frame, at any
+/// position.
 #[test]
 fn a_short_capsule_touches_across_its_own_axis() {
     let mut random = Random(91);
@@ -315,7 +318,7 @@ fn a_short_capsule_touches_across_its_own_axis() {
         let found = evaluate(sides, &post, &post_pose, &capsule, &pose).expect("two lines");
         let swapped = evaluate(sides, &capsule, &pose, &post, &post_pose).expect("two lines");
         let axes = [pose, post_pose].map(|pose| pose.rotation.rotate(DVec3::Z));
-        // Of axes that are almost parallel the normal is the less certain.
+        // The normal is less certain for axes that are almost parallel.
         let rounding = 1e-14 / axes[0].cross(axes[1]).length();
         let askew = axes.iter().map(|axis| found.normal.dot(*axis).abs()).fold(0.0, f64::max);
         assert!(askew < rounding, "{case}: {askew} {found:?}");

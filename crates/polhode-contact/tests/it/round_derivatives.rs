@@ -6,21 +6,21 @@ use crate::support::{Random, cuboid, prism};
 use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature};
 use polhode_spatial::{DVec3, UnitVector};
 
-/// Poses tried for each pair: a rim that crosses an edge twice does so at few of them.
+/// Random poses for each pair: a rim crosses an edge twice at few of them.
 pub(crate) const POSES: u32 = 200;
 
 fn moved(shape: Result<Shape, polhode_contact::ShapeError>, by: DVec3) -> Shape {
     shape.and_then(|shape| shape.translated(by)).expect("a shape")
 }
 
-/// Every pair of elements, each way round.
+/// Every pair of elements, in both orders.
 #[test]
 fn of_every_pair_of_elements() {
     let mut random = Random(4321);
     each_pair_of_elements(|name, feature, a, b| check_at(POSES, name, feature, a, b, &mut random));
 }
 
-/// Calls `visit` with every pair of elements, each way round.
+/// Calls `visit` with every pair of elements, in both orders.
 pub(crate) fn each_pair_of_elements(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Shape)) {
     use SurfaceFeature::{Cap, Edge, Face, Rim, RimEntry, RimExit, Side as Lateral, Sphere, Vertex};
     let capsule = moved(Shape::capsule(0.1, 0.6), DVec3::new(0.1, -0.05, 0.2));
@@ -87,7 +87,7 @@ pub(crate) fn each_pair_of_elements(mut visit: impl FnMut(&str, ContactFeature, 
     }
 }
 
-/// The same by the names that contacts of these kinds have in common with polyhedra.
+/// The same for contacts whose names are those of polyhedra.
 #[test]
 fn by_names_that_polyhedra_have_too() {
     let mut random = Random(8765);
@@ -97,8 +97,8 @@ fn by_names_that_polyhedra_have_too() {
     let cube = cuboid(0.5, 0.4, 0.3);
     let cap = ContactFeature::Smooth { center_of: Side::B, center: 1, against: SurfaceFeature::Face(3) };
     check_at(POSES, "cap on a face", cap, &cube, &capsule, &mut random);
-    let stated = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 11, face: 1 };
-    check_at(POSES, "stated point on a face", stated, &cylinder, &cube, &mut random);
+    let sample = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 11, face: 1 };
+    check_at(POSES, "sample point on a face", sample, &cylinder, &cube, &mut random);
     let apex = ContactFeature::VertexFace { vertex_of: Side::B, vertex: 0, face: 0 };
     check_at(POSES, "apex on a disc", apex, &cylinder, &cone, &mut random);
     let corner = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 2, face: 1 };

@@ -1,5 +1,5 @@
-//! Separations of capsules, cylinders and cones: closed forms, and random pairs between bounds that share no code with the
-//! search for the best axis.
+//! Separations of capsules, cylinders and cones: closed forms, and random pairs between bounds that share no code with
+//! the search for the best axis.
 
 use crate::support::{Random, at, cuboid, prism};
 use polhode_contact::{ConvexPolyhedron, Shape, manifold, separation};
@@ -27,7 +27,7 @@ pub(crate) fn turned(axis: DVec3, angle: f64, place: DVec3) -> Pose {
     Pose::new(Rotation::from_rotation_vector(axis * angle), place)
 }
 
-/// A known separation: both ways round, at three scales, near and far from the origin, and mirrored.
+/// Asserts a known separation: in both orders, at three scales, near and far from the origin, and mirrored.
 fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pose, expected: f64) {
     let far = DVec3::new(1e6, -2e6, 5e5);
     for scale in [1e-4, 1.0, 1e4] {
@@ -52,7 +52,7 @@ fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pos
     }
 }
 
-/// Gaps and overlaps that can be written down, for every kind of pair of elements.
+/// Gaps and overlaps with closed forms, for every kind of pair of elements.
 #[test]
 fn closed_forms() {
     let still = Pose::IDENTITY;
@@ -89,7 +89,8 @@ fn closed_forms() {
         assert_known(|s| (cylinder(0.5 * s, s), cuboid(0.6 * s, s, s)), across, still, gap);
         assert_known(|s| (ball(0.3 * s), capsule(0.5 * s, s)), at(0.8 + gap, 0.0, 0.3), still, gap);
         assert_known(|s| (ball(0.3 * s), cylinder(0.5 * s, s)), at(0.8 + gap, 0.0, 0.3), still, gap);
-        // Two cones side by side, one on its head, touch along a generator: half angle alpha, axes at r cos(alpha) apart.
+        // Two cones side by side, one upside down, touch along a generator: half angle alpha, axes at r cos(alpha)
+        // apart.
         let alpha = libm::atan2(0.3, 1.0);
         let (c, k) = (libm::cos(alpha), libm::sin(alpha));
         // Apex of the first at the height of the other's base.
@@ -129,8 +130,8 @@ fn faceted(shape: &Shape, sides: u32, grow: f64) -> Option<Shape> {
     ConvexPolyhedron::from_points(&points).ok().map(Shape::convex)
 }
 
-/// Distance of two convex bodies by their supports alone: the largest of `-h_A(-n) - h_B(n)` over directions, searched on
-/// a sphere of samples and then in ever smaller circles about the best ones.
+/// Distance of two convex bodies by their support functions alone: the largest of `-h_A(-n) - h_B(n)` over directions,
+/// searched on a sphere of samples and then in ever smaller circles about the best ones.
 fn brute_force(random: &mut Random, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> f64 {
     let gap = |n: DVec3| -reach(a, pose_a, -n) - reach(b, pose_b, n);
     let mut samples: Vec<(f64, DVec3)> = Vec::new();
@@ -190,7 +191,7 @@ fn against_brute_force() {
         ball(0.3),
         cuboid(0.5, 0.4, 0.7),
         prism(5, 0.4, 0.3),
-        // Many edges, most of which the search must leave out rightly.
+        // Many edges, most of which the search must exclude correctly.
         Shape::convex(ConvexPolyhedron::from_points(&stones).expect("a hull")),
     ];
     let mut worst: f64 = 0.0;
@@ -238,7 +239,7 @@ fn between_prisms() {
             let found = separation(&shape, &pose, &cube, &pose_cube);
             let (most, least) =
                 (separation(&inside, &pose, &cube, &pose_cube), separation(&outside, &pose, &cube, &pose_cube));
-            // Apart, polyhedra are measured along faces and pairs of edges only: a lower bound.
+            // The separation of polyhedra that are apart is over faces and pairs of edges only: a lower bound.
             if found < 0.0 {
                 assert!(found <= most + 1e-13, "{found} {most}");
             }

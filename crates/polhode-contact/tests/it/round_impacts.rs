@@ -15,7 +15,7 @@ fn slab() -> Shape {
     cuboid(20.0, 20.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")
 }
 
-/// Time of a fall with gravity from rest through a height.
+/// Time of a free fall from rest through a height.
 fn fall_time(height: f64) -> f64 {
     (2.0 * height / 9.81_f64).sqrt()
 }
@@ -48,7 +48,8 @@ fn falls() {
                     let report = find_impact(shape, &flight, &ground, &still, 0.0, 20.0, &settings).expect("an answer");
                     let expected = fall_time(height);
                     let found = report.time.expect("an impact");
-                    // The search ends when the separation is rounding, 4 ulps of the lengths that make it up.
+                    // The search ends when the separation is within rounding, 4 epsilons of the lengths it is computed
+                    // from.
                     let slack = 4.0 * f64::EPSILON * (45.0 + height) / (9.81 * expected);
                     let relative = if spin == 0.0 { 2e-14 } else { 1e-13 };
                     assert!(
@@ -62,7 +63,7 @@ fn falls() {
     }
 }
 
-/// A cylinder that turns about a horizontal axis above a floor touches when its rim comes down to it: the angle is known.
+/// A cylinder that rotates about a horizontal axis above a floor touches it with its rim at a known angle.
 #[test]
 fn rim_swings_onto_a_floor() {
     let (radius, half, spin) = (0.3, 0.5, 3.0);
@@ -88,7 +89,7 @@ fn head_on() {
     let along = turned(DVec3::Y, FRAC_PI_2, DVec3::ZERO).rotation;
     let point = Shape::points(vec![DVec3::ZERO]).expect("a point");
     let ball = Shape::sphere(0.5).expect("a ball");
-    // Shape, attitude and how far it reaches towards -x and +x.
+    // Shape, attitude and extents towards -x and +x.
     let shooters = [
         (capsule(0.2, 1.0), upright, 0.2),
         (capsule(0.2, 1.0), along, 0.7),
@@ -151,7 +152,7 @@ fn spinning_shots() {
     println!("{tally:?}");
 }
 
-/// Bullets of up to 1000 m/s and 1e4 rad/s against discs a millimetre thin that turn too.
+/// Bullets of up to 1000 m/s and 1e4 rad/s against spinning discs a millimetre thin.
 #[test]
 fn through_thin_discs() {
     let mut random = Random(616);

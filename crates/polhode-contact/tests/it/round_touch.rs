@@ -6,7 +6,7 @@ use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 /// Separations about touch, m: rounding of either sign, and none.
 const SEPARATIONS: [f64; 9] = [0.0, 1e-18, -1e-18, 1e-16, -1e-16, 2e-15, -2e-15, 1e-12, 1e-9];
 
-/// A stated point, an apex or a cap that slides along a plane has no acceleration towards it but its own centripetal one,
+/// A sample point, an apex or a cap that slides along a plane has only its own centripetal acceleration towards it,
 /// however small the separation: its normal is the plane's.
 #[test]
 fn a_point_that_slides_on_a_plane_is_not_accelerated_by_the_rounding_of_its_separation() {
@@ -39,7 +39,7 @@ fn a_point_that_slides_on_a_plane_is_not_accelerated_by_the_rounding_of_its_sepa
                 let arm = arm + up.get() * (radius + 0.5 * found.geometry.separation);
                 let expected = up.get().dot(spin.cross(spin.cross(arm)));
                 let error = (found.acceleration_bias - expected).abs();
-                // Some roundings of the centripetal acceleration, w^2 times a length.
+                // A few roundings of the centripetal acceleration, w^2 times a length.
                 let allowed = 1e-14 * spin.length_squared();
                 assert!(error <= allowed, "{shape:?} at {separation:e}, spin {spin}: {error:e}");
             }

@@ -1,4 +1,4 @@
-//! Questions to many bodies give what asking each body gives.
+//! Queries of many bodies give the same results as queries of each body.
 
 use crate::distances::zoo;
 use crate::support::{Random, at, cuboid};

@@ -26,7 +26,7 @@ fn sphere_around_a_box() {
         let ContactFeature::Smooth { center_of: Side::A, center: 0, against } = contact.feature else {
             panic!("{contact:?}")
         };
-        // Edges are numbered by construction; their kind is what matters here.
+        // The numbers of edges depend on the construction; only their kind is checked here.
         assert_eq!(std::mem::discriminant(&against), std::mem::discriminant(&feature), "{contact:?}");
         if !matches!(feature, SurfaceFeature::Edge(_)) {
             assert_eq!(against, feature);
@@ -50,7 +50,7 @@ fn spheres() {
     let floor = Shape::half_space(UnitVector::Z);
     let rest = manifold(&floor, &Pose::IDENTITY, &ball(0.5), &at(7.0, 8.0, 0.5), 1e-9);
     assert_eq!((rest.separation, rest.contacts[0].geometry.normal), (0.0, DVec3::NEG_Z));
-    // One centre on the other: no direction, so no contact, and no panic.
+    // Concentric: no normal, so no contact, and no panic.
     assert!(manifold(&ball(1.0), &Pose::IDENTITY, &ball(1.0), &Pose::IDENTITY, 1.0).contacts.is_empty());
 }
 

@@ -30,8 +30,9 @@ fn prism_on_a_wide_box() {
     }
 }
 
-/// A prism on another of other sides, turned as a whole: edges of the two that are far from each other and almost parallel
-/// have a common perpendicular which rounding tilts. It separates no better than the faces, and the separation is the gap.
+/// A prism on another one with a different number of sides, rotated together. Edges of the two that are far apart and
+/// almost parallel have a common perpendicular with a large rounding error. It must not separate better than the faces:
+/// the separation is the gap.
 #[test]
 fn an_axis_of_edges_far_apart_does_not_blur_the_separation() {
     let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, -1.1, 0.7)), DVec3::ZERO);
@@ -52,7 +53,7 @@ fn an_axis_of_edges_far_apart_does_not_blur_the_separation() {
             }
         }
     }
-    // Poses and normals of the tilted bodies round by some 1e-15 of their size themselves.
+    // The poses and normals of the tilted bodies have a rounding of about 1e-15 of their size.
     assert!(worst < 5e-15, "{worst}");
 }
 
@@ -83,8 +84,8 @@ fn turned_cubes() {
     }
 }
 
-/// Equal prisms on each other, turned by any angle: 2n crossings, or n vertices when the corners coincide; the contacts'
-/// hull is the overlap of the two polygons.
+/// Equal prisms on each other, turned by any angle: 2n crossings, or n vertices when the corners coincide; the
+/// contacts' hull is the overlap of the two polygons.
 #[test]
 fn turned_prisms() {
     let mut random = Random(7);

@@ -3,7 +3,7 @@
 use polhode_contact::{ContactFeature, ConvexPolyhedron, Shape, TangentialKinematics, kinematics_with_tangential};
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, SplitMix64, Velocity};
 
-/// Random numbers from a fixed seed, so that a failing case can be found again; the seed of those still to be drawn.
+/// Random numbers from a fixed seed, so that a failing case can be reproduced; the field is the state of the generator.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {

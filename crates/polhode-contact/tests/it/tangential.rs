@@ -1,5 +1,5 @@
-//! Tangential terms of contacts: the tangent basis, closed forms, and the symmetries of space, of all kinds of shapes at
-//! random poses and velocities.
+//! Tangential terms of contacts: the tangent basis, closed forms, and the symmetries of space, of all kinds of shapes
+//! at random poses and velocities.
 
 use crate::support::{Random, cuboid, prism, tangential};
 use polhode_contact::{
@@ -8,7 +8,7 @@ use polhode_contact::{
 };
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 
-/// Cosine of the angle to the x axis beyond which the basis is made from the y axis: that of the crate.
+/// Cosine between normal and x axis above which the basis is made from the y axis, as in the crate.
 const NEAR_AXIS_COSINE: f64 = 0.9;
 
 const MIRRORS: [DVec3; 3] = [DVec3::new(-1.0, 1.0, 1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, -1.0)];
@@ -33,8 +33,8 @@ fn a_tangent_basis_is_right_handed_and_orthonormal() {
     assert_eq!(tangent_basis(DVec3::Y), [DVec3::X, -DVec3::Z]);
 }
 
-/// Bodies swapped keep the first tangent and turn the second one round; bodies mirrored in a coordinate plane have each
-/// tangent mirrored, but for its sign: to the bit.
+/// Swapping the bodies keeps the first tangent and reverses the second one; mirroring them in a coordinate plane
+/// mirrors each tangent, up to its sign. Both hold bit for bit.
 #[test]
 fn a_tangent_basis_of_swapped_and_of_mirrored_bodies() {
     let mut random = Random(37);
@@ -67,7 +67,7 @@ fn a_tangent_basis_is_smooth_within_either_part_of_the_sphere() {
     assert!((1.5..2.3).contains(&largest), "{largest}");
 }
 
-/// What is not finite gives no panic, and is not taken for a direction.
+/// Normals that are not finite give NaN and no panic.
 #[test]
 fn numbers_that_are_none() {
     for bad in [f64::NAN, f64::INFINITY] {
@@ -105,8 +105,8 @@ fn a_ball_that_rolls_on_a_plane() {
     assert_eq!(terms.normal_rate, DVec3::ZERO);
 }
 
-/// A block at rest on a turning table slips under it with -W x r, steadily; carried along with the table it does not slip,
-/// and would need the centripetal acceleration W x (W x r) to stay so: bias = -W x (W x r).
+/// A block at rest on a rotating table slips at a constant -W x r; one that moves with the table does not slip, and
+/// would need the centripetal acceleration W x (W x r) to stay so: bias = -W x (W x r).
 #[test]
 fn a_block_on_a_turning_table() {
     let (cube, table) = (cuboid(0.2, 0.2, 0.2), Shape::half_space(UnitVector::Z));
@@ -123,14 +123,14 @@ fn a_block_on_a_turning_table() {
     assert!(still.acceleration_bias.length() < 1e-14, "{}", still.acceleration_bias);
     let (_, carried) = at(Velocity::new(turn.cross(pose.translation), turn));
     assert!(carried.slip_velocity.length() < 1e-15);
-    // The centre of mass has -W x (W x c), the corner the rest: given the first, the corner moves with the table.
+    // With the acceleration -W x (W x c) of the centre of mass, the corner moves with the table.
     let given = turn.cross(turn.cross(pose.translation));
     assert!((carried.acceleration_bias + given).length() < 1e-14, "{}", carried.acceleration_bias);
 }
 
-/// A ball of radius r that rolls over a ball of radius R that stands still: its centre goes round with the rate W at the
-/// speed W (R + r), its spin is W (R + r)/r, the contact point goes round at W R, and under the centripetal acceleration
-/// alone no slip begins.
+/// A ball of radius r that rolls over a ball of radius R that stands still: its centre goes round with the rate W at
+/// the speed W (R + r), its spin is W (R + r)/r, the contact point goes round at W R, and under the centripetal
+/// acceleration alone no slip begins.
 #[test]
 fn a_ball_that_rolls_over_a_ball() {
     let (big, small) = (0.7, 0.3);
@@ -235,12 +235,12 @@ fn each_contact(seed: u64, rounds: u32, mut visit: impl FnMut(&Pair<'_>, Contact
     assert!(count > 100 * rounds, "{count}");
 }
 
-/// Size of what the terms are made of: how fast the contact runs and its normal turns.
+/// Size of the summands of the terms: the speed of the contact point and the rate of the normal.
 fn rate(terms: &TangentialKinematics) -> f64 {
     1.0 + terms.point_velocity.length() + terms.normal_rate.length()
 }
 
-/// Every vector of `found` is that of `reference` under a map, within a tolerance relative to the size of what it is made of.
+/// Every vector of `found` is that of `reference` under a map, within a tolerance relative to the size of its summands.
 fn assert_same(
     what: &str,
     found: &TangentialKinematics,
@@ -262,7 +262,8 @@ fn assert_same(
 }
 
 /// With the rates of point and normal chi' = n.V has the derivative that the normal terms give by another formula:
-/// n.(w_A x (p' - v_A) - w_B x (p' - v_B)) + n'.V. And the slip lies in the tangent plane, as the rate of the normal does.
+/// n.(w_A x (p' - v_A) - w_B x (p' - v_B)) + n'.V. And the slip lies in the tangent plane, as the rate of the normal
+/// does.
 #[test]
 fn point_and_normal_move_as_the_normal_terms_say() {
     each_contact(43, 20, |pair, feature, _| {
@@ -286,7 +287,7 @@ fn point_and_normal_move_as_the_normal_terms_say() {
     });
 }
 
-/// The normal terms are those of [`kinematics`], to the bit.
+/// The normal terms are those of [`kinematics`], bit for bit.
 #[test]
 fn normal_terms_are_those_of_kinematics() {
     each_contact(47, 5, |pair, feature, _| {
@@ -296,7 +297,7 @@ fn normal_terms_are_those_of_kinematics() {
     });
 }
 
-/// Bodies swapped: slip, bias and rate of the normal turn round, the point moves as it did.
+/// Swapping the bodies reverses slip, bias and rate of the normal; the velocity of the point stays the same.
 #[test]
 fn swapped_bodies() {
     each_contact(53, 20, |pair, feature, _| {
@@ -312,8 +313,8 @@ fn swapped_bodies() {
     });
 }
 
-/// Far from the origin only the rounding of the poses is lost, and of a common velocity of both bodies, however large, the
-/// tangential terms know nothing.
+/// Far from the origin only the rounding of the poses changes the terms, and a common velocity of both bodies, however
+/// large, does not change them.
 #[test]
 fn translation_and_common_velocity() {
     let (far, fast) = (DVec3::new(1e6, -2e6, 3e6), DVec3::new(4096.0, -8192.0, 1024.0));
@@ -334,7 +335,7 @@ fn translation_and_common_velocity() {
     });
 }
 
-/// Both bodies and their velocities turned: all vectors turn with them.
+/// When both bodies and their velocities are rotated, all vectors rotate with them.
 #[test]
 fn rotation() {
     each_contact(61, 20, |pair, feature, random| {
@@ -349,8 +350,8 @@ fn rotation() {
     });
 }
 
-/// The mirror image of two bodies in a coordinate plane has the mirror images of all vectors. Shapes that are their own
-/// mirror image stand for this; their contacts have other names there, and are told by their places.
+/// The mirror image of two bodies in a coordinate plane has the mirror images of all vectors. The test uses shapes that
+/// are their own mirror image; the mirrored contacts have other names, and are identified by their points.
 #[test]
 fn mirror_images() {
     let mut matched = 0;

@@ -1,6 +1,6 @@
 //! The rates of contact point and normal and the derivative of the slip, of every kind of contact, against finite
 //! differences of eighth order along motions that accelerate and whose spin changes direction, at separations that are
-//! not zero. Sharper, at fewer places: `tangential_reference.rs`.
+//! not zero. `tangential_reference.rs` has smaller tolerances at fewer contacts.
 
 use crate::derivatives::{Path, each_kind};
 use crate::round_derivatives::{POSES, each_pair_of_elements};
@@ -8,14 +8,15 @@ use crate::support::{Random, tangential};
 use polhode_contact::{ContactFeature, Shape, TangentialKinematics, evaluate, kinematics, kinematics_with_tangential};
 use polhode_spatial::DVec3;
 
-/// Steps of the differences, s: three tell where the motion of a contact is too curved for them (two may agree by chance).
+/// Steps of the differences, s: three show where the motion of a contact is too curved for them (two may agree by
+/// chance).
 const STEPS: [f64; 3] = [0.01, 0.007, 0.005];
 
-/// Differences that agree within this, relative to the larger of 1 and their value, are good enough to judge by.
+/// Differences that agree within this, relative to the larger of 1 and their value, are used as the reference.
 const TRUSTED: f64 = 1e-7;
 
 /// What the rounding of poses (`2^-52`) over the shortest step leaves, relative to the larger of 1 and the value. Where
-/// edges are nearly parallel or a rim lies nearly flat more is left, which the three steps tell.
+/// edges are nearly parallel or a rim lies nearly flat the error is larger, which the three steps show.
 const ROUNDING: f64 = 2e-12;
 
 /// Central difference of eighth order.
@@ -28,7 +29,7 @@ fn difference(f: &impl Fn(f64) -> DVec3, h: f64) -> DVec3 {
     WEIGHTS.into_iter().enumerate().map(term).sum::<DVec3>() / h
 }
 
-/// The derivative at zero and how far the three steps differ; nothing when they do not agree.
+/// The derivative at zero and the difference between the three steps; none when they do not agree.
 fn derivative(f: impl Fn(f64) -> DVec3) -> Option<(DVec3, f64)> {
     let [first, second, third] = STEPS.map(|h| difference(&f, h));
     let doubt = (first - third).length().max((second - third).length());
@@ -82,14 +83,14 @@ fn check_at(poses: u32, name: &str, feature: ContactFeature, shape_a: &Shape, sh
     assert!(checked >= 20, "{name}: only {checked}");
 }
 
-/// Every kind of contact of polyhedra, clouds, spheres and half-spaces, each way round.
+/// Every kind of contact of polyhedra, clouds, spheres and half-spaces, in both orders.
 #[test]
 fn of_every_kind() {
     let mut random = Random(2345);
     each_kind(|name, feature, a, b| check_at(POSES, name, feature, a, b, &mut random));
 }
 
-/// Every pair of elements of round shapes, each way round.
+/// Every pair of elements of round shapes, in both orders.
 #[test]
 fn of_every_pair_of_elements_of_round_shapes() {
     let mut random = Random(5432);

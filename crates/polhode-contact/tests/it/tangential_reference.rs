@@ -1,6 +1,6 @@
-//! Normal and tangential terms of 149 contacts against rates computed to 40 digits by another program in another language,
-//! by differences of places that it finds from the surfaces themselves (fixtures/reference/contact_kinematics, where the
-//! recipe stands): apart, overlapping, and at touch to the rounding of the poses.
+//! Normal and tangential terms of 149 contacts against rates computed to 40 digits by another program in another
+//! language, by finite differences of contact points that it finds from the surfaces themselves
+//! (fixtures/reference/contact_kinematics explains how): apart, overlapping, and touching to the rounding of the poses.
 
 use crate::support::cuboid;
 use polhode_contact::{
@@ -11,11 +11,11 @@ use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 
 const CASES: &str = include_str!("../../../../fixtures/reference/contact_kinematics/contacts.csv");
 
-/// The contact of the file is the crate's where point and normal agree within this, m.
+/// A contact of the file and one of the crate are the same when point and normal agree within this, m.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Largest error of the terms relative to the size of what they are made of: a hundred roundings, three times what a side
-/// all but parallel to a cone's needs, whose place runs along it at 300 m/s.
+/// Largest error of the terms relative to the size of their summands: a hundred roundings, three times the error for a
+/// side almost parallel to a cone's, whose contact point moves along it at 300 m/s.
 const LARGEST_ERROR: f64 = 2e-14;
 
 /// A body of the file in motion.
@@ -26,7 +26,7 @@ struct Moving {
     angular_acceleration: DVec3,
 }
 
-/// What the file says of a contact.
+/// The reference values for a contact.
 struct Outcome {
     normal: DVec3,
     point: DVec3,
@@ -77,7 +77,7 @@ impl Numbers<'_> {
     }
 }
 
-/// The shape that has a surface of the file, and the names that this surface may have.
+/// The shape for a surface of the file, and the features that this surface may be.
 fn surface(name: &str) -> (Shape, Vec<SurfaceFeature>) {
     use SurfaceFeature::{Cap, Edge, Face, Rim, RimEntry, RimExit, Side as Lateral, Sphere, Vertex};
     let (shape, kind) = name.split_once('-').unwrap_or((name, ""));
@@ -107,7 +107,7 @@ fn surface(name: &str) -> (Shape, Vec<SurfaceFeature>) {
     (shape.expect("a shape"), features)
 }
 
-/// All names that a contact of two parts of surfaces may have.
+/// All names that a contact of two features may have.
 fn names(a: SurfaceFeature, b: SurfaceFeature) -> Vec<ContactFeature> {
     use SurfaceFeature::{Cap, Edge, Face, Sphere, Vertex};
     let mut names = vec![ContactFeature::Elements { a, b }];
@@ -133,7 +133,7 @@ fn names(a: SurfaceFeature, b: SurfaceFeature) -> Vec<ContactFeature> {
     names
 }
 
-/// Compares what the crate says of a contact with the file.
+/// Compares the crate's terms of a contact with the file.
 fn check(
     name: &str,
     (a, b): (&Moving, &Moving),
@@ -165,7 +165,7 @@ fn check(
     errors.iter().map(|(_, error)| *error).fold(0.0, f64::max)
 }
 
-/// Every pair of surfaces, by every name it has.
+/// Every pair of surfaces, by every name that its contact may have.
 #[test]
 fn every_pair_of_surfaces_to_rounding() {
     let (mut contacts, mut checked, mut worst) = (0, 0, 0.0_f64);

@@ -1,11 +1,11 @@
 //! The axis of largest separation of two convex bodies, at least one of them round.
 //!
 //! Along any unit vector `n` from B to A the bodies are apart by at least `s(n) = -h_A(-n) - h_B(n)` (`h` the support
-//! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of penetration
-//! when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other elements
-//! (`places.rs`), since it is smooth elsewhere. All of these are candidates. The value
-//! `s` along any direction is a lower bound of the separation, so that an unnecessary candidate does no harm. When two
-//! candidates are equal, a face or disc is preferred.
+//! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of
+//! penetration when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other
+//! elements (`places.rs`), since it is smooth elsewhere. All of these are candidates. The value `s` along any direction
+//! is a lower bound of the separation, so that an unnecessary candidate does no harm. When two candidates are equal, a
+//! face or disc is preferred.
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
 use crate::narrow_phase::axis::body::{Body, framed};
@@ -94,9 +94,9 @@ fn above_plane(owner: &Body<'_>, face: SurfaceFeature, other: &Body<'_>) -> Opti
     Some((-other.support(-normal) - normal.dot(through), normal))
 }
 
-/// The best common normal of two elements that are not planes, when it separates better than the planes do. Of equal ones
-/// a pair is preferred whose elements are at the closest points of the bodies: for a sphere above a row of corners at one
-/// height, the corner below it.
+/// The best common normal of two elements that are not planes, when it separates better than the planes do. Of equal
+/// ones a pair is preferred whose elements are at the closest points of the bodies: for a sphere above a row of corners
+/// at one height, the corner below it.
 fn best_of_elements(a: &Body<'_>, b: &Body<'_>, flat: Gap) -> Gap {
     let between = a.pose.translation - b.pose.translation;
     let rounding = RESOLUTION_ULPS * f64::EPSILON * (a.size() + b.size() + between.length());

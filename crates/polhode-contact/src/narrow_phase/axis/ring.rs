@@ -244,7 +244,8 @@ impl<'a> Ring<'a> {
         let least = self.nearest(self.place(0.0)).distance + self.tolerance;
         let wanted = Nearest { reach: reach + self.tube, least, above: None };
         let wanted = self.each_of_elements(&rim, wanted, &mut report);
-        // Of places over a rim some have no name of their own (`branch_offset.rs`): then the samples say how near they are.
+        // Of places over a rim some have no name of their own (`branch_offset.rs`): then the samples say how near they
+        // are.
         let all_named = circles(self.other).is_empty();
         if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
             self.each_corner(&rim, wanted, report);
@@ -354,8 +355,8 @@ impl<'a> Ring<'a> {
         });
     }
 
-    /// The minimum at a sampled angle, no farther from it than the next samples, unless it is a common normal that is known
-    /// within a limit (m).
+    /// The minimum at a sampled angle, no farther from it than the next samples, unless it is a common normal that is
+    /// known within a limit (m).
     fn corner_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
         let sampled = self.place(angle);
         let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;

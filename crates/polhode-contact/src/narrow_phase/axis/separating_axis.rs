@@ -1,10 +1,10 @@
 //! Separating axes of two convex polyhedra.
 //!
-//! Two convex polyhedra are separated exactly when a face normal of one of them, or the common perpendicular of an edge of
-//! each, is a separating axis. When they overlap, the smallest overlap over these axes is the penetration depth. Of the
-//! pairs of edges only those count whose arcs cross on the Gauss map (the arc of an edge joins the normals of its two
-//! faces on the unit sphere): only those support the difference of the bodies. Sources: docs/REFERENCES.md, Gottschalk
-//! 1996, Gregorius 2013.
+//! Two convex polyhedra are separated exactly when a face normal of one of them, or the common perpendicular of an edge
+//! of each, is a separating axis. When they overlap, the smallest overlap over these axes is the penetration depth. Of
+//! the pairs of edges only those count whose arcs cross on the Gauss map (the arc of an edge joins the normals of its
+//! two faces on the unit sphere): only those support the difference of the bodies. Sources: docs/REFERENCES.md,
+//! Gottschalk 1996, Gregorius 2013.
 
 use crate::narrow_phase::axis::axes::Axes;
 use crate::narrow_phase::axis::axis_search::{AxisSearch, plane_of_b};
@@ -39,8 +39,8 @@ impl AxisSearch {
         })
     }
 
-    /// The best face of each body: `Ok` when one separates by more than `stop`, `Err` when the edges have to be searched
-    /// too.
+    /// The best face of each body: `Ok` when one separates by more than `stop`, `Err` when the edges have to be
+    /// searched too.
     pub(crate) fn search_faces(
         &mut self,
         a: &ConvexPolyhedron,

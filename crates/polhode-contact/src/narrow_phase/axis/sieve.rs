@@ -1,9 +1,10 @@
-//! Exclusion of elements of a polyhedron that cannot decide the separation of a pair. Most cannot, and each costs a search.
+//! Exclusion of elements of a polyhedron that cannot decide the separation of a pair. Most cannot, and each costs a
+//! search.
 //!
-//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B towards
-//! the origin. `U = |z|` is an upper bound of the distance of the bodies. When the bodies are separated, the two deciding
-//! elements are at most `U` apart. When the bodies overlap, they are no farther apart than the overlap along any axis
-//! that is already known. So only elements within this distance of the other body's box can decide.
+//! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B
+//! towards the origin. `U = |z|` is an upper bound of the distance of the bodies. When the bodies are separated, the
+//! two deciding elements are at most `U` apart. When the bodies overlap, they are no farther apart than the overlap
+//! along any axis that is already known. So only elements within this distance of the other body's box can decide.
 //!
 //! When the bodies are separated, elements that reach far towards the other body are tried first.
 
@@ -95,10 +96,10 @@ impl Bounds {
     }
 }
 
-/// Whether an element of a polyhedron certainly separates worse than `best` (m), which holds for all normals `o` between
-/// those of its faces, `o = sum alpha_i n_i`: for any point `q` of the other body the separation is at most
-/// `o.(q - p) = sum alpha_i n_i.(q - p)`, and `sum alpha_i >= 1`, so that it is at most the largest `n_i.(q - p)` when that
-/// is negative. `q` is the other body's lowest point over one of the faces.
+/// Whether an element of a polyhedron certainly separates worse than `best` (m), which holds for all normals `o`
+/// between those of its faces, `o = sum alpha_i n_i`: for any point `q` of the other body the separation is at most
+/// `o.(q - p) = sum alpha_i n_i.(q - p)`, and `sum alpha_i >= 1`, so that it is at most the largest `n_i.(q - p)` when
+/// that is negative. `q` is the other body's lowest point over one of the faces.
 pub(crate) fn is_worse(body: &Body<'_>, feature: SurfaceFeature, other: &Body<'_>, best: f64) -> bool {
     let Shape::Convex(polyhedron) = body.shape else { return false };
     let (point, faces): (u32, &[u32]) = match feature {

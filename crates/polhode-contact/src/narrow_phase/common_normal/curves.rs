@@ -11,9 +11,9 @@
 //! G'(pi - u_1)`, and none otherwise. A minimum and a maximum that are about to merge are arbitrarily close to each
 //! other, so that samples of `G'` alone would miss them.
 //!
-//! Two circles: the point of one circle closest to a given point of the other has a closed form. All local minima of this
-//! distance are found (`minima.rs`), and each is refined by Newton's method in both angles on `|F|^2/2`, whose matrix is
-//! regular at crossings.
+//! Two circles: the point of one circle closest to a given point of the other has a closed form. All local minima of
+//! this distance are found (`minima.rs`), and each is refined by Newton's method in both angles on `|F|^2/2`, whose
+//! matrix is regular at crossings.
 
 use crate::narrow_phase::common_normal::minima::{Height, falling_root};
 use crate::narrow_phase::common_normal::place::{Place, Places};
@@ -37,8 +37,8 @@ const ANGLE_CONVERGED: f64 = 1e-14;
 /// Largest change of an angle in one step, rad.
 const LONGEST_TURN: f64 = 0.3;
 
-/// Sine of the angle between a line and a circle's axis below which they are parallel: seen along the line the ellipse is
-/// then a circle to rounding, and any axis of it the long one.
+/// Sine of the angle between a line and a circle's axis below which they are parallel: seen along the line the ellipse
+/// is then a circle to rounding, and any axis of it the long one.
 const PARALLEL_PART: f64 = 1e-9;
 
 /// A line (point and direction) as A and a circle as B.
@@ -55,8 +55,8 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         to.dot(short_seen * cosine - long_seen * sine)
     };
     let slope = |u: f64| slope_at(libm::sincos(u));
-    // When the line lies just inside a thin ellipse, near an end of its long axis, the two minima are close to each other on
-    // either side of that end. A sample between each of them and the end separates them.
+    // When the line lies just inside a thin ellipse, near an end of its long axis, the two minima are close to each
+    // other on either side of that end. A sample between each of them and the end separates them.
     let tip = libm::acos((line.dot(long) / radius).clamp(-1.0, 1.0));
     let step = PI / LINE_SAMPLES as f64;
     let mut found = Places::none();

@@ -10,8 +10,8 @@
 //!  - the overlap of a disc and a cone along the cone's normal `o(t)`: `o.(apex - c)` plus the disc's radius times the
 //!    length of the component of `o` perpendicular to its axis.
 //!
-//! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at most
-//! four such angles.
+//! Squaring `h' = 0` gives a polynomial of degree 4 in `cos t` and `sin t`, which has at most eight roots: there are at
+//! most four such angles.
 //!
 //! A minimum and a maximum that are about to merge are arbitrarily close to each other, so that no number of samples is
 //! enough. An interval (`Stretch`) of half width `w` about its middle `t` has no minimum when `|h'(t)| > |h''(t)| w + M

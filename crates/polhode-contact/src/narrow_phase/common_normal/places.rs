@@ -6,8 +6,8 @@
 //!  - point and plane, point, line, circle or cone; plane and circle (its lowest point);
 //!  - two of line and cone: their normals obey `o.u = k_u` and `o.v = k_v`, hence `o = p u + q v +- g u x v`;
 //!
-//! For the others one unknown angle is left, about a cone's axis or along a circle (`minima.rs`): for a circle and a cone in
-//! this module, for a circle and a line and for two circles in `curves.rs`.
+//! For the others one unknown angle is left, about a cone's axis or along a circle (`minima.rs`): for a circle and a
+//! cone in this module, for a circle and a line and for two circles in `curves.rs`.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::common_normal::curves;

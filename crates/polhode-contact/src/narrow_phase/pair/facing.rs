@@ -56,7 +56,8 @@ pub(super) fn faces_beside(
 /// The best separating face and the face of the other body that lies against it.
 ///
 /// Of several faces that separate equally well (a body flush with a corner of another) the one that meets the most
-/// nearly parallel face is taken, then the one whose normal is most nearly vertical (z, then y, then x), then the first.
+/// nearly parallel face is taken, then the one whose normal is most nearly vertical (z, then y, then x), then the
+/// first.
 pub(super) fn facing(
     search: &AxisSearch,
     a: &ConvexPolyhedron,

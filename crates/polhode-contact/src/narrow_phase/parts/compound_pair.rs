@@ -1,13 +1,14 @@
 //! Contacts of compounds: the contacts of all pairs of parts, combined.
 //!
-//! The separation is the smallest separation over the pairs of parts. Bounding boxes exclude pairs that cannot be nearest.
+//! The separation is the smallest separation over the pairs of parts. Bounding boxes exclude pairs that cannot be
+//! nearest.
 //!
 //! A manifold is computed in these steps:
 //!
 //! 1. compute the contacts of every pair of parts within reach;
 //! 2. remove contacts that the whole body does not have (`compound_surface.rs`);
-//! 3. add the contacts at re-entrant edges (`tied_faces.rs`) and at bent ridges (`ridge_ends.rs`), which single pairs of
-//!    parts do not show;
+//! 3. add the contacts at re-entrant edges (`tied_faces.rs`) and at bent ridges (`ridge_ends.rs`), which single pairs
+//!    of parts do not show;
 //! 4. keep one contact for each place and normal (`same_places.rs`).
 //!
 //! All steps use coordinates relative to A's origin, so that a pair far from the world's origin loses no accuracy. The
@@ -76,7 +77,8 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
     compound.tree.least(f64::INFINITY, 0.0, &near, &mut measure)
 }
 
-/// All contacts of any pair, part by part. The separation of compounds and meshes is computed only when it is within reach.
+/// All contacts of any pair, part by part. The separation of compounds and meshes is computed only when it is within
+/// reach.
 pub(crate) fn manifold_of_parts(
     buffers: &mut CompoundBuffers,
     shapes: [&Shape; 2],
@@ -150,7 +152,8 @@ fn of_compound(
         return found.set_empty(found.separation, SeparatingAxis::None);
     }
     let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE_OF_PARTS * tolerance };
-    // Where a ridge bends, the contacts of single parts are not contacts of the whole body: cross the ridges there instead.
+    // Where a ridge bends, the contacts of single parts are not contacts of the whole body: cross the ridges there
+    // instead.
     let at_border = |c: &&Candidate| touching.is_at_border(&c.geometry);
     ridges.places.extend(candidates.iter().filter(at_border).map(|c| c.geometry.point));
     crossings(ridges, touching, &mut found.contacts);

@@ -1,17 +1,17 @@
 //! Which contacts of one part of a compound are contacts of the whole body.
 //!
-//! Parts may overlap, or touch at faces that are not on the surface of the body (the cuts of an exact decomposition). Each
-//! contact of a part, at a place `x` of its surface with outward normal `v`, is tested with short probes in the plane
-//! through
-//! `x` with normal `v`:
+//! Parts may overlap, or touch at faces that are not on the surface of the body (the cuts of an exact decomposition).
+//! Each contact of a part, at a place `x` of its surface with outward normal `v`, is tested with short probes in the
+//! plane through `x` with normal `v`:
 //!
-//!  - A contact on a face is kept when the face is free somewhere beside `x`: not every probe has another part above it.
-//!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane. The valid normals at an edge or
-//!    vertex of the whole body are those that are valid for all of its parts. It is also kept when it lies at the end of a face
-//!    with normal `v` that is free beside `x`: the face of the whole body ends there.
-//!  - An edge or vertex between coplanar faces of several parts is not a feature of the whole body. Its edge crossings are
-//!    removed. Its vertex contact is replaced by a vertex of the other body when there is one, so that the contacts are the
-//!    vertices of the whole contact region.
+//!  - A contact on a face is kept when the face is free somewhere beside `x`: not every probe has another part above
+//!    it.
+//!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane. The valid normals at an
+//!    edge or vertex of the whole body are those that are valid for all of its parts. It is also kept when it lies at
+//!    the end of a face with normal `v` that is free beside `x`: the face of the whole body ends there.
+//!  - An edge or vertex between coplanar faces of several parts is not a feature of the whole body. Its edge crossings
+//!    are removed. Its vertex contact is replaced by a vertex of the other body when there is one, so that the contacts
+//!    are the vertices of the whole contact region.
 //!
 //! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
@@ -58,9 +58,8 @@ struct Place<'a> {
     probe: f64,
 }
 
-/// The contact of two parts as a contact of the whole body `side`; `None` when the whole body does not have it. Poses are
-/// those of the candidate;
-/// `near` is a buffer.
+/// The contact of two parts as a contact of the whole body `side`; `None` when the whole body does not have it. Poses
+/// are those of the candidate; `near` is a buffer.
 pub(crate) fn on_whole(
     mut candidate: Candidate,
     shapes: [&Shape; 2],
@@ -217,8 +216,8 @@ impl Place<'_> {
         })
     }
 
-    /// Whether one of these faces has the contact normal and is free beside the place. The face of the whole body ends where
-    /// another part rises above it, and its points up to there can touch.
+    /// Whether one of these faces has the contact normal and is free beside the place. The face of the whole body ends
+    /// where another part rises above it, and its points up to there can touch.
     fn ends_a_face(&self, own: &ConvexPolyhedron, faces: &[u32]) -> bool {
         let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - IN_PLANE;
         faces.iter().filter(along).any(|&face| self.is_exposed(own, face))

@@ -118,8 +118,8 @@ pub(crate) fn of_polyhedron(
     let judge = OnTriangle { pair, triangle };
     let touching = pair.touching();
     for &feature in &features {
-        // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the ridges
-        // there instead (`ridge_ends.rs`).
+        // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the
+        // ridges there instead (`ridge_ends.rs`).
         let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
         bends.extend(place.map(|geometry| geometry.point));
         let Some(found) = judge.on_surface(feature) else { continue };
@@ -418,7 +418,8 @@ pub(crate) fn of_parts(
         let flat_edge =
             matches!(part, Part::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
         let supported = judge.supports(part, -local.geometry.normal, SLOPE);
-        // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have contacts.
+        // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have
+        // contacts.
         if is_on_face(local.feature) || (supported && !flat_edge) {
             contacts.push(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported });
         } else {
@@ -441,8 +442,8 @@ const fn is_on_face(feature: ContactFeature) -> bool {
     )
 }
 
-/// Adds the contacts of a round body on the face of a triangle that were hidden by invalid contacts at the same place. At
-/// the bottom of a valley, a disc crosses the edges of both sides, and a mesh vertex may lie on the disc at the same
+/// Adds the contacts of a round body on the face of a triangle that were hidden by invalid contacts at the same place.
+/// At the bottom of a valley, a disc crosses the edges of both sides, and a mesh vertex may lie on the disc at the same
 /// place as a point of the rim lies on the face. The surface does not have the first contact of each such pair, but has
 /// the second one. The contacts of `manifold` must have been used before: this function overwrites them.
 fn on_own_face(

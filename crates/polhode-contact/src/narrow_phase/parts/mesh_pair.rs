@@ -2,12 +2,12 @@
 //!
 //! Each triangle that overlaps the box of the other body is treated as a flat convex body. A contact of a triangle is
 //! kept only if the whole surface allows its normal at this feature of the mesh (`mesh_feature.rs`). Edges and vertices
-//! inside a flat patch give no contacts: a box on a plane of many triangles has contacts at its four corners only, and a
-//! sphere has one.
+//! inside a flat patch give no contacts: a box on a plane of many triangles has contacts at its four corners only, and
+//! a sphere has one.
 //!
-//! The body is taken to be on the side of the surface on which less of it overlaps. A single point is taken to be on the
-//! outer side. When a vertex lies on a convex edge or corner of the mesh, it has a contact with several faces; the one
-//! with the lowest face number is kept.
+//! The body is taken to be on the side of the surface on which less of it overlaps. A single point is taken to be on
+//! the outer side. When a vertex lies on a convex edge or corner of the mesh, it has a contact with several faces; the
+//! one with the lowest face number is kept.
 //!
 //! All computation is in the frame of the mesh. The result does not depend on which body is called A.
 
@@ -34,8 +34,8 @@ fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
     }
 }
 
-/// Whether contact of this shape with a mesh is not computed: meshes and half-spaces are fixed surroundings, and have no
-/// contacts with each other.
+/// Whether contact of this shape with a mesh is not computed: meshes and half-spaces are fixed surroundings, and have
+/// no contacts with each other.
 const fn never_meets(other: &Shape) -> bool {
     matches!(other, Shape::TriangleMesh(_) | Shape::HalfSpace(_))
 }
@@ -162,8 +162,8 @@ fn of_surface(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifo
     let MeshBuffers { pair: bodies, near, contacts, flat, ridges, same_places, .. } = buffers;
     let tolerance = pair.tolerance;
     if let Shape::Convex(polyhedron) = pair.other {
-        // When the penetration along a triangle's own axes exceeds that of the whole pair, the body touches this triangle
-        // only at a vertex or an edge. The deciding axis then belongs to a neighbouring triangle.
+        // When the penetration along a triangle's own axes exceeds that of the whole pair, the body touches this
+        // triangle only at a vertex or an edge. The deciding axis then belongs to a neighbouring triangle.
         near.retain(|(_, axes)| axes.supported >= found.separation.min(0.0) * DEEPER - SAME_PLACE_OF_PARTS * tolerance);
         for (triangle, axes) in near.iter() {
             of_polyhedron(bodies, pair, triangle, polyhedron, axes, (flat, contacts, &mut ridges.places));

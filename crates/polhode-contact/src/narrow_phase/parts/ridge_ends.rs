@@ -1,20 +1,21 @@
 //! Edge-edge contacts at the vertices of bent ridges.
 //!
-//! A ridge is a convex edge of the whole surface of a body. It may bend at a vertex: on the inner side of a ring of straight
-//! pieces, the surface beside the vertex rises above the planes of both pieces. A body that lies in such a bend touches both
-//! pieces. The normals of a single part do not give these contacts: the whole surface rises above the contact plane at the
-//! vertex, so that each crossing looks like one at a hidden edge, and the vertex itself has no valid normal. Two bends may
-//! also touch each other, as in a tight chain. They then have four crossings at one place.
+//! A ridge is a convex edge of the whole surface of a body. It may bend at a vertex: on the inner side of a ring of
+//! straight pieces, the surface beside the vertex rises above the planes of both pieces. A body that lies in such a
+//! bend touches both pieces. The normals of a single part do not give these contacts: the whole surface rises above the
+//! contact plane at the vertex, so that each crossing looks like one at a hidden edge, and the vertex itself has no
+//! valid normal. Two bends may also touch each other, as in a tight chain. They then have four crossings at one place.
 //!
 //! The search starts from places at which the bodies touch at the border of a feature. Every edge of A that passes
-//! through or ends at such a place is crossed with every such edge of B. The crossing is a contact under two conditions:
+//! through or ends at such a place is crossed with every such edge of B. The crossing is a contact under two
+//! conditions:
 //!
 //! - both whole surfaces lie below the contact plane right beside the place, along either edge;
 //! - at least one body rises above the contact plane at the place itself. Where neither does, the normal is one of many
 //!   that a convex vertex or edge allows, and the separating axes choose among those.
 //!
-//! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend over
-//! the length of a probe is smaller than rounding.
+//! Limits: the method fails where a piece of a ridge is shorter than a probe (`surface_probe.rs`), or where the bend
+//! over the length of a probe is smaller than rounding.
 
 use crate::bounding::aabb::Aabb;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
@@ -78,7 +79,8 @@ struct LocalSurface<'a> {
     slack: f64,
 }
 
-/// Adds the contacts at the places in the buffers and clears these places. The same contact may be added more than once.
+/// Adds the contacts at the places in the buffers and clears these places. The same contact may be added more than
+/// once.
 pub(crate) fn crossings(buffers: &mut RidgeBuffers, pair: TouchingPair<'_>, contacts: &mut Vec<Contact>) {
     let RidgeBuffers { places, near, here } = buffers;
     let surfaces = [0, 1].map(|at| LocalSurface::new(pair.shapes[at], pair.same_place));
@@ -212,8 +214,8 @@ impl<'a> LocalSurface<'a> {
         }
     }
 
-    /// Whether the whole surface at a place on an edge lies below the plane with normal `v`, and does not lie in it on both
-    /// sides of the edge.
+    /// Whether the whole surface at a place on an edge lies below the plane with normal `v`, and does not lie in it on
+    /// both sides of the edge.
     fn lies_below(&self, x: DVec3, edge: &EdgeHere, v: DVec3, near: &mut Vec<u32>) -> bool {
         if let Surface::Mesh(mesh) = self.surface {
             return mesh.supports_at_edge(edge.number, v, self.slack, SLOPE);

@@ -1,16 +1,16 @@
 //! Removal of duplicate contacts: one contact for each place and normal.
 //!
 //! Several parts may have a contact at the same place. The order of preference depends only on the features of the
-//! bodies, not on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number, then
-//! the feature of the upper body.
+//! bodies, not on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number,
+//! then the feature of the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side};
 use std::cmp::Ordering;
 
-/// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than this
-/// many place tolerances. Each of the two may deviate from the exact place by some tolerances: this limit is wider than
-/// that within one pair of parts (`region/same_place.rs`).
+/// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than
+/// this many place tolerances. Each of the two may deviate from the exact place by some tolerances: this limit is wider
+/// than that within one pair of parts (`region/same_place.rs`).
 pub(crate) const SAME_PLACE_OF_PARTS: f64 = 8.0;
 
 /// Normals that differ by less than this (length of the difference) are equal, as those of two coplanar faces of a

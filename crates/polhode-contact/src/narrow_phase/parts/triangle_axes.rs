@@ -1,11 +1,12 @@
 //! Separating axes of a mesh triangle and a convex polyhedron.
 //!
-//! A triangle is a flat convex body. Its axes are the two normals of its plane, the face normals of the polyhedron, and the
-//! common perpendiculars of a triangle edge and a polyhedron edge. On the Gauss map, the arc of a triangle edge is a half
-//! circle: it runs from one normal of the plane, over the in-plane direction out of the triangle, to the other normal.
+//! A triangle is a flat convex body. Its axes are the two normals of its plane, the face normals of the polyhedron, and
+//! the common perpendiculars of a triangle edge and a polyhedron edge. On the Gauss map, the arc of a triangle edge is
+//! a half circle: it runs from one normal of the plane, over the in-plane direction out of the triangle, to the other
+//! normal.
 //!
-//! All axes together decide whether the two bodies are separated. For contacts, only those axes are valid that the whole
-//! surface allows at the feature of the triangle ([`TriangleMesh::supports_at_edge`]).
+//! All axes together decide whether the two bodies are separated. For contacts, only those axes are valid that the
+//! whole surface allows at the feature of the triangle ([`TriangleMesh::supports_at_edge`]).
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::AXIS_SLACK;
@@ -118,8 +119,8 @@ pub(crate) struct TriangleBuffers {
 }
 
 impl TriangleBuffers {
-    /// Chooses the edges that can give a separation above the limit (negative). An edge is excluded when a corner of the
-    /// triangle lies below both of its faces by more than the limit (`edge_axes.rs`).
+    /// Chooses the edges that can give a separation above the limit (negative). An edge is excluded when a corner of
+    /// the triangle lies below both of its faces by more than the limit (`edge_axes.rs`).
     fn select(&mut self, polyhedron: &ConvexPolyhedron, offsets: &[f64], limit: f64) {
         self.below.clear();
         self.below.extend(self.over_faces.iter().zip(offsets).map(|([a, b, c], offset)| {
@@ -211,8 +212,8 @@ fn search_edges(
             if separation <= wanted {
                 continue;
             }
-            // When an edge lies in the triangle's plane, rounding decides the signs above. So both edges must also contain
-            // the support points along the axis.
+            // When an edge lies in the triangle's plane, rounding decides the signs above. So both edges must also
+            // contain the support points along the axis.
             let (level, base) =
                 (search.vertices[edge.vertices[0] as usize].dot(v) - tolerance, from.dot(v) + tolerance);
             let behind = |p: &DVec3| p.dot(v) < level;

@@ -8,8 +8,8 @@
 //! `chi' = n.(v_A(x_A) - v_B(x_B))`,
 //! `chi'' = n.(a_A(x_A) - a_B(x_B)) + n'.(v_A(x_A) - v_B(x_B)) + sum_i s_i z_i' n.(w_i x t_i)`,
 //!
-//! `a(x)` the acceleration of the material point, `t_i = dx/dz_i`, `s_i = +1` on A and `-1` on B. The rates follow from the
-//! stationarity conditions, differentiated: along two vectors `T` perpendicular to n
+//! `a(x)` the acceleration of the material point, `t_i = dx/dz_i`, `s_i = +1` on A and `-1` on B. The rates follow from
+//! the stationarity conditions, differentiated: along two vectors `T` perpendicular to n
 //!
 //! `T.((n.F) n' - v_A(x_A) + v_B(x_B) - sum_i s_i t_i z_i') = 0`,  `n'.t_i + n.(w_i x t_i) + n.k_i z_i' = 0`,
 //!
