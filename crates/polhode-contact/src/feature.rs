@@ -38,7 +38,7 @@ pub enum SurfaceFeature {
     Vertex(u32),
     /// A sphere, touched by a point of a cloud.
     Sphere,
-    /// The half-ball at an end of a capsule.
+    /// The hemisphere at an end of a capsule.
     Cap(u32),
     /// The side of a capsule, cylinder or cone.
     Side(u32),
@@ -117,7 +117,7 @@ pub enum ContactFeature {
 }
 
 impl ContactFeature {
-    /// The same contact with the bodies named the other way round.
+    /// The same contact with A and B swapped.
     pub const fn swapped(self) -> Self {
         match self {
             Self::VertexFace { vertex_of, vertex, face } => {

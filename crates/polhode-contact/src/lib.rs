@@ -1,9 +1,10 @@
 //! Collision shapes, broad phase, contact manifolds and rigorous times of impact of rigid bodies.
 //!
-//! The crate takes shapes, poses and motions; it knows no mass and no force. Shapes stand in the body's central frame
-//! (axes of the body, origin at its centre of mass, [`Shape::translated`]), and a pose is `X_WC`. All lengths are in
-//! metres. A contact normal is of unit length, in world axes, and points from B to A; a separation is negative when the
-//! bodies overlap. Swapping A and B reverses every normal and exchanges the two sides of every feature.
+//! The crate takes shapes, poses and motions; it knows no mass and no force. The coordinates of shapes are in the
+//! body's central frame (axes of the body, origin at its centre of mass, see [`Shape::translated`]), and a pose is
+//! `X_WC`. All lengths are in metres. A contact normal is of unit length, in world axes, and points from B to A; a
+//! separation is negative when the bodies overlap. Swapping A and B reverses every normal and exchanges the two sides
+//! of every feature.
 //!
 //! Everything is computed from the difference of the two poses, so that a pair far from the origin loses nothing
 //! beyond the rounding of its poses, and every tolerance is relative to the size of the pair ([`clearance`]).
@@ -14,7 +15,7 @@
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
 //! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same, cheaper for a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative, with a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`near_manifold_with()`] a [`PairMemory`]: a pair followed from step to step |
-//! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same of many bodies |
+//! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same for many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes touch; [`time_of_further_impact()`]: the next impact of shapes that touch already |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
@@ -43,7 +44,7 @@
 //! | word | meaning |
 //! |---|---|
 //! | element | a feature as the Minkowski sum of a point, line, circle, plane or the side of a cone with a ball |
-//! | place | a point of contact with its point on each body; two features are *in one place* (coincide) when nearer than the place tolerance |
+//! | place | a point of contact: a common normal of two features, with its point on each; features are *in one place* (coincide) when nearer to each other than the place tolerance |
 //! | reach | the largest separation at which contacts are reported, m |
 //! | region | all features that touch around one separating axis |
 //! | part | a convex shape of a compound, or a triangle of a mesh |
@@ -61,9 +62,9 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | shape | checks a shape, and stores what queries need: faces, edges, hull | `shape/construction.rs` |
-//! | boxes | bounds each body over an interval of time | `bounding/aabb.rs` |
+//! | boxes | bounds each body over an interval of time | `bounding/around_shape.rs` |
 //! | broad phase | finds the pairs whose boxes overlap | `broad_phase` |
-//! | dispatch | chooses the algorithm by the kinds of the two shapes; holds the buffers and the memory of the pair | `narrow_phase/dispatch/persistent.rs`, `narrow_phase/dispatch/manifold.rs` |
+//! | dispatch | chooses the algorithm by the kinds of the two shapes; holds the buffers and the memory of the pair | `narrow_phase/dispatch/pair_memory.rs`, `narrow_phase/dispatch/manifold.rs` |
 //! | parts | splits compounds and meshes into pairs of parts, and keeps the contacts that lie on the whole surface | `narrow_phase/parts/compound_pair.rs`, `narrow_phase/parts/mesh_pair.rs` |
 //! | axis | searches for the axis of largest separation | `narrow_phase/axis/separating_axis.rs`, `narrow_phase/axis/gap.rs`, `narrow_phase/axis/ring.rs` |
 //! | region | collects the features that touch around that axis | `narrow_phase/region/face_pair.rs`, `narrow_phase/region/round_region.rs` |

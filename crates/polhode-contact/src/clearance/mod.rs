@@ -1,8 +1,9 @@
 //! The tolerances of a pair, each relative to its size.
 //!
 //! They are made of two lengths. The *joint size* is the smaller of the two sizes: features that differ by a small part
-//! of it must be told apart. The *scale* is the sum of the lengths in the arithmetic: lengths below its rounding cannot
-//! be told apart. For the coincidence of features of a compound its smallest part counts (`compound_pair.rs`).
+//! of it must be distinguished. The *scale* is the sum of the lengths in the arithmetic: lengths below its rounding
+//! cannot be distinguished. The coincidence of features of a compound is decided with the size of its smallest part
+//! (`compound_pair.rs`).
 
 mod pair_tolerance;
 mod place_tolerance;

@@ -9,7 +9,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Subdivision goes on while cutting the part with the shortest time lengthens this time by at least this factor.
+/// Subdivision continues while cutting the part with the shortest time lengthens this time by at least this factor.
 const GAIN: f64 = 1.25;
 
 /// Largest number of cuts in one window. Rings that touch while nearly coplanar need many.

@@ -12,10 +12,10 @@
 //! `|gap''| <= |v_V' - v_E'| + (alpha_V + w_V^2)|r| + (alpha_E + w_E^2) Y + 2 w_E (V + w_V |r|)`,
 //! `Y = |y| + (V + w_V |r|) T`, `V` the largest relative speed of the centres.
 //!
-//! For two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has `|f''|
-//! <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves `|f''| <= E C +
-//! 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed of the two
-//! nearest points (all in A's frame, where `e_A` is at rest).
+//! For two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has
+//! `|f''| <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves
+//! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
+//! of the two nearest points (all in A's frame, where `e_A` is at rest).
 //!
 //! A circle (centre `c`, axis `a`, radius `R`) extends `R |a x n|` farther along `n` than its centre; `circle_below`
 //! bounds that.
@@ -23,10 +23,11 @@
 //! The centres' accelerations: the bound `|v'| <= a` alone would allow two bodies that fall side by side to approach
 //! each other with 2g. But the change of velocity `dv` over the window is known. If it is nearly `a T` in a direction
 //! `u`, then `v'` is nearly `a u` throughout: `integral |v' - a u| <= sqrt(2 a T (a T - |dv|))` by the Cauchy-Schwarz
-//! inequality. Gravity, which is the same for both, then cancels up to this small stray velocity.
+//! inequality. Gravity, which is the same for both, then cancels up to the small residual velocity on the right-hand
+//! side.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::impact::quadratic_bound::{Quadratic, open_until};
+use crate::impact::quadratic_bound::{Quadratic, positive_until};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::round::Hull;
 use crate::{ConvexPolyhedron, Side};
@@ -54,7 +55,7 @@ pub(crate) struct MovingBody {
     pub(crate) pose: Pose,
     pub(crate) velocity: Velocity,
     bounds: MotionBounds,
-    /// `a u`: the acceleration of the centre, up to a stray velocity, m/s^2 and m/s.
+    /// `a u`: the acceleration of the centre, m/s^2, and the bound of the residual velocity, m/s.
     mean: DVec3,
     stray: f64,
 }
@@ -157,8 +158,8 @@ impl<'a> Window<'a> {
         self.above_surfaces(of, points, 0.0, plane)
     }
 
-    /// As [`Self::above_planes`], for surfaces that curve towards the points. `bend` bounds how much the curvature
-    /// reduces the second derivative of a gap, m/s^2.
+    /// As [`Self::above_planes`], for surfaces that curve towards the points. `bend` bounds the reduction of the second
+    /// derivative of a gap by the curvature, m/s^2.
     pub(crate) fn above_surfaces(
         &mut self,
         of: Side,
@@ -199,7 +200,7 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + turning + bend,
             });
         }
-        let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
         open
     }
@@ -231,7 +232,7 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + turning,
             };
             let tilt = circle_below(up, axis, spin.cross(axis), swing, self.length);
-            open = open.min(open_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
+            open = open.min(positive_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
         }
         open
     }
@@ -274,7 +275,7 @@ impl<'a> Window<'a> {
         base.rate +=
             direction.dot(self.a.velocity.linear - self.b.velocity.linear) + turn.cross(direction).dot(between);
         base.curvature += turning * (turning * (between.length() + self.speed * self.length) + 2.0 * self.speed);
-        let open = open_until(base, &first, &second, self.length);
+        let open = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
         open
     }
@@ -359,7 +360,7 @@ impl<'a> Window<'a> {
                 + a.turning(place)
                 + 2.0 * w_a * speed,
         };
-        let open = open_until(base, &first, &second, self.length);
+        let open = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
         open
     }
@@ -387,7 +388,7 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + v.turning(arm.length()) + e.turning(other.length()),
             });
         }
-        let open = open_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
         open
     }
@@ -397,7 +398,7 @@ impl<'a> Window<'a> {
     pub(crate) fn between_points(&self, gap: Quadratic, axis: DVec3, aside: f64, arms: [f64; 2]) -> f64 {
         let turning = self.a.turning(arms[0]) + self.b.turning(arms[1]);
         let bound = gap.plus(self.central_about(Side::A, axis, aside));
-        open_until(bound.plus(Quadratic { curvature: turning, ..Quadratic::ZERO }), &[], &[], self.length)
+        positive_until(bound.plus(Quadratic { curvature: turning, ..Quadratic::ZERO }), &[], &[], self.length)
     }
 
     /// Velocities of A and of B at the beginning.

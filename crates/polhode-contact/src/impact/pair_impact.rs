@@ -47,7 +47,7 @@ pub(crate) fn find_in_parts(
         evaluations: 0,
         cuts: Cuts::new(),
     };
-    let start = search.look(t0)?;
+    let start = search.moment_at(t0)?;
     let (time, separation) =
         if start.separation > search.touch(&start) { search.advance(start, t1)? } else { search.depart(start, t1)? };
     Ok(ImpactReport { time, separation, evaluations: search.evaluations, cuts: search.cuts.made() })
@@ -85,7 +85,7 @@ const NARROWER: f64 = 4.0;
 /// Most times that a window which was clear to its end is widened.
 const MOST_WINDOWS: usize = 16;
 
-/// A change of separation by this many resolutions is a change, not rounding.
+/// Changes of separation up to this many resolutions are rounding error.
 const MEASURABLE: f64 = 4.0;
 
 /// A pair in contact has an impact when its separation has decreased by this part of the touch tolerance: more than the
@@ -137,7 +137,7 @@ fn only_point<'a>(shape: &Shape, hull: Hull<'a>, feature: SurfaceFeature) -> Hul
 
 impl Search<'_> {
     /// Poses and separation at a time.
-    fn look(&mut self, t: f64) -> Result<Moment, ImpactError> {
+    fn moment_at(&mut self, t: f64) -> Result<Moment, ImpactError> {
         let poses = [self.motions[0].pose(t), self.motions[1].pose(t)];
         if !(poses[0].is_finite() && poses[1].is_finite()) {
             return Err(ImpactError::NotFinite { t });
@@ -190,14 +190,14 @@ impl Search<'_> {
             if next <= now.t {
                 return Ok((Some(now.t), now.separation));
             }
-            now = self.look(next)?;
+            now = self.moment_at(next)?;
         }
     }
 
     /// Refines the impact found at `now` beyond the rounding of poses where the motions allow it (`fine_time.rs`).
     fn refine(&mut self, now: Moment, (t0, t1): (f64, f64)) -> Result<Moment, ImpactError> {
         let t = refined(self.shapes, self.motions, (t0, now.t, t1), self.touch(&now));
-        if t == now.t { Ok(now) } else { self.look(t) }
+        if t == now.t { Ok(now) } else { self.moment_at(t) }
     }
 
     /// For how long the pair certainly stays clear, at most `remaining` (s).
@@ -435,7 +435,7 @@ impl Search<'_> {
             if t <= last.t {
                 continue;
             }
-            last = self.look(t)?;
+            last = self.moment_at(t)?;
             let touch = self.touch(&last);
             let overlap = below.filter(|below| last.separation >= level && below.separation < closed);
             if let Some(overlap) = overlap {
@@ -481,7 +481,7 @@ impl Search<'_> {
         Ok(path.is_nan() || path >= CLOSED * self.touch(start))
     }
 
-    /// The time between two moments at which the separation falls below a level.
+    /// The time, between two evaluations, at which the separation falls below a level.
     fn locate_closing(
         &mut self,
         open: Moment,
@@ -491,7 +491,7 @@ impl Search<'_> {
     ) -> Result<(Option<f64>, f64), ImpactError> {
         let left = Sample { at: open.t, value: open.separation - level };
         let right = Sample { at: below.t, value: below.separation - level };
-        let found = last_open(left, right, tolerance, |t| self.look(t).map(|moment| moment.separation - level))?;
+        let found = last_open(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
         Ok((Some(found.at), found.value + level))
     }
 }

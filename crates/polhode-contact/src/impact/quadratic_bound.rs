@@ -62,14 +62,14 @@ const MAX_ROUNDS: usize = 64;
 
 /// How long `L(s) = base + min(first) + min(second)` stays positive, at most `window`; an empty list adds nothing.
 ///
-/// From the right: the parabolas that are least at `s` bound `L` from above, so that their root is no earlier than
-/// L's; when the same ones are least at that root, it is L's.
-pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
+/// The root is approached from the right. The sum of the parabolas that are least at `s` is an upper bound of `L`, so
+/// that its root is not before that of `L`; it is the root of `L` when the same parabolas are least there.
+pub(crate) fn positive_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
     let at = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s));
     if ![first, second].into_iter().flatten().chain([&base]).all(Quadratic::is_finite) {
         return 0.0;
     }
-    // Hulls that overlap now may be separated later, but they were not separated during the whole step.
+    // A negative value at the start means that the hulls overlap now: the axis separates them for no time at all.
     let start = at(0.0).value;
     if start <= 0.0 {
         return 0.0;
@@ -84,7 +84,7 @@ pub(crate) fn open_until(base: Quadratic, first: &[Quadratic], second: &[Quadrat
         previous = s;
         s = deciding.first_root().min(s);
     }
-    // The chord from zero to a point below the axis meets the axis before a concave function does.
+    // The chord from the start to a point with a negative value crosses zero before a concave function does.
     let end = at(s).at(s);
     if end < 0.0 { s * (start / (start - end)) * SHORTENING } else { 0.0 }
 }

@@ -2,17 +2,19 @@
 //!
 //! No plane separates linked rings, or rings that nearly touch. But a plane separates two short arcs of their centre
 //! circles (`ring_arcs.rs`). Its normal is the line between their closest points, which alternating projections find.
-//! Near touch, such planes need shorter and shorter arcs. There the method uses another property: the distance `D(s,
-//! u)` of the points of two arcs (arc lengths s and u) is convex. With `lambda` the least eigenvalue of its second
-//! derivatives over both arcs, `g` its gradient at one pair of points, and `L` the largest change, per length along the
-//! arcs, of the rate `nu = n.(v_A - v_B)` at which two material points separate,
+//! Near touch, such planes need shorter and shorter arcs. There the method uses another property: the distance
+//! `D(s, u)` of the points of two arcs (arc lengths s and u) is convex. With `lambda` the least eigenvalue of its
+//! second derivatives over both arcs, `g` its gradient at one pair of points, and `L` the largest change, per length
+//! along the arcs, of the rate `nu = n.(v_A - v_B)` at which two material points separate,
 //!
-//! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2`,
+//! `D(t + tau) >= D + g.d + lambda d^2/2 + (nu - L |d|) tau - c tau^2/2`
+//!
+//! for the pair at the displacement `d` from it, and at least, for any `d`,
+//!
 //! `D(t + tau) >= D + nu tau - (|g| + L tau)^2/(2 lambda) - c tau^2/2`
 //!
-//! for every other pair at the displacement `d`; `c` is a bound of the points' relative acceleration. The bound for
-//! each pair of points uses the current direction between them. The second derivatives are those at one pair, minus
-//! their largest change over the arcs.
+//! `c` is a bound of the points' relative acceleration. The bound for each pair of points uses the current direction
+//! between them. The second derivatives are those at one pair, minus their largest change over the arcs.
 //!
 //! The pair of arcs with the shortest time is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 

@@ -4,7 +4,7 @@ use super::curved::{apart, overlapping};
 use super::error::QueryError;
 use super::feature::QueryFeature;
 use super::found::Found;
-use super::lines::nearest_places;
+use super::lines::nearest_points;
 use super::piece::{Core, Piece};
 use super::pieces::{box_distance, offer_nearest};
 use super::polytopes;
@@ -144,7 +144,7 @@ fn of_cores(a: &Piece<'_>, b: &Piece<'_>) -> Found {
         (Core::Circle(_), _) => of_circle(a, b),
         (_, Core::Circle(_)) => swapped(of_circle(b, a)),
         (Core::Segment(p), Core::Segment(q)) => {
-            let near = nearest_places(p.map(|e| a.pose.transform_point(e)), q.map(|e| b.pose.transform_point(e)));
+            let near = nearest_points(p.map(|e| a.pose.transform_point(e)), q.map(|e| b.pose.transform_point(e)));
             Found {
                 distance: near.distance,
                 normal: near.normal,
@@ -161,7 +161,7 @@ fn of_cores(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     }
 }
 
-/// Height of a core above a half-space.
+/// Signed height of a core above a half-space.
 fn above_plane(a: &Piece<'_>, plane: &Piece<'_>) -> Found {
     let Core::HalfSpace(half_space) = plane.core else { return of_curved(a, plane) };
     let normal = plane.pose.rotation.rotate(half_space.normal);

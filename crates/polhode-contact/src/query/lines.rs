@@ -1,7 +1,7 @@
 //! The nearest points of two segments, in closed form.
 
 use crate::clearance::PARALLEL_SINE;
-use crate::shape::nearer_place::is_nearer;
+use crate::shape::nearer_point::is_nearer;
 use crate::shape::support::farthest;
 use crate::shape::support::unit;
 use crate::shape::triangle::on_segment;
@@ -9,14 +9,14 @@ use glam::DVec3;
 
 /// Nearest points of two segments, their distance (m), and the unit vector from the second to the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct NearestPlaces {
+pub(crate) struct NearestPoints {
     pub(crate) on_a: DVec3,
     pub(crate) on_b: DVec3,
     pub(crate) distance: f64,
     pub(crate) normal: DVec3,
 }
 
-impl NearestPlaces {
+impl NearestPoints {
     fn between((on_a, on_b): (DVec3, DVec3)) -> Self {
         Self { on_a, on_b, distance: on_a.distance(on_b), normal: unit(on_a - on_b) }
     }
@@ -28,7 +28,7 @@ impl NearestPlaces {
 /// The nearest points of two lines are uncertain by epsilon over the sine of the angle, but only along the lines, where
 /// the distance is stationary. Each is projected once more onto the other segment; the error of the distance is then
 /// epsilon times the lengths at any angle.
-pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
+pub(crate) fn nearest_points(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPoints {
     let (along_a, along_b) = (a[1] - a[0], b[1] - b[0]);
     let cross = along_a.cross(along_b);
     let square = cross.length_squared();
@@ -37,13 +37,13 @@ pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
     let between = middle_b - middle_a;
     let lengths = along_a.length() + along_b.length() + between.length();
     let reach = |n: DVec3| n.dot(farthest(&b, n) - farthest(&a, -n));
-    let nearer = |found: &NearestPlaces, other: &NearestPlaces| {
+    let nearer = |found: &NearestPoints, other: &NearestPoints| {
         is_nearer((found.distance, found.normal), (other.distance, other.normal), lengths, reach)
     };
     let ends = [(a[0], on(b, a[0])), (a[1], on(b, a[1])), (on(a, b[0]), b[0]), (on(a, b[1]), b[1])];
-    let mut best = NearestPlaces::between(ends[0]);
+    let mut best = NearestPoints::between(ends[0]);
     for pair in &ends[1..] {
-        let found = NearestPlaces::between(*pair);
+        let found = NearestPoints::between(*pair);
         if nearer(&found, &best) {
             best = found;
         }
@@ -54,7 +54,7 @@ pub(crate) fn nearest_places(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPlaces {
         let first = middle_a + along_a * place.clamp(-0.5, 0.5);
         let on_b = on(b, first);
         let on_a = on(a, on_b);
-        let mut crossing = NearestPlaces::between((on_a, on_b));
+        let mut crossing = NearestPoints::between((on_a, on_b));
         let inner = on_a != a[0] && on_a != a[1] && on_b != b[0] && on_b != b[1];
         if inner && square > PARALLEL_SINE * PARALLEL_SINE * along_a.length_squared() * along_b.length_squared() {
             crossing.normal = unit(if between.dot(cross) > 0.0 { -cross } else { cross });

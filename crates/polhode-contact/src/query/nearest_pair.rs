@@ -2,11 +2,11 @@
 //! are compared: every edge with every edge, every vertex with every face.
 
 use super::found::Found;
-use super::lines::nearest_places;
+use super::lines::nearest_points;
 use super::piece::{Core, Piece};
 use crate::SurfaceFeature;
 use crate::narrow_phase::feature::face_border::face_margin;
-use crate::shape::nearer_place::is_nearer;
+use crate::shape::nearer_point::is_nearer;
 use glam::DVec3;
 
 /// The features of one polytope around some of its vertices, in the common frame.
@@ -42,7 +42,7 @@ pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2
     });
     for (feature_a, edge_a, ends_a) in &around_a.edges {
         for (feature_b, edge_b, ends_b) in &around_b.edges {
-            let near = nearest_places(*edge_a, *edge_b);
+            let near = nearest_points(*edge_a, *edge_b);
             // The normal of intersecting edges has an arbitrary sign; the centres of the bodies decide it.
             let outward = (b.ball.0 - a.ball.0).dot(near.normal) > 0.0;
             let touching = near.on_a == near.on_b;

@@ -40,7 +40,7 @@ pub(crate) fn by_all_axes(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     } else if let Some(axis) = best_axis(a, b) {
         offer(axis);
     }
-    touching_places(a, b, normal, most)
+    witness_points(a, b, normal, most)
 }
 
 /// The narrow phase's axis of largest separation of two cores, at least one of which is no polyhedron.
@@ -58,7 +58,7 @@ pub(super) fn best_axis(a: &Piece<'_>, b: &Piece<'_>) -> Option<DVec3> {
 
 /// Witness points: where two polytopes touch after A has been moved out along the normal. They are the nearest points
 /// of the hulls of the deepest vertices of each.
-fn touching_places(a: &Piece<'_>, b: &Piece<'_>, normal: DVec3, distance: f64) -> Found {
+fn witness_points(a: &Piece<'_>, b: &Piece<'_>, normal: DVec3, distance: f64) -> Found {
     let tolerance = place_tolerance(a.ball.1, b.ball.1, a.ball.0 - b.ball.0);
     let extreme = |piece: &Piece<'_>, direction: DVec3| -> (Vec<u32>, Vec<DVec3>) {
         let placed: Vec<DVec3> = piece.core.vertices().iter().map(|&v| piece.pose.transform_point(v)).collect();

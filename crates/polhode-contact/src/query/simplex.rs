@@ -61,7 +61,7 @@ impl Simplex {
         simplex
     }
 
-    /// Adds a point; a fifth is left out.
+    /// Adds a point; a fifth is ignored.
     pub(crate) fn push(&mut self, point: Difference) {
         if self.count < 4 {
             self.points[self.count] = point;

@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 pub const RIM_POINTS: u32 = 8;
 
 /// Cosine and sine of the angles of the sample points.
-const PLACES: [(f64, f64); RIM_POINTS as usize] = [
+const SAMPLE_ANGLES: [(f64, f64); RIM_POINTS as usize] = [
     (1.0, 0.0),
     (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
     (0.0, 1.0),
@@ -50,12 +50,12 @@ impl Circle {
 
     /// A sample point; none beyond [`RIM_POINTS`].
     pub(crate) fn point(&self, index: u32) -> Option<DVec3> {
-        let (cosine, sine) = *PLACES.get(index as usize)?;
+        let (cosine, sine) = *SAMPLE_ANGLES.get(index as usize)?;
         let first = self.axis.any_orthonormal_vector();
         Some(self.center + (first * cosine + self.axis.cross(first) * sine) * self.radius)
     }
 
-    /// The nearest point of the circle to a point; some point of it for a point on its axis.
+    /// The nearest point of the circle to a point; an arbitrary point of it for a point on its axis.
     pub(crate) fn nearest(&self, p: DVec3) -> DVec3 {
         let radial = across(p - self.center, self.axis);
         let radial = radial.try_normalize().unwrap_or_else(|| self.axis.any_orthonormal_vector());

@@ -55,7 +55,7 @@ impl Compound {
 
     /// The part that owns a feature, its shape, and the feature's number within it. `first` selects the kind of number.
     pub(crate) fn owner(&self, number: u32, of: impl Fn(&FirstElements) -> u32) -> Option<(usize, &Shape, u32)> {
-        // Parts without such an element share their first number with the next part, which owns it.
+        // A part without such features has the same first number as the next part; the last of them owns the feature.
         let part = self.first.partition_point(|first| of(first) <= number).checked_sub(1)?;
         Some((part, self.parts.get(part)?, number - of(&self.first[part])))
     }

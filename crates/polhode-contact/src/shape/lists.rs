@@ -1,6 +1,6 @@
 //! Lists of unequal length in one array.
 
-/// Lists of unequal length, one after the other: the faces or the edges that meet at each vertex, say.
+/// Lists of unequal length, one after the other: for example the faces or the edges at each vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Lists {
     starts: Vec<usize>,

@@ -1,6 +1,6 @@
 //! Whether a shape is its own mirror image.
 //!
-//! Bodies that are symmetric in one plane and move parallel to it do so for ever: the engine checks the shapes of a
+//! Bodies that are symmetric in one plane and move parallel to it keep this symmetry: the engine checks the shapes of a
 //! planar motion with this module. A point x has the image `x - 2 (n.x - d) n` in the plane `n.x = d`.
 
 use crate::Shape;

@@ -14,7 +14,7 @@
 //! | `sphere`, `half_space`, `capsule`, `cylinder`, `cone`, `torus` | the shape of that name |
 //! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, support points, extents of shapes |
 //! | `lists` | lists of unequal length in one array |
-//! | `nearer_place` | which of two points is nearer, also when the distances are equal to rounding |
+//! | `nearer_point` | which of two points is nearer, also when the distances are equal to rounding |
 //! | [`mirror`] | whether a shape is its own mirror image |
 //! | [`mod@approximate_decomposition`] | approximate convex parts of a solid |
 //! | `error` | why a shape cannot be made |
@@ -33,7 +33,7 @@ pub(crate) mod hull;
 mod kinds;
 pub(crate) mod lists;
 pub mod mirror;
-pub(crate) mod nearer_place;
+pub(crate) mod nearer_point;
 mod point_cloud;
 pub mod polyhedron;
 mod polyhedron_construction;

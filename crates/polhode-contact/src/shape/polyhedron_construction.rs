@@ -24,7 +24,7 @@ impl ConvexPolyhedron {
         topology::build(vertices, loops.iter().map(|l| l.to_vec()).collect())
     }
 
-    /// The convex hull of some points, m; points inside it or inside a face are left out.
+    /// The convex hull of some points, m; points inside it or inside a face are omitted.
     ///
     /// # Errors
     /// When there are fewer than four points, they are flat, a coordinate is not finite, or the hull fails its checks.

@@ -6,7 +6,7 @@ use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
 
 impl Shape {
     /// The solid that a mesh bounds: a polyhedron when it is convex, else a compound of convex parts that fill it
-    /// exactly (docs/REFERENCES.md, Chazelle 1984). Parts that are flat to the tolerance of polyhedra are left out.
+    /// exactly (docs/REFERENCES.md, Chazelle 1984). Parts that are flat within the tolerance of polyhedra are omitted.
     ///
     /// # Errors
     /// When it needs too many parts, or none of them is thick enough.

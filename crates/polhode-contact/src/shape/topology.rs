@@ -1,7 +1,7 @@
 //! Builds a convex polyhedron from loops of vertices, and checks it: edges, adjacency, normals.
 //!
-//! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula `V - E + F =
-//! 2` holds, every vertex has at least three faces, every face is plane and no vertex is outside a face.
+//! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula
+//! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex is outside a face.
 
 use crate::shape::error::{ShapeError, check_length, check_point};
 use crate::shape::lists::Lists;

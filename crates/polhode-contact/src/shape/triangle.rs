@@ -6,7 +6,7 @@
 //! then moves the nearest point within the triangle only, and the error of the distance is the rounding of the point's
 //! distance from a corner.
 
-use super::nearer_place::is_nearer;
+use super::nearer_point::is_nearer;
 use super::support::farthest;
 use glam::DVec3;
 
@@ -26,7 +26,7 @@ fn sides([a, b, c]: [DVec3; 3]) -> ([f64; 3], usize) {
     (squares, if first { 0 } else { 1 + usize::from(squares[2] > squares[1]) })
 }
 
-/// The normal, seen against which the corners are anticlockwise, with twice the area as its length, m^2.
+/// The area vector: twice the area times the unit normal (corners anticlockwise seen from its tip), m^2.
 pub(crate) fn area_vector(corners: [DVec3; 3]) -> DVec3 {
     let from = sides(corners).1;
     let tip = corners[(from + 2) % 3];

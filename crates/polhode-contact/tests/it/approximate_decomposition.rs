@@ -35,7 +35,7 @@ fn l_shape_is_nearly_filled() {
     }
 }
 
-/// A solid in kilometres or micrometres gives the same parts; a void is filled, and the volume error says so.
+/// A solid in kilometres or micrometres gives the same parts; a void is filled, which the volume error shows.
 #[test]
 fn voids_and_units() {
     let solid = l_shape();

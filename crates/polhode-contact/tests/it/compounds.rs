@@ -105,7 +105,7 @@ fn a_near_manifold_is_the_manifold_within_reach() {
 }
 
 #[test]
-fn quarters_meet_tilted_bodies_as_the_whole_does_and_swapped_bodies_mirror() {
+fn quarters_have_the_contacts_of_the_whole_in_both_orders() {
     let mut random = Random(23);
     let size = DVec3::new(2.0, 1.0, 0.5);
     let whole = cuboid(size.x, size.y, size.z);
@@ -131,7 +131,7 @@ fn quarters_meet_tilted_bodies_as_the_whole_does_and_swapped_bodies_mirror() {
 }
 
 #[test]
-fn quarters_strike_at_the_time_of_the_whole() {
+fn quarters_have_the_time_of_impact_of_the_whole() {
     let mut random = Random(5);
     let size = DVec3::new(2.0, 1.0, 0.5);
     let whole = cuboid(size.x, size.y, size.z);
@@ -169,7 +169,7 @@ fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
     assert_eq!(found, None);
     let Shape::Compound(compound) = &ground else { panic!("a compound") };
     let mut parts = compound.parts().to_vec();
-    // A step of 5 cm whose face stands at x = 0.5: the brick's front reaches it after 1.3 m.
+    // A step of 5 cm whose face is at x = 0.5: the brick's front reaches it after 1.3 m.
     parts.push(cuboid(0.2, 2.0, 0.05).translated(DVec3::new(0.6, 0.0, 0.525)).expect("a place"));
     let stepped = Shape::compound(parts).expect("five parts");
     let hit = time_of_impact(&brick, &slide, &stepped, &ground_pose, 0.0, 1.0, &settings).expect("an answer");
@@ -290,7 +290,7 @@ fn boxes_on_sloped_boxes_touch_with_the_slope_s_normal() {
 }
 
 #[test]
-fn what_makes_no_compound_is_refused() {
+fn invalid_compounds_are_refused() {
     assert!(matches!(Shape::compound(Vec::new()), Err(ShapeError::NoPart { .. })));
     let floor = Shape::half_space(UnitVector::Z);
     assert!(matches!(Shape::compound(vec![floor]), Err(ShapeError::NotAPart { .. })));

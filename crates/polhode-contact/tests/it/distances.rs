@@ -131,7 +131,7 @@ fn check_consistent(name: &str, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Po
 /// Gaps from below rounding to a thousandth of the size, and large ones: the features found by GJK must give the result
 /// of all pairs. The tolerance is a few epsilon of the coordinates, which reach 2.
 #[test]
-fn polyhedra_are_as_far_apart_as_their_nearest_features() {
+fn the_distance_of_polyhedra_is_that_of_their_nearest_features() {
     let mut random = Random(11);
     let mut worst: f64 = 0.0;
     let mut apart = 0;
@@ -158,7 +158,7 @@ fn polyhedra_are_as_far_apart_as_their_nearest_features() {
 /// The depth is the least over all directions; the reference is the separating-axis search of the narrow phase, which
 /// is independent code.
 #[test]
-fn overlapping_polyhedra_are_as_deep_as_their_separation_says() {
+fn overlapping_polyhedra_have_the_depth_of_their_separation() {
     let mut random = Random(5);
     let mut worst: f64 = 0.0;
     for _ in 0..1500 {
@@ -179,7 +179,7 @@ fn overlapping_polyhedra_are_as_deep_as_their_separation_says() {
 
 /// Where a face normal is the best axis, distance and separation are equal; elsewhere the separation is less.
 #[test]
-fn separation_is_a_lower_bound_that_faces_meet() {
+fn separation_is_a_lower_bound_and_exact_for_faces() {
     let mut random = Random(3);
     let mut met = 0;
     for _ in 0..2000 {
@@ -294,7 +294,7 @@ fn round_bodies_that_touch_overlap() {
 /// remainder of a direction along the axis was taken for one perpendicular to it, so that a cylinder extended beyond
 /// its cap and a torus had its centre circle on its axis): the distances are those of the closed forms.
 #[test]
-fn axes_of_unit_length_to_rounding_have_no_part_across_themselves() {
+fn axes_of_unit_length_to_rounding_have_no_component_perpendicular_to_themselves() {
     let ball = Shape::sphere(0.1).expect("a ball");
     let (cylinder, cone) = (Shape::cylinder(3.2, 3.2).expect("a cylinder"), Shape::cone(3.2, 3.2).expect("a cone"));
     let ring = Shape::torus(2.7, 1.1).expect("a ring");
@@ -437,7 +437,7 @@ fn closest_points_lie_on_surfaces() {
     }
 }
 
-/// What is not a number gives an error, never a panic.
+/// Input that is not finite gives an error, never a panic.
 #[test]
 fn hostile_poses_give_errors() {
     let brick = cuboid(1.0, 1.0, 1.0);

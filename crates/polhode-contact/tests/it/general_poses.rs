@@ -44,7 +44,7 @@ fn pressed_together(random: &mut Random, target: f64) -> (DVec3, DVec3, Pose) {
 
 /// Two roofs whose ridges cross at a small angle do not penetrate by more than along the vertical direction between the
 /// ridges, whatever the angle and however steep they are: where the ridges are nearly parallel, their common
-/// perpendicular is uncertain, but the separation is not (ridges that touched at 1e-7 rad looked like a penetration of
+/// perpendicular is uncertain, but the separation is not (before, ridges that touched at 1e-7 rad gave a penetration of
 /// 5e-8 of their length).
 #[test]
 fn nearly_parallel_ridges_do_not_penetrate_by_more_than_along_the_vertical() {

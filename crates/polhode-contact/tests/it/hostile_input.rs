@@ -21,7 +21,7 @@ fn shapes() -> Vec<Shape> {
     ]
 }
 
-/// Poses that are not finite give no contact and a separation that is not a number.
+/// Poses that are not finite give no contact and a NaN separation.
 #[test]
 fn poses_that_are_not_finite() {
     for a in shapes() {
@@ -38,7 +38,7 @@ fn poses_that_are_not_finite() {
 
 /// A workspace that was used for other pairs gives the same bits as a new one.
 #[test]
-fn workspaces_carry_nothing_over() {
+fn results_do_not_depend_on_earlier_use_of_a_workspace() {
     let mut random = Random(23);
     let (mut workspace, mut kept) = (Workspace::default(), Manifold::default());
     let shapes = shapes();
@@ -149,7 +149,7 @@ fn a_ring_deep_in_a_body_has_no_contact_beyond_reach() {
 /// (a fuzz finding): the direction of least penetration is perpendicular to the axis, whatever the rounding of the
 /// difference, and is the same with A and B swapped.
 #[test]
-fn a_ball_on_an_axis_leaves_across_it() {
+fn a_ball_on_an_axis_is_pushed_out_perpendicular_to_it() {
     let (ball, mut random) = (Shape::sphere(3.2).expect("a ball"), Random(5));
     let capsule = Shape::capsule(2.3, 0.9).expect("a capsule");
     let ring = Shape::torus(9.0, 2.3).expect("a ring");
@@ -172,7 +172,7 @@ fn a_ball_on_an_axis_leaves_across_it() {
 /// depths through its side and its disc: `R + s sin(alpha)` deep at the distance s from the apex, or `R + h - s`,
 /// whichever is less.
 #[test]
-fn a_ball_on_the_axis_of_a_cone_leaves_through_its_side() {
+fn a_ball_on_the_axis_of_a_cone_is_pushed_out_through_side_or_disc() {
     let (ball, mut random) = (Shape::sphere(1.5).expect("a ball"), Random(29));
     for _ in 0..2000 {
         let (radius, height) = (random.between(0.1, 2.0), random.between(0.5, 3.0));
@@ -195,7 +195,7 @@ fn a_ball_on_the_axis_of_a_cone_leaves_through_its_side() {
 /// A point within rounding of an axis or of the centre circle of a ring's tube (a fuzz finding) has no normal, whatever
 /// the rounding; a little farther off it has one. Every listed contact can be evaluated, with its rates.
 #[test]
-fn a_point_almost_on_an_axis_has_a_contact_that_moves_or_none() {
+fn a_point_almost_on_an_axis_has_a_contact_with_rates_or_none() {
     let mut random = Random(17);
     for size in [1e-3, 1.0, 40.0] {
         let ring = Shape::torus(size, 0.3 * size).expect("a ring");
@@ -261,7 +261,7 @@ fn a_rim_far_below_a_plane_has_kinematics() {
     }
 }
 
-/// No points, coincident, collinear, coplanar or not finite ones give no shape, and the error says why.
+/// No points, coincident, collinear, coplanar or not finite ones give no shape, and an error with the reason.
 #[test]
 fn empty_and_degenerate_shapes() {
     use polhode_contact::{ConvexPolyhedron, ShapeError};

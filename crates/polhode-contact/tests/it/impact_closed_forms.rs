@@ -181,7 +181,7 @@ fn errors() {
 /// Two balls that start in touch, overlap by less than the touch tolerance and separate again before the interval ends
 /// have an impact (before, a minimum between two evaluations was ignored when the last one found them separated).
 #[test]
-fn balls_that_close_from_touch_and_open_again_have_met() {
+fn balls_that_overlap_and_separate_again_have_an_impact() {
     let ball = ball(0.2);
     let below = Flight::new(Pose::IDENTITY, DVec3::ZERO, DVec3::ZERO);
     for (apart, depth, end) in [(2e-13, 4e-13, 1e-3), (2e-13, 6e-13, 0.1), (4e-13, 1e-12, 3.0)] {

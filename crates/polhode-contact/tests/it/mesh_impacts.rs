@@ -31,7 +31,7 @@ fn impacts_on_a_flat_grid_are_those_on_the_half_space() {
 }
 
 #[test]
-fn sliding_over_a_grid_is_no_impact_and_a_wall_is_struck() {
+fn sliding_over_a_grid_is_no_impact_and_a_wall_is_one() {
     let mut random = Random(73);
     let settings = ImpactSearch::default();
     let ground = Still(Pose::IDENTITY);
@@ -70,7 +70,7 @@ fn thin_sheets_stop_fast_bodies_from_both_sides() {
 
 /// A ground of 100,352 triangles: a long fast flight low over it tests only the triangles under its path.
 #[test]
-fn a_flight_over_a_hundred_thousand_triangles_meets_few() {
+fn a_flight_over_a_hundred_thousand_triangles_tests_few() {
     let mut random = Random(83);
     let settings = ImpactSearch::default();
     let mesh = grid(224, 224.0, 0.3, &mut random, |x, y| 0.2 * libm::sin(x) * libm::cos(y));

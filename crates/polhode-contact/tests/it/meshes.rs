@@ -288,7 +288,7 @@ fn bodies_touch_a_hilly_ground_without_wrong_normals() {
 }
 
 #[test]
-fn a_closed_mesh_answers_as_its_solid_from_outside() {
+fn a_closed_mesh_has_the_contacts_of_its_solid_from_outside() {
     let mut random = Random(59);
     let solid = polhode_mesh::box_mesh(DVec3::new(2.0, 1.0, 0.5)).expect("a box");
     let mesh =
@@ -320,7 +320,7 @@ fn points_touch_from_the_outer_side_and_nearest_edges_of_ridges() {
 }
 
 #[test]
-fn a_compound_rests_on_a_grid_as_its_whole() {
+fn a_compound_on_a_grid_has_the_contacts_of_its_whole() {
     let mut random = Random(67);
     let half = |x: f64| cuboid(0.5, 0.6, 0.4).translated(DVec3::X * x).expect("a place");
     let body = Shape::compound(vec![half(-0.25), half(0.25)]).expect("two halves");
@@ -337,7 +337,7 @@ fn a_compound_rests_on_a_grid_as_its_whole() {
 /// A vertex of no triangle (a fuzz finding: at 10^19 m) is not part of the mesh: it affects no tolerance and no bound,
 /// and every result is that of the mesh without it, bit for bit.
 #[test]
-fn a_vertex_of_no_triangle_far_away_changes_no_answer() {
+fn a_far_vertex_of_no_triangle_changes_no_result() {
     let mut random = Random(19);
     let Shape::TriangleMesh(ground) = grid(4, 2.0, 0.2, &mut random, |x, y| 0.3 * x * y) else { panic!("a mesh") };
     let (mut vertices, triangles) = (ground.vertices().to_vec(), ground.triangles().to_vec());
@@ -360,7 +360,7 @@ fn a_vertex_of_no_triangle_far_away_changes_no_answer() {
 }
 
 #[test]
-fn what_makes_no_mesh_is_refused_and_hostile_poses_have_stated_answers() {
+fn invalid_meshes_are_refused_and_hostile_poses_have_typed_results() {
     let corners = || vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X * 2.0];
     let of = |triangles: Vec<[u32; 3]>| Shape::triangle_mesh(corners(), triangles);
     assert!(matches!(of(Vec::new()), Err(ShapeError::NoPart { .. })));

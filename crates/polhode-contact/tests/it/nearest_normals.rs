@@ -92,7 +92,7 @@ fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
 /// more: the depth hardly depends on the axis there, so that its iteration converged badly). One such case in twenty
 /// thousand still differs, by 5.2e-13 m: a flat cylinder on a rim, case 1369 of seed 29.
 #[test]
-fn small_round_bodies_on_large_corners_are_as_deep_by_both_queries() {
+fn small_round_bodies_on_large_corners_have_one_depth_by_both_queries() {
     let mut random = Random(30);
     for case in 0..1500 {
         let border = match case % 3 {

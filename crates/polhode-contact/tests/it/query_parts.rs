@@ -61,7 +61,7 @@ fn some_pose(random: &mut Random) -> Pose {
 }
 
 #[test]
-fn a_mesh_answers_as_the_nearest_of_its_triangles() {
+fn queries_of_a_mesh_are_those_of_its_nearest_triangle() {
     let mut random = Random(2718);
     for _ in 0..6 {
         let (vertices, triangles) = hills(&mut random, 8);
@@ -76,7 +76,7 @@ fn a_mesh_answers_as_the_nearest_of_its_triangles() {
 }
 
 #[test]
-fn a_compound_answers_as_the_nearest_of_its_parts() {
+fn queries_of_a_compound_are_those_of_its_nearest_part() {
     let mut random = Random(3141);
     for _ in 0..6 {
         let kinds = zoo();

@@ -63,7 +63,7 @@ fn closed_forms() {
 
 /// Every hit lies on the surface, and no point of the ray before it is inside; no point of a ray that misses is inside.
 #[test]
-fn hits_are_the_first_places_of_the_surface() {
+fn hits_are_the_first_points_of_the_surface() {
     let mut random = Random(41);
     let (mut hits, mut misses) = (0, 0);
     for (name, shape) in zoo().into_iter().filter(|(name, _)| *name != "points") {
@@ -102,7 +102,7 @@ fn hits_are_the_first_places_of_the_surface() {
 
 /// A ray along the common edge, or through a common corner, of triangles of a closed surface never slips through.
 #[test]
-fn no_ray_slips_between_triangles() {
+fn no_ray_passes_between_triangles() {
     let mut random = Random(8);
     let points: Vec<DVec3> =
         (0..8).map(|i| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)) - 0.5).collect();
@@ -123,7 +123,7 @@ fn no_ray_slips_between_triangles() {
 /// A ray in the plane of a triangle, or within rounding of it (a fuzz finding): the triangle is missed where the signs
 /// of its volumes are rounding error, and every hit is on the triangle.
 #[test]
-fn a_ray_in_the_plane_of_a_triangle_meets_it_nowhere_else() {
+fn a_ray_in_the_plane_of_a_triangle_hits_only_the_triangle() {
     let mut random = Random(12);
     for case in 0..20_000 {
         let corners: Vec<DVec3> = (0..3).map(|_| random.vector() * 5.0).collect();
@@ -195,7 +195,7 @@ fn a_ray_through_a_corner_ends_there() {
 /// A ray from ten million times the triangle's size away hits or misses it correctly when it aims inside or outside by
 /// a thousandth.
 #[test]
-fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {
+fn a_ray_from_far_away_hits_the_triangle_that_it_aims_at() {
     let mut random = Random(13);
     let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let mesh = Shape::triangle_mesh(corners.to_vec(), vec![[0, 1, 2]]).expect("a triangle");
@@ -216,7 +216,7 @@ fn a_ray_from_far_away_meets_the_triangle_that_it_aims_at() {
 /// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its cap): they hit the end of the body if they start over
 /// it, and otherwise miss it.
 #[test]
-fn rays_all_but_along_an_axis_meet_only_what_they_start_over() {
+fn rays_almost_along_an_axis_hit_only_bodies_under_their_origin() {
     let bodies = [Shape::cylinder(0.5, 0.3).expect("a cylinder"), Shape::capsule(0.5, 0.3).expect("a capsule")];
     let mut random = Random(37);
     for power in 10..324 {
@@ -282,7 +282,7 @@ fn hits_do_not_depend_on_place_and_attitude() {
 
 /// Numbers that are not finite make no ray, or a ray that hits nothing.
 #[test]
-fn hostile_rays_meet_nothing() {
+fn hostile_rays_hit_nothing() {
     assert!(matches!(Ray::new(DVec3::X * f64::NAN, UnitVector::X), Err(QueryError::NotFinite { .. })));
     let down = ray(DVec3::Z * 3.0, -DVec3::Z);
     for (name, shape) in zoo() {

@@ -82,7 +82,7 @@ fn a_brick_that_is_wider_than_an_inner_corner_touches_all_of_it() {
 
 /// Two blocks edge on edge, the edges collinear but one longer: the contacts are the ends of the common part.
 #[test]
-fn edges_along_each_other_touch_as_far_as_both_go() {
+fn collinear_edges_touch_along_their_common_part() {
     let block = over(&[[0.0, 0.0], [GROOVE, -GROOVE], [7.5, -GROOVE], [7.5, 0.7], [0.0, 0.7]], 0.5);
     let knife = |half: f64| over(&[[0.0, 0.0], [0.2, -1.5], [-0.2, -1.5]], half);
     for (half, shift) in [(0.25, 0.0), (0.25, 0.1), (1.0, 0.0), (0.5, 0.0), (0.5_f64, 0.3_f64)] {

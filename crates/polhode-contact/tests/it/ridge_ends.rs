@@ -74,7 +74,7 @@ fn a_bar_in_a_bend_touches_both_pieces_of_the_ridge() {
 }
 
 #[test]
-fn two_bends_that_meet_cross_in_four_places() {
+fn two_bends_that_touch_have_four_crossings() {
     let upper = Shape::solid(&ring_mesh()).expect("parts");
     // One ring hangs in the other: its uppermost inner bend rests on the lowest inner bend of the other.
     let turn = Rotation::from_rotation_vector(DVec3::Y * std::f64::consts::FRAC_PI_2);

@@ -176,7 +176,7 @@ fn spinning_shots() {
 /// A body in the hole of a ring that spins (a fuzz finding: an arc whose hull still overlapped the body but moved away
 /// from it was taken as clear from the start, and the impact was 1 ms late): each against dense samples.
 #[test]
-fn a_body_in_the_hole_is_met_no_later_than_it_touches() {
+fn the_impact_of_a_body_in_the_hole_is_not_late() {
     let mut random = Random(31);
     let mut tally = Tally::default();
     let own = ring(3.2, 0.2);
@@ -453,7 +453,7 @@ fn a_ring_on_the_axis_of_a_body_has_the_same_contacts_swapped() {
 /// nearest place of two rings was rejected, and another one was given). The separation of parallel rings, one beside
 /// and above the other, is the distance of the nearest points of their centre circles minus the radii of the tubes.
 #[test]
-fn rings_far_apart_are_as_far_apart_as_their_nearest_places() {
+fn the_distance_of_far_rings_is_that_of_their_nearest_points() {
     let (own, other) = (ring(2.8, 0.9), ring(2.2, 0.4));
     let mut random = Random(83);
     for case in 0..4000 {
@@ -474,7 +474,7 @@ fn rings_far_apart_are_as_far_apart_as_their_nearest_places() {
 /// search stopped at the saddle between them, and the separation was 4.1e-7 m too large): the separation is the
 /// distance of their planes minus the radii of the tubes.
 #[test]
-fn rings_that_cross_twice_close_together_are_as_far_apart_as_their_planes() {
+fn the_distance_of_rings_that_cross_twice_is_that_of_their_planes() {
     let mut random = Random(67);
     for case in 0..3000 {
         let [small, large] = [random.between(0.5, 1.2), random.between(1.5, 3.5)];
@@ -497,7 +497,7 @@ fn rings_that_cross_twice_close_together_are_as_far_apart_as_their_planes() {
 /// near, the search ended in a shallower minimum, and the separation was 7.5 mm too large): the deepest of fine samples
 /// agrees with the separation.
 #[test]
-fn a_ring_deep_in_a_polyhedron_is_as_deep_as_its_deepest_place() {
+fn a_ring_deep_in_a_polyhedron_has_the_depth_of_its_deepest_point() {
     let corners = [[0.0, 0.0, 0.0], [0.0, -6.0, -6.0], [-6.0, -6.0, -6.0], [-6.0, 6.0, 6.0], [6.0, 6.5, -6.0]];
     let mut random = Random(71);
     for case in 0..300 {
@@ -522,10 +522,11 @@ fn a_ring_deep_in_a_polyhedron_is_as_deep_as_its_deepest_place() {
 
 /// A ring inside a wider one that slides sideways comes close to it nearly all around before it touches at one place
 /// (random rings, after a fuzz run with slow searches of two rings: arcs were cut 2048 times in each of hundreds of
-/// windows without effect). The time of impact is that of the closed form, `(r - u t)^2 + (z + w t)^2 = (sum of the
-/// tubes)^2` for radii that differ by `r`; the number of cuts is bounded by the number of evaluations.
+/// windows without effect). The time of impact is that of the closed form,
+/// `(r - u t)^2 + (z + w t)^2 = (sum of the tubes)^2` for radii that differ by `r`; the number of cuts is bounded by
+/// the number of evaluations.
 #[test]
-fn a_ring_that_slides_in_a_wider_one_is_met_in_time_and_with_bounded_work() {
+fn the_impact_of_a_ring_that_slides_in_a_wider_one_is_exact_with_bounded_work() {
     let (own, other) = (ring(1.0, 0.04), ring(1.08, 0.2));
     let mut random = Random(41);
     let mut finely = 0;

@@ -1,4 +1,4 @@
-//! Contacts of round shapes: how many there are and where, when they stand, lie, overhang and lean; stackings.
+//! Number and positions of the contacts of round shapes that stand, lie, overhang and lean; stacks.
 
 use crate::round_gaps::{capsule, cone, cylinder, turned};
 use crate::support::{Random, at, cuboid, yaw};
@@ -55,8 +55,8 @@ fn octagon(center: DVec3, radius: f64) -> Vec<DVec3> {
     (0..8).map(place).collect()
 }
 
-/// On a floor: a disc stands on eight sample points, a lying cylinder or capsule on two, a cone on its side on two, and
-/// a tilted cylinder or a cone on its tip on one.
+/// On a floor a disc has eight contacts at its sample points, a lying cylinder or capsule two, a cone on its side two,
+/// and a tilted cylinder or a cone on its tip on one.
 #[test]
 fn on_a_floor() {
     let still = Pose::IDENTITY;
@@ -90,7 +90,7 @@ fn on_a_floor() {
 
 /// A slightly tilted cylinder has a contact at its exact lowest point, whatever the tilt.
 #[test]
-fn lowest_place_of_a_tilted_disc() {
+fn lowest_point_of_a_tilted_disc() {
     let mut random = Random(11);
     let shape = cylinder(0.3, 1.0);
     for exponent in 1..16 {
@@ -308,7 +308,7 @@ fn almost_parallel() {
 /// body's frame, and it had no axis): the normal at its side is perpendicular to the axis of its own frame, at any
 /// position.
 #[test]
-fn a_short_capsule_touches_across_its_own_axis() {
+fn the_normal_of_a_short_capsule_is_perpendicular_to_its_own_axis() {
     let mut random = Random(91);
     let post = Shape::cylinder(0.4, 1.0).expect("a cylinder");
     for case in 0..2000 {

@@ -89,7 +89,7 @@ pub(crate) fn each_pair_of_elements(mut visit: impl FnMut(&str, ContactFeature, 
 
 /// The same for contacts whose names are those of polyhedra.
 #[test]
-fn by_names_that_polyhedra_have_too() {
+fn of_contacts_named_as_those_of_polyhedra() {
     let mut random = Random(8765);
     let capsule = moved(Shape::capsule(0.1, 0.6), DVec3::new(0.1, -0.05, 0.2));
     let cylinder = moved(Shape::cylinder(0.3, 0.5), DVec3::new(-0.1, 0.05, 0.1));

@@ -6,7 +6,7 @@ use polhode_contact::{Aabb, QueryError, QueryScene, Ray, Shape, closest_point, o
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
 #[test]
-fn trees_answer_as_brute_force_does() {
+fn trees_give_the_results_of_brute_force() {
     let mut random = Random(99);
     let zoo = zoo();
     let floor = Shape::half_space(UnitVector::Z);
@@ -54,7 +54,7 @@ fn trees_answer_as_brute_force_does() {
 }
 
 #[test]
-fn scenes_without_bodies_and_without_numbers() {
+fn scenes_without_bodies_and_input_that_is_not_finite() {
     let empty = QueryScene::new([]).expect("no bodies");
     let down = Ray::new(DVec3::Z, UnitVector::Z).expect("finite");
     assert!(empty.is_empty() && empty.nearest(DVec3::ZERO) == Ok(None) && empty.first_hit(&down, 1.0).is_none());

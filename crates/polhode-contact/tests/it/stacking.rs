@@ -34,7 +34,7 @@ fn prism_on_a_wide_box() {
 /// almost parallel have a common perpendicular with a large rounding error. It must not separate better than the faces:
 /// the separation is the gap.
 #[test]
-fn an_axis_of_edges_far_apart_does_not_blur_the_separation() {
+fn an_axis_of_edges_far_apart_does_not_change_the_separation() {
     let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, -1.1, 0.7)), DVec3::ZERO);
     let mut worst: f64 = 0.0;
     for size in [1e-2, 1.0, 1e4] {

@@ -69,7 +69,7 @@ fn a_tangent_basis_is_smooth_within_either_part_of_the_sphere() {
 
 /// Normals that are not finite give NaN and no panic.
 #[test]
-fn numbers_that_are_none() {
+fn input_that_is_not_finite() {
     for bad in [f64::NAN, f64::INFINITY] {
         assert!(tangent_basis(DVec3::splat(bad)).iter().all(|t| t.is_nan()));
         let (ball, floor) = (Shape::sphere(0.5).expect("radius"), Shape::half_space(UnitVector::Z));
@@ -128,9 +128,9 @@ fn a_block_on_a_turning_table() {
     assert!((carried.acceleration_bias + given).length() < 1e-14, "{}", carried.acceleration_bias);
 }
 
-/// A ball of radius r that rolls over a ball of radius R that stands still: its centre goes round with the rate W at
-/// the speed W (R + r), its spin is W (R + r)/r, the contact point goes round at W R, and under the centripetal
-/// acceleration alone no slip begins.
+/// A ball of radius r rolls over a fixed ball of radius R: its centre revolves at the rate W with the speed W (R + r),
+/// its spin is W (R + r)/r, the contact point moves at W R, and under the centripetal acceleration alone no slip
+/// begins.
 #[test]
 fn a_ball_that_rolls_over_a_ball() {
     let (big, small) = (0.7, 0.3);
@@ -265,7 +265,7 @@ fn assert_same(
 /// n.(w_A x (p' - v_A) - w_B x (p' - v_B)) + n'.V. And the slip lies in the tangent plane, as the rate of the normal
 /// does.
 #[test]
-fn point_and_normal_move_as_the_normal_terms_say() {
+fn rates_of_point_and_normal_agree_with_the_normal_terms() {
     each_contact(43, 20, |pair, feature, _| {
         let Some((normal_terms, terms)) = pair.both(feature) else { return };
         let [a, b] = pair.velocities;

@@ -9,9 +9,9 @@
 //!
 //! The edges of the best face itself are excluded when the lowest point `q` above it, at height `s`, projects onto the
 //! face. On the arc from its normal `n` to that of a neighbour, `u = n cos phi + t sin phi` with `t` the outward side
-//! of the edge, and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when `t . (q - p)
-//! <= 0`; for `s < 0` it is when `q` is no higher above the neighbour than above the face, again by the argument of the
-//! cap.
+//! of the edge, and `u . (q - p) = s cos phi + t . (q - p) sin phi`. For `s >= 0` that is at most `s` when
+//! `t . (q - p) <= 0`; for `s < 0` it is when `q` is no higher above the neighbour than above the face, again by the
+//! argument of the cap.
 
 use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
@@ -64,12 +64,12 @@ impl AxisSearch {
         stop: f64,
     ) {
         let over = OverBestFaces::new(self, a, x_ab, axes);
-        self.edges.of_a.retain(|&i| !over.leaves_a(a, i));
+        self.edges.of_a.retain(|&i| !over.excludes_a(a, i));
         if self.edges.of_a.is_empty() {
             return;
         }
         let mut of_b = std::mem::take(&mut self.edges.of_b);
-        of_b.retain(|&j| !over.leaves_b(self, b, j));
+        of_b.retain(|&j| !over.excludes_b(self, b, j));
         self.edges.of_b = of_b;
         self.best_edges(a, b, axes, stop);
     }
@@ -222,17 +222,17 @@ impl OverBestFaces {
         }
     }
 
-    fn leaves_a(&self, a: &ConvexPolyhedron, edge: u32) -> bool {
+    fn excludes_a(&self, a: &ConvexPolyhedron, edge: u32) -> bool {
         let edge = &a.edges[edge as usize];
-        self.a.leaves(edge, edge.direction, a.vertices[edge.vertices[0] as usize], self.tolerance, |face, point| {
+        self.a.excludes(edge, edge.direction, a.vertices[edge.vertices[0] as usize], self.tolerance, |face, point| {
             a.faces[face].normal.dot(point) - a.faces[face].offset
         })
     }
 
-    fn leaves_b(&self, search: &AxisSearch, b: &ConvexPolyhedron, index: u32) -> bool {
+    fn excludes_b(&self, search: &AxisSearch, b: &ConvexPolyhedron, index: u32) -> bool {
         let edge = &b.edges[index as usize];
         let (direction, from) = (search.directions[index as usize], search.vertices[edge.vertices[0] as usize]);
-        self.b.leaves(edge, direction, from, self.tolerance, |face, point| {
+        self.b.excludes(edge, direction, from, self.tolerance, |face, point| {
             let normal = search.normals[face];
             normal.dot(point) - (normal.dot(self.translation) + b.faces[face].offset)
         })
@@ -241,7 +241,7 @@ impl OverBestFaces {
 
 impl OverFace {
     /// Whether an edge is excluded. `height` gives the height of a point above a face of the same body.
-    fn leaves(
+    fn excludes(
         &self,
         edge: &Edge,
         direction: DVec3,

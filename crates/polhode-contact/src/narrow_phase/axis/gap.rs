@@ -1,11 +1,10 @@
 //! The axis of largest separation of two convex bodies, at least one of them round.
 //!
-//! Along any unit vector `n` from B to A the bodies are apart by at least `s(n) = -h_A(-n) - h_B(n)` (`h` the support
-//! function), and by exactly that where `s` is largest: the distance when they are apart, minus the depth of
-//! penetration when they overlap. `s` is largest along the normal of a face or disc, or at a common normal of two other
-//! elements (`places.rs`), since it is smooth elsewhere. All of these are candidates. The value `s` along any direction
-//! is a lower bound of the separation, so that an unnecessary candidate does no harm. When two candidates are equal, a
-//! face or disc is preferred.
+//! The separation of the bodies is the maximum over all unit vectors `n` from B to A of `s(n) = -h_A(-n) - h_B(n)` (`h`
+//! the support function): the distance when they are apart, minus the depth of penetration when they overlap. `s` is
+//! largest along the normal of a face or disc, or at a common normal of two other elements (`places.rs`), since it is
+//! smooth elsewhere. All of these are candidates. The value `s` along any direction is a lower bound of the separation,
+//! so that an unnecessary candidate does no harm. When two candidates are equal, a face or disc is preferred.
 
 use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
 use crate::narrow_phase::axis::body::{Body, framed};
@@ -180,7 +179,7 @@ impl Search<'_, '_> {
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
     let open = curve(a.locus) && curve(b.locus);
-    [Some(place), open.then(|| place.turned_round())]
+    [Some(place), open.then(|| place.reversed())]
 }
 
 /// The best axis of a pair, at least one of them round, with the normal in the world; for a cloud that of its nearest

@@ -8,17 +8,17 @@
 //! beside a lower one. Exception: of several minima over the rim of one disc, some may have no name that distinguishes
 //! them from the others (`branch_offset.rs`).
 //!
-//! Where the centre circle passes through the other body, the separation is that at its deepest place. This is only a
+//! Where the centre circle passes through the other body, the separation is that at its deepest point. This is only a
 //! lower bound of the translation that would separate the ring. The distance then has kinks, where the closest element
-//! changes. The signed distance is sampled to find them, and a golden-section search locates each (`ring_samples.rs`
-//! says which ones samples may miss). This is not needed when a plane along the deciding normal separates the centre
-//! circle from the body.
+//! changes. The signed distance is sampled to find them (`ring_samples.rs` states which ones may be missed), and a
+//! golden-section search locates each. This is not needed when a plane perpendicular to the deciding normal separates
+//! the centre circle from the body.
 
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring_samples::{Sample, Wanted, each_minimum};
-use crate::narrow_phase::common_normal::branch_offset::{is_one_place, is_told};
+use crate::narrow_phase::common_normal::branch_offset::{is_distinguished, is_one_place};
 use crate::narrow_phase::common_normal::chosen_place::chosen;
 use crate::narrow_phase::common_normal::place::{Place, Places};
 use crate::narrow_phase::common_normal::places::places;
@@ -76,16 +76,16 @@ const LINE_PARTS: f64 = 4.0;
 /// The limits of the search for minima, and the lowest minimum so far.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
-    /// Of the centre circle, m.
+    /// Largest distance of the centre circle at which minima are wanted, m.
     reach: f64,
-    /// The distance of the centre circle is no more than this, m: with the rounding of places.
+    /// Upper bound of the least distance of the centre circle, with its rounding, m.
     least: f64,
-    /// The normal there.
+    /// The normal at the lowest minimum so far.
     above: Option<DVec3>,
 }
 
 impl Nearest {
-    /// Larger distances of the centre circle are not needed, m.
+    /// Minima with larger distances of the centre circle are not needed, m.
     const fn limit(&self) -> f64 {
         self.least.max(self.reach)
     }
@@ -102,8 +102,8 @@ pub(crate) struct Ring<'a> {
 }
 
 /// Calls `visit` with every minimum of the distance of a ring from another shape that is the least or at most `reach`
-/// (m); normals in the world. Of those at which the centre circle runs inside the other body, beside a lower one, some
-/// may be missing. Nothing for a half-space, and when neither shape is a ring.
+/// (m); normals in the world. Where the centre circle is inside the other body, some minima beside a lower one may be
+/// missing. There are none for a half-space, and when neither shape is a ring.
 pub(crate) fn each(a: Placed<'_>, b: Placed<'_>, reach: f64, mut visit: impl FnMut(Gap)) {
     match (a.shape, b.shape) {
         (Shape::Torus(_), _) => of_ring(a, b, reach, visit),
@@ -146,7 +146,7 @@ fn of_ring(
 }
 
 impl<'a> Ring<'a> {
-    /// A torus at a pose in the frame of the other shape; nothing for other shapes.
+    /// A torus at a pose in the frame of the other shape; none for other shapes.
     pub(crate) fn new(shape: &Shape, x: &Pose, other: &'a Shape) -> Option<Self> {
         let (Shape::Torus(torus), Some(own)) = (shape, circles(shape).first().copied()) else { return None };
         let circle = own.placed(x);
@@ -156,8 +156,8 @@ impl<'a> Ring<'a> {
         Some(Self { circle, tube: torus.minor, east, north: circle.axis.cross(east), other, tolerance })
     }
 
-    /// The corners of a triangle that holds the arc of the centre circle between two angles, less than half a turn
-    /// apart: its ends, and where the tangents there meet.
+    /// The corners of a triangle that contains the arc of the centre circle between two angles, less than half a turn
+    /// apart: its ends, and the intersection of the tangents there.
     pub(crate) fn corners(&self, from: f64, to: f64) -> [DVec3; 3] {
         let middle = self.place(0.5 * (from + to)) - self.circle.center;
         let tip = self.circle.center + middle / libm::cos(0.5 * (to - from));
@@ -169,7 +169,7 @@ impl<'a> Ring<'a> {
         self.circle.center + (self.east * cosine + self.north * sine) * self.circle.radius
     }
 
-    /// The angle of the place that is nearest to a point; some angle on the axis.
+    /// The angle of the circle's point nearest to a point; an arbitrary angle for a point on the axis.
     pub(crate) fn angle_of(&self, point: DVec3) -> f64 {
         let arm = point - self.circle.center;
         libm::atan2(self.north.dot(arm), self.east.dot(arm))
@@ -181,12 +181,12 @@ impl<'a> Ring<'a> {
         self.north * cosine - self.east * sine
     }
 
-    /// Of the centre circle.
+    /// Centre of the centre circle, frame of the other body, m.
     pub(crate) const fn center(&self) -> DVec3 {
         self.circle.center
     }
 
-    /// Of the centre circle, m.
+    /// Radius of the centre circle, m.
     pub(crate) const fn radius(&self) -> f64 {
         self.circle.radius
     }
@@ -234,7 +234,7 @@ impl<'a> Ring<'a> {
                     report(gap);
                 });
             }
-            // Where the centre circles are one they have no common normal, and all places are as near.
+            // Coincident centre circles have no common normal, and all of their points are equally near.
             if !found {
                 report(self.corner(0.0));
             }
@@ -244,8 +244,8 @@ impl<'a> Ring<'a> {
         let least = self.nearest(self.place(0.0)).distance + self.tolerance;
         let wanted = Nearest { reach: reach + self.tube, least, above: None };
         let wanted = self.each_of_elements(&rim, wanted, &mut report);
-        // Of places over a rim some have no name of their own (`branch_offset.rs`): then the samples say how near they
-        // are.
+        // Some places over a rim have no name of their own (`branch_offset.rs`): their distance follows from the
+        // samples.
         let all_named = circles(self.other).is_empty();
         if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
             self.each_corner(&rim, wanted, report);
@@ -275,17 +275,18 @@ impl<'a> Ring<'a> {
         };
         body.each_plane(&mut visit);
         body.each_other(&mut visit);
-        // Over a face that the ring lies along all places are as near, and none is found by its slope.
+        // When the ring is parallel to a face, all of its points are equally near, and the slope locates no minimum.
         if parallel { Nearest { above: None, ..now } } else { now }
     }
 
-    /// Whether an element may be what is nearest to some place of the centre circle, and no farther than this, m.
+    /// Whether an element may be the nearest one to some point of the centre circle, at a distance of at most `limit`
+    /// (m).
     fn comes_within(&self, feature: SurfaceFeature, limit: f64) -> bool {
         self.may_be_nearest_along(feature) && self.between(feature).0 <= limit
     }
 
-    /// What the centre circle is at least away from a vertex or an edge of a polyhedron, and at most from the
-    /// polyhedron, m. Nothing is known of other elements.
+    /// A lower bound of the distance of the centre circle from a vertex or an edge of a polyhedron, and an upper bound
+    /// of its distance from the polyhedron, m; infinite bounds for other elements.
     fn between(&self, feature: SurfaceFeature) -> (f64, f64) {
         let Shape::Convex(polyhedron) = self.other else { return (f64::NEG_INFINITY, f64::INFINITY) };
         let distance = |point: DVec3| {
@@ -296,7 +297,7 @@ impl<'a> Ring<'a> {
         };
         let (nearest, reach) = match feature {
             SurfaceFeature::Vertex(index) => (distance(polyhedron.vertices[index as usize]), 0.0),
-            // The distance changes no faster than the place moves.
+            // The distance changes by at most the displacement of the point.
             SurfaceFeature::Edge(index) => {
                 let edge = &polyhedron.edges[index as usize];
                 let (from, reach) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
@@ -308,8 +309,8 @@ impl<'a> Ring<'a> {
         (nearest - reach - self.tolerance, nearest + self.tolerance)
     }
 
-    /// Whether an edge of a polyhedron may be what is nearest to some place of the centre circle: that place lies
-    /// beyond each of its two faces, as seen along the other one's normal. Of other elements nothing is known.
+    /// Whether an edge of a polyhedron may be the nearest element to some point of the centre circle: such a point lies
+    /// in the edge's Voronoi region, beyond the border of each of its two faces. True for other elements.
     fn may_be_nearest_along(&self, feature: SurfaceFeature) -> bool {
         let (Shape::Convex(polyhedron), SurfaceFeature::Edge(index)) = (self.other, feature) else { return true };
         let edge = &polyhedron.edges[index as usize];
@@ -322,13 +323,13 @@ impl<'a> Ring<'a> {
         beyond(first, second) && beyond(second, first)
     }
 
-    /// A lower bound of the distance of a place: of a polyhedron its height over the highest face.
+    /// A lower bound of the distance of a point: for a polyhedron its largest height above a face.
     fn above_faces(&self, place: DVec3) -> f64 {
         let Shape::Convex(polyhedron) = self.other else { return f64::NEG_INFINITY };
         polyhedron.faces().map(|face| face.normal.dot(place) - face.offset).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether a plane with this unit normal keeps all of the centre circle off the other body.
+    /// Whether a plane with this unit normal separates the whole centre circle from the other body.
     fn is_above(&self, normal: DVec3) -> bool {
         -self.circle.support(-normal) > support(self.other, normal) + self.tolerance
     }
@@ -344,7 +345,7 @@ impl<'a> Ring<'a> {
         let limits = Wanted { reach: wanted.reach, least: wanted.least, tolerance: self.tolerance };
         each_minimum(&self.circle, sample, limits, |lowest: &Sample, width: f64, least: f64| {
             best = best.min(least);
-            // The distance changes no faster than the place moves.
+            // The distance changes by at most the displacement of the point.
             if lowest.distance - self.circle.radius * width > best.max(wanted.reach) {
                 return;
             }
@@ -370,7 +371,7 @@ impl<'a> Ring<'a> {
             }
             found
         };
-        // First with the element that is nearest at the sample, then, further down, at the minimum.
+        // Both the element nearest to the sample and the one nearest to the minimum are tried.
         if is_common_normal(self.nearest(sampled).feature) {
             return None;
         }
@@ -387,7 +388,8 @@ impl<'a> Ring<'a> {
     }
 
     /// Calls `visit` with the common normals of the centre circle and an element of the other body that are no longer
-    /// than `limit` (m) and where that is the nearest, each named so that it is told from others of the two.
+    /// than `limit` (m) and at which that element is the nearest, each with a name that distinguishes it from the
+    /// others of the two.
     fn each_common_normal(
         &self,
         rim: &Element<'_>,
@@ -398,7 +400,7 @@ impl<'a> Ring<'a> {
     ) {
         use Branch::{Entry, Exit, Nearest};
         let all = places(rim, element);
-        // The element is the nearest at its place, and on the side that the place says.
+        // The element must be the nearest one at the place, on the side of the normal.
         let tolerance = self.tolerance.max(CONSISTENT * self.circle.radius);
         let possible = |place: &Place| {
             let claimed = place.separation(rim, element) + self.tube;
@@ -416,8 +418,9 @@ impl<'a> Ring<'a> {
         let mut known = Places::none();
         for [own, other] in names.into_iter().filter(|&[_, other]| round || other == Nearest) {
             let (rim, element) = (Element { branch: own, ..*rim }, Element { branch: other, ..*element });
-            let told = chosen(&all, &rim, &element).filter(|place| is_told(place, &all, &rim, &element));
-            let Some(place) = told else { continue };
+            let distinguished =
+                chosen(&all, &rim, &element).filter(|place| is_distinguished(place, &all, &rim, &element));
+            let Some(place) = distinguished else { continue };
             if place.separation(&rim, &element) + self.tube > limit
                 || known.iter().any(|known| is_one_place(known, &place, self.circle.radius))
                 || !consistent(&place)
@@ -436,7 +439,8 @@ impl<'a> Ring<'a> {
         }
     }
 
-    /// Golden-section search for a least distance no farther than `step` from an angle, and no higher than there.
+    /// Golden-section search for a minimum of the distance within `step` of an angle, with a distance no larger than
+    /// there.
     fn golden(&self, angle: f64, step: f64) -> f64 {
         let value = |angle: f64| self.nearest(self.place(angle)).distance;
         let [mut left, mut lowest, mut right] = [angle - step, angle, angle + step];

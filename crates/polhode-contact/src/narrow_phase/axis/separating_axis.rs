@@ -1,9 +1,9 @@
 //! Separating axes of two convex polyhedra.
 //!
 //! Two convex polyhedra are separated exactly when a face normal of one of them, or the common perpendicular of an edge
-//! of each, is a separating axis. When they overlap, the smallest overlap over these axes is the penetration depth. Of
-//! the pairs of edges only those count whose arcs cross on the Gauss map (the arc of an edge joins the normals of its
-//! two faces on the unit sphere): only those support the difference of the bodies. Sources: docs/REFERENCES.md,
+//! of each, is a separating axis. When they overlap, the smallest overlap over these axes is the penetration depth.
+//! Only pairs of edges whose arcs cross on the Gauss map are candidates (the arc of an edge joins the normals of its
+//! two faces on the unit sphere): only these pairs form faces of the Minkowski difference. Sources: docs/REFERENCES.md,
 //! Gottschalk 1996, Gregorius 2013.
 
 use crate::narrow_phase::axis::axes::Axes;
@@ -24,7 +24,7 @@ impl AxisSearch {
         })
     }
 
-    /// As [`Self::search`], with edges only where they separate better than the faces do.
+    /// As [`Self::search`], but finds a pair of edges only if it separates better than the faces.
     pub(crate) fn search_deciding(
         &mut self,
         a: &ConvexPolyhedron,

@@ -1,4 +1,4 @@
-//! Exclusion of elements of a polyhedron that cannot decide the separation of a pair. Most cannot, and each costs a
+//! Exclusion of elements of a polyhedron that cannot have the best axis of a pair. Most cannot, and each costs a
 //! search.
 //!
 //! Gilbert's method (docs/REFERENCES.md, Gilbert 1966) iterates over points `z` of the Minkowski difference A - B
@@ -44,7 +44,7 @@ pub(crate) struct Sieve {
 }
 
 impl Sieve {
-    /// `known` is a separation that some axis gives, `slack` covers rounding (m).
+    /// `known` is the separation along some axis, `slack` a bound of its rounding (m).
     pub(crate) fn new(a: &Body<'_>, b: &Body<'_>, known: f64, slack: f64) -> Self {
         let is_polyhedron = |body: &Body<'_>| body.point.is_none() && matches!(body.shape, Shape::Convex(_));
         if !(is_polyhedron(a) || is_polyhedron(b)) {
@@ -96,10 +96,10 @@ impl Bounds {
     }
 }
 
-/// Whether an element of a polyhedron certainly separates worse than `best` (m), which holds for all normals `o`
-/// between those of its faces, `o = sum alpha_i n_i`: for any point `q` of the other body the separation is at most
-/// `o.(q - p) = sum alpha_i n_i.(q - p)`, and `sum alpha_i >= 1`, so that it is at most the largest `n_i.(q - p)` when
-/// that is negative. `q` is the other body's lowest point over one of the faces.
+/// Whether the separation along every normal `o` of an element of a polyhedron is certainly less than `best` (m). These
+/// normals are `o = sum alpha_i n_i`, `n_i` those of its faces. For any point `q` of the other body the separation is
+/// at most `o.(q - p) = sum alpha_i n_i.(q - p)`, and `sum alpha_i >= 1`, so that it is at most the largest
+/// `n_i.(q - p)` when that is negative. `q` is the other body's lowest point over one of the faces.
 pub(crate) fn is_worse(body: &Body<'_>, feature: SurfaceFeature, other: &Body<'_>, best: f64) -> bool {
     let Shape::Convex(polyhedron) = body.shape else { return false };
     let (point, faces): (u32, &[u32]) = match feature {
@@ -119,7 +119,7 @@ pub(crate) fn is_worse(body: &Body<'_>, feature: SurfaceFeature, other: &Body<'_
     least.fold(f64::INFINITY, f64::min) < best.min(0.0)
 }
 
-/// A point of the difference of two bodies near to the origin.
+/// A point of the Minkowski difference of two bodies near the origin.
 fn nearest_difference(a: &Body<'_>, b: &Body<'_>) -> DVec3 {
     let difference = |n: DVec3| a.support_point(-n) - b.support_point(n);
     let mut z = difference(a.pose.translation - b.pose.translation);
@@ -127,7 +127,7 @@ fn nearest_difference(a: &Body<'_>, b: &Body<'_>) -> DVec3 {
         let Some(n) = z.try_normalize() else { break };
         let step = difference(n) - z;
         let along = -z.dot(step) / step.length_squared();
-        // Not a number when the step is zero: z is the nearest.
+        // `along` is NaN when the step is zero: then z is the nearest point.
         if along.is_nan() || along <= 0.0 {
             break;
         }

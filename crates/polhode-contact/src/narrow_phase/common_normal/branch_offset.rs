@@ -20,8 +20,8 @@
 //! exchange the names of the two places, which cannot be avoided for two equal tori that a half turn about the normal
 //! exchanges. No length distinguishes the places of two circles in every configuration: the third line fails for
 //! circles that are tilted about one centre, the fifth for coplanar ones. A contact of a torus uses the first offset
-//! that distinguishes them ([`is_told`]), and its [`margin`] is zero where its own or the other place crosses the
-//! border.
+//! that distinguishes them ([`is_distinguished`]), and its [`margin`] is zero where its own or the other place crosses
+//! the border.
 
 use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::feature::branch::Branch;
@@ -115,7 +115,7 @@ fn others(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> imp
 }
 
 /// Whether the branch names of the elements distinguish a place of a torus from all other places of the two elements.
-pub(crate) fn is_told(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> bool {
+pub(crate) fn is_distinguished(place: &Place, all: &[Place], a: &Element<'_>, b: &Element<'_>) -> bool {
     let branch = named(a, b);
     let Some(offset) = Offset::of(place, a, b).filter(|_| branch != Branch::Nearest) else {
         return branch == Branch::Nearest;

@@ -52,5 +52,5 @@ fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
         _ => element.outward,
     };
     let toward_a = outward(b, place.on_b) - outward(a, place.on_a);
-    if place.normal.dot(toward_a) < 0.0 { place.turned_round() } else { place }
+    if place.normal.dot(toward_a) < 0.0 { place.reversed() } else { place }
 }

@@ -5,11 +5,11 @@
 //! disc that lies almost flat along the line (small `b`) these two are the points where the line crosses the rim. They
 //! stay distinct also where the distance vanishes; so the unknown is the circle's angle, not the normal.
 //!
-//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever `c sin^3 u >
-//! -b q`: everywhere when the line is on this side of the long axis (`q >= 0`), so that there is one minimum. Otherwise
-//! it rises only between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1`, so that there is one minimum when `G'(u_1) <= 0 <
-//! G'(pi - u_1)`, and none otherwise. A minimum and a maximum that are about to merge are arbitrarily close to each
-//! other, so that samples of `G'` alone would miss them.
+//! On the half `0 < u < pi`, `G'(u)/sin u = R p - c cos u - b q cot u` with `c = R^2 - b^2` rises wherever
+//! `c sin^3 u > -b q`: everywhere when the line is on this side of the long axis (`q >= 0`), so that there is one
+//! minimum. Otherwise it rises only between `u_1 = asin(cbrt(-b q/c))` and `pi - u_1`, so that there is one minimum
+//! when `G'(u_1) <= 0 < G'(pi - u_1)`, and none otherwise. A minimum and a maximum that are about to merge are
+//! arbitrarily close to each other, so that samples of `G'` alone would miss them.
 //!
 //! Two circles: the point of one circle closest to a given point of the other has a closed form. All local minima of
 //! this distance are found (`minima.rs`), and each is refined by Newton's method in both angles on `|F|^2/2`, whose
@@ -86,7 +86,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
         visit(PI + OVERLAP);
         // When the line is on the other side of the long axis, the samples may have missed a minimum with the maximum
         // beside it.
-        if !seen && let Some((from, to)) = rising_stretch(radius, half * line.dot(short_seen), sine) {
+        if !seen && let Some((from, to)) = rising_interval(radius, half * line.dot(short_seen), sine) {
             let rises = directed(from) <= 0.0 && directed(to) > 0.0;
             if rises {
                 let angle = -falling_root(-to, -from, |u| directed(-u));
@@ -105,7 +105,7 @@ pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Pl
 /// The interval within `0 < u < pi` in which `G'(u)/sin u` rises, for a line on the other side of the long axis, where
 /// `across = b q/R` (m) is negative. `radius` (m) is that of the circle, `sine` that of the angle between the line and
 /// the circle's axis. None when it rises nowhere, or when the line is on this side.
-fn rising_stretch(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
+fn rising_interval(radius: f64, across: f64, sine: f64) -> Option<(f64, f64)> {
     let part = -across / (radius * sine * sine);
     let least = libm::asin(libm::cbrt(part));
     (part > 0.0 && part < 1.0).then_some((least, PI - least))

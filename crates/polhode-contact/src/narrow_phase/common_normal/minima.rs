@@ -14,12 +14,12 @@
 //! most four such angles.
 //!
 //! A minimum and a maximum that are about to merge are arbitrarily close to each other, so that no number of samples is
-//! enough. An interval (`Stretch`) of half width `w` about its middle `t` has no minimum when `|h'(t)| > |h''(t)| w + M
-//! w^2/2`, with `M` a bound of `|h'''|` on it, or when `h''(t) < -M w`, and at most one when `h''(t) > M w`; else it is
-//! halved. `M` follows from the harmonics of the square of the length, so that it is as small as `h'` itself where the
-//! height is almost constant.
+//! enough. an `Interval` of half width `w` about its middle `t` has no minimum when
+//! `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or when `h''(t) < -M w`, and at most one when
+//! `h''(t) > M w`; else it is halved. `M` follows from the harmonics of the square of the length, so that it is as
+//! small as `h'` itself where the height is almost constant.
 //!
-//! When an interval is narrower than [`NARROWEST`], or more than [`MOST_STRETCHES`] are undecided at once (heights that
+//! When an interval is narrower than [`NARROWEST`], or more than [`MOST_INTERVALS`] are undecided at once (heights that
 //! are constant to rounding), only the slopes at the ends of the interval are used.
 
 use glam::DVec3;
@@ -49,7 +49,7 @@ const FIRST_MIDDLES: [(f64, f64); FIRST as usize] = [
 ];
 
 /// Most undecided intervals of one width: those around eight angles, and some beside them.
-const MOST_STRETCHES: usize = 48;
+const MOST_INTERVALS: usize = 48;
 
 /// Width, as a fraction of a turn, below which an interval is not halved: within it the height is constant to rounding.
 const NARROWEST: f64 = 1e-9;
@@ -78,13 +78,13 @@ pub(crate) struct Height {
 
 /// An interval of angles, as fractions of a turn.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
+struct Interval {
     from: f64,
     width: f64,
 }
 
 /// How many minima an interval can contain.
-enum Holds {
+enum MinimaCount {
     None,
     AtMostOne,
     Unknown,
@@ -138,32 +138,32 @@ impl Height {
         self.of_linear + self.weight.abs() * of_length
     }
 
-    fn judge(&self, stretch: Stretch) -> Holds {
-        let half = 0.5 * stretch.width;
-        self.judge_by(half, self.derivatives(TAU * (stretch.from + half)))
+    fn count_minima(&self, interval: Interval) -> MinimaCount {
+        let half = 0.5 * interval.width;
+        self.count_minima_from(half, self.derivatives(TAU * (interval.from + half)))
     }
 
     /// How many minima an interval can contain, from half its width and the derivatives at its middle.
-    fn judge_by(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> Holds {
+    fn count_minima_from(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> MinimaCount {
         let reach = TAU * half;
         let steepest = self.steepest(square - self.of_square[0] * reach);
         if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
-            Holds::None
+            MinimaCount::None
         } else if bend > steepest * reach {
-            Holds::AtMostOne
+            MinimaCount::AtMostOne
         } else if bend < -steepest * reach {
-            Holds::None
+            MinimaCount::None
         } else {
-            Holds::Unknown
+            MinimaCount::Unknown
         }
     }
 
     /// The minimum in an interval that has at most one.
-    fn within(&self, stretch: Stretch) -> Option<f64> {
-        let (from, to) = (TAU * stretch.from, TAU * (stretch.from + stretch.width));
+    fn within(&self, interval: Interval) -> Option<f64> {
+        let (from, to) = (TAU * interval.from, TAU * (interval.from + interval.width));
         // The end of the last interval is the start of the first one, with the same bits: an angle exactly there is
         // found once.
-        let end = if stretch.from + stretch.width == 1.0 { 0.0 } else { to };
+        let end = if interval.from + interval.width == 1.0 { 0.0 } else { to };
         let rises = self.slope(from) <= 0.0 && self.slope(end) > 0.0;
         rises.then(|| -falling_root(-to, -from, |angle| self.slope(-angle)))
     }
@@ -172,37 +172,39 @@ impl Height {
     /// to rounding.
     pub(crate) fn each_least(&self, mut visit: impl FnMut(f64)) {
         let mut found = 0;
-        let mut report = |stretch: Stretch| {
-            if let Some(angle) = self.within(stretch).filter(|_| found < MOST) {
+        let mut report = |interval: Interval| {
+            if let Some(angle) = self.within(interval).filter(|_| found < MOST) {
                 found += 1;
                 visit(angle);
             }
         };
         let width = f64::from(FIRST).recip();
-        let mut buffers = [[Stretch { from: 0.0, width }; MOST_STRETCHES]; 2];
+        let mut buffers = [[Interval { from: 0.0, width }; MOST_INTERVALS]; 2];
         let [open, narrower] = &mut buffers;
         let (mut open, mut narrower) = (open, narrower);
         let mut count = 0;
-        let mut sort =
-            |stretch: Stretch, holds: Holds, narrower: &mut [Stretch; MOST_STRETCHES], left: &mut usize| match holds {
-                Holds::None => {}
-                Holds::Unknown if stretch.width > NARROWEST && *left + 2 <= MOST_STRETCHES => {
-                    let width = 0.5 * stretch.width;
-                    narrower[*left] = Stretch { width, ..stretch };
-                    narrower[*left + 1] = Stretch { from: stretch.from + width, width };
-                    *left += 2;
-                }
-                Holds::AtMostOne | Holds::Unknown => report(stretch),
-            };
+        let mut sort = |interval: Interval,
+                        holds: MinimaCount,
+                        narrower: &mut [Interval; MOST_INTERVALS],
+                        left: &mut usize| match holds {
+            MinimaCount::None => {}
+            MinimaCount::Unknown if interval.width > NARROWEST && *left + 2 <= MOST_INTERVALS => {
+                let width = 0.5 * interval.width;
+                narrower[*left] = Interval { width, ..interval };
+                narrower[*left + 1] = Interval { from: interval.from + width, width };
+                *left += 2;
+            }
+            MinimaCount::AtMostOne | MinimaCount::Unknown => report(interval),
+        };
         // The initial intervals are the same for all heights, and so are the sines and cosines of their middles.
         for (k, &middle) in FIRST_MIDDLES.iter().enumerate() {
-            let holds = self.judge_by(0.5 * width, self.derivatives_along(middle));
-            sort(Stretch { from: width * k as f64, width }, holds, open, &mut count);
+            let holds = self.count_minima_from(0.5 * width, self.derivatives_along(middle));
+            sort(Interval { from: width * k as f64, width }, holds, open, &mut count);
         }
         while count > 0 {
             let mut left = 0;
-            for stretch in &open[..count] {
-                sort(*stretch, self.judge(*stretch), narrower, &mut left);
+            for interval in &open[..count] {
+                sort(*interval, self.count_minima(*interval), narrower, &mut left);
             }
             std::mem::swap(&mut open, &mut narrower);
             count = left;
@@ -249,7 +251,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     #[test]
-    fn middles_of_the_first_stretches_have_the_bits_of_their_formula() {
+    fn middles_of_the_first_intervals_have_the_bits_of_their_formula() {
         for (k, &(sine, cosine)) in FIRST_MIDDLES.iter().enumerate() {
             let (s, c) = libm::sincos(TAU * (k as f64 / f64::from(FIRST) + 0.5 / f64::from(FIRST)));
             assert_eq!((sine.to_bits(), cosine.to_bits()), (s.to_bits(), c.to_bits()), "{k}: ({s:?}, {c:?})");

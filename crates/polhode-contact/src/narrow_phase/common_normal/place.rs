@@ -19,7 +19,7 @@ impl Place {
         self.normal.dot(self.on_a - self.on_b) - a.radius_at(self.on_a) - b.radius_at(self.on_b)
     }
 
-    pub(crate) fn turned_round(self) -> Self {
+    pub(crate) fn reversed(self) -> Self {
         Self { normal: -self.normal, ..self }
     }
 

@@ -59,7 +59,7 @@ fn between(p: DVec3, q: DVec3) -> Option<Place> {
 }
 
 /// The normal from the nearest point of a curve to a point. It is made perpendicular to the curve, also where the
-/// difference of the two points is rounding error; on the curve itself it is some perpendicular.
+/// difference of the two points is rounding error; for a point on the curve itself it is an arbitrary perpendicular.
 fn off_curve(p: DVec3, nearest: DVec3, tangent: DVec3) -> Place {
     let f = across(p - nearest, tangent);
     let length = f.length();
@@ -74,7 +74,7 @@ fn onto_plane(p: DVec3, through: DVec3, normal: DVec3) -> Place {
     Place { normal, on_a: p, on_b: p - normal * normal.dot(p - through) }
 }
 
-/// The foot of a point on the side of a cone; for a point on the axis on some generator.
+/// The foot of a point on the side of a cone; for a point on the axis the generator is arbitrary.
 fn point_on_cone(p: DVec3, side: &ConeSide) -> Option<Place> {
     let from = p - side.apex;
     let radial = across(from, side.axis);
@@ -129,8 +129,8 @@ fn straight((p, u, k_u): (DVec3, DVec3, f64), (q, v, k_v): (DVec3, DVec3, f64)) 
     found
 }
 
-/// A rim against a cone: the common normals along which the separation, once around the cone, is largest: `s = o.(c -
-/// apex) - R |a x o|`, where the circle's support point along a normal has a closed form.
+/// A rim against a cone: the common normals along which the separation, once around the cone, is largest:
+/// `s = o.(c - apex) - R |a x o|`, where the circle's support point along a normal has a closed form.
 fn rim_on_cone(circle: &Circle, side: &ConeSide) -> Places {
     let Circle { center, axis, radius } = *circle;
     let first = side.axis.any_orthonormal_vector();

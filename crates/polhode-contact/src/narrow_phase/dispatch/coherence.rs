@@ -12,7 +12,7 @@
 //!    with the operations of a full search, which gives its result bit for bit.
 //!
 //! The contacts of two faces that lie on each other are kept in the same way (`kept_region.rs`). No geometry is kept,
-//! only the lists of features to search and of features that touch. Fails never: when a bound does not hold, the full
+//! only the lists of features to search and of features that touch. It cannot fail: when a bound is exceeded, the full
 //! search is run.
 
 use crate::narrow_phase::axis::axes::{Axes, axis_slack};
@@ -22,7 +22,7 @@ use crate::narrow_phase::region::kept_region::KeptRegion;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use polhode_spatial::Pose;
 
-/// By how much the separation of an axis must be below that of the best face for it to be left out, relative to the
+/// By how much the separation of an axis must be below that of the best face for it to be omitted, relative to the
 /// lever arm of its change: about the rotation in rad for which the lists hold. A larger value keeps more features in
 /// the lists.
 const MARGIN: f64 = 0.02;
@@ -47,7 +47,7 @@ pub(crate) struct Coherence {
     counts: [usize; 4],
     /// Motion since the last full search.
     drift: Drift,
-    /// Upper bounds of the separations along the axes of A and of B that were left out, m.
+    /// Upper bounds of the separations along the omitted axes of A and of B, m.
     limits: [f64; 2],
     faces: [Vec<u32>; 2],
     edges: [Vec<u32>; 2],

@@ -2,7 +2,7 @@
 
 use crate::SurfaceFeature;
 use crate::narrow_phase::feature::face_border::face_margin;
-use crate::shape::nearer_place::is_nearer;
+use crate::shape::nearer_point::is_nearer;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::support::farthest;
 use glam::DVec3;
@@ -17,8 +17,8 @@ pub(crate) struct NearestFeature {
 }
 
 /// The nearest feature. A point inside the body, or outside it by at most `tolerance` (m), is nearest to the face with
-/// the nearest plane; a point whose projection lies on a face it sees is nearest to that face. Of equally near faces
-/// the one with the lowest index is taken.
+/// the nearest plane; a point that is outside a face's plane and projects onto the face is nearest to that face. Of
+/// equally near faces the one with the lowest index is taken.
 pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, tolerance: f64) -> NearestFeature {
     let mut plane =
         NearestFeature { feature: SurfaceFeature::Face(0), distance: f64::NEG_INFINITY, normal: DVec3::ZERO };
@@ -44,7 +44,7 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
     if plane.distance <= tolerance && inside(&plane) {
         return plane;
     }
-    // When the point projects onto a face it sees, no other feature of a convex body is nearer.
+    // When the point is outside a face's plane and projects onto the face, no other feature of a convex body is nearer.
     over.or_else(|| nearest_edge_or_vertex(polyhedron, point)).unwrap_or(plane)
 }
 

@@ -10,8 +10,8 @@ use crate::{ContactFeature, ConvexPolyhedron, Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Faces are parallel when the cosine between their normals is -1 within this: angles above about 2e-8 rad are told
-/// apart.
+/// Faces are parallel when the cosine between their normals is -1 within this: angles above about 2e-8 rad are
+/// distinguished.
 const PARALLEL_COSINE: f64 = 2.0 * f64::EPSILON;
 
 /// The counterpart of a vertex-face contact whose vertex lies at a vertex of the face, within `distance` (m). None when
@@ -47,7 +47,7 @@ pub fn counterpart(
     Some(ContactFeature::VertexFace { vertex_of: vertex_of.other(), vertex: partner, face: facing })
 }
 
-/// The face at a vertex whose normal is most opposed to `normal`; of equal ones the first.
+/// The face at a vertex whose normal is most nearly opposite to `normal`; in a tie the first.
 fn most_opposed_face(owner: &ConvexPolyhedron, vertex: u32, pose: &Pose, normal: DVec3) -> Option<(u32, f64)> {
     let mut best: Option<(u32, f64)> = None;
     for (index, face) in owner.faces().enumerate().filter(|(_, face)| face.vertices.contains(&vertex)) {

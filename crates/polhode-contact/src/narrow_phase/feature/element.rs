@@ -2,8 +2,8 @@
 //!
 //! Every feature of a convex shape or torus is the Minkowski sum of a locus and a ball. There are five loci: a point
 //! (vertex, apex, centre), a line (edge, axis of a capsule or cylinder), a circle (rim, centre circle of a torus), the
-//! lateral side of a cone, a plane (face, disc). Their outward normals `o` satisfy `o.e = 0` on a line along `e`, `o.a
-//! = sin(alpha)` on a cone with axis `a` towards its apex and half angle `alpha`, and are fixed on a plane.
+//! lateral side of a cone, a plane (face, disc). Their outward normals `o` satisfy `o.e = 0` on a line along `e`,
+//! `o.a = sin(alpha)` on a cone with axis `a` towards its apex and half angle `alpha`, and are fixed on a plane.
 
 use crate::narrow_phase::feature::alike::ALIKE_SINE;
 use crate::narrow_phase::feature::branch::Branch;
@@ -40,7 +40,7 @@ pub(crate) struct ConeSide {
 /// The border of an element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Border<'a> {
-    /// Nothing.
+    /// No border: the element is unbounded or complete.
     Open,
     /// The two ends of a line, at this distance from its point, m.
     Ends(f64),
@@ -85,7 +85,7 @@ impl<'a> Element<'a> {
         self.ball > 0.0 && matches!(self.locus, Locus::Circle(_))
     }
 
-    /// The element of a shape at a pose; nothing when the shape has no such feature.
+    /// The element of a shape at a pose; none when the shape has no such feature.
     pub(crate) fn of(shape: &'a Shape, feature: SurfaceFeature, pose: &Pose) -> Option<Self> {
         match feature {
             SurfaceFeature::Face(index) => face(shape, index, pose),

@@ -57,13 +57,14 @@ pub(crate) fn collect(
     buffers.b.sides.extend(sides_of_placed(b, &face_b, normal_b, directions));
     let few = face_a.vertices.len() * face_b.vertices.len() < FEW_PAIRS;
     if few {
-        let least = [buffers.b.take_signs(&buffers.a, tolerance), buffers.a.take_signs(&buffers.b, tolerance)];
+        let least =
+            [buffers.b.classify_by_signs(&buffers.a, tolerance), buffers.a.classify_by_signs(&buffers.b, tolerance)];
         // Two corners farther than this from every side do not coincide.
         buffers.clearances = least.map(|distance| distance - DEEP_PLACES * tolerance);
     } else {
         buffers.clearances = [0.0; 2];
-        buffers.a.settle_by_circles(&buffers.b, normal_b, tolerance);
-        buffers.b.settle_by_circles(&buffers.a, face_a.normal, tolerance);
+        buffers.a.classify_by_circles(&buffers.b, normal_b, tolerance);
+        buffers.b.classify_by_circles(&buffers.a, face_a.normal, tolerance);
         buffers.a.keep_inside(&buffers.b, tolerance);
         buffers.b.keep_inside(&buffers.a, tolerance);
     }

@@ -56,7 +56,7 @@ impl PlacedFace {
 
     /// Finds the corners that are deep inside and the sides that cross nothing by circles about the middle of the other
     /// face, whose unit normal is given.
-    pub(super) fn settle_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
+    pub(super) fn classify_by_circles(&mut self, other: &Self, normal: DVec3, tolerance: f64) {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
         self.crossable.clear();
@@ -80,7 +80,7 @@ impl PlacedFace {
 
     /// Computes the sign of every corner against every side of the other face, and which corners are contacts. Returns
     /// the least distance of a corner from a side, m.
-    pub(super) fn take_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
+    pub(super) fn classify_by_signs(&mut self, other: &Self, tolerance: f64) -> f64 {
         let (corners, sides) = (self.corners.len(), other.corners.len());
         self.deep.clear();
         self.deep.resize(corners, false);
@@ -110,15 +110,15 @@ impl PlacedFace {
         let mut last = 0;
         for (&corner, &deep) in self.corners.iter().zip(&self.deep) {
             let inside = |j: usize| other.outside(corner, j) <= tolerance;
-            let shut_out = if deep {
+            let excluded_by = if deep {
                 None
             } else if inside(last) {
                 (0..sides).find(|&j| !inside(j))
             } else {
                 Some(last)
             };
-            last = shut_out.unwrap_or(last);
-            self.kept.push(shut_out.is_none());
+            last = excluded_by.unwrap_or(last);
+            self.kept.push(excluded_by.is_none());
         }
     }
 }

@@ -38,9 +38,9 @@ enum Part {
     /// A torus that lies flat.
     Ring,
     /// A side or an edge.
-    Strip(SurfaceFeature),
+    Line(SurfaceFeature),
     /// Neither.
-    Spot,
+    Point,
 }
 
 /// The bodies of a region and the candidates found so far.
@@ -149,7 +149,7 @@ fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
     let outward = pose.rotation.inverse_rotate(outward);
     let side = |axis: DVec3, sine: f64| {
         let lies = (outward.dot(axis) - sine).abs() <= ALIKE_SINE;
-        if lies { Part::Strip(SurfaceFeature::Side(0)) } else { Part::Spot }
+        if lies { Part::Line(SurfaceFeature::Side(0)) } else { Part::Point }
     };
     match shape {
         Shape::HalfSpace(_) => Part::Flat(0),
@@ -167,7 +167,7 @@ fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
         Shape::Cylinder(c) => side(c.axis, 0.0),
         Shape::Cone(c) => side(c.axis, c.radius / libm::hypot(c.radius, c.height)),
         Shape::Capsule(c) => side((c.ends[1] - c.ends[0]).normalize(), 0.0),
-        _ => Part::Spot,
+        _ => Part::Point,
     }
 }
 
@@ -179,7 +179,7 @@ fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> Part {
     let lying = polyhedron.edges.iter().enumerate().filter(|(_, edge)| drop(edge) <= ALIKE_SINE * edge.length);
     lying
         .min_by(|(_, e), (_, f)| drop(e).total_cmp(&drop(f)))
-        .map_or(Part::Spot, |(index, _)| Part::Strip(SurfaceFeature::Edge(index as u32)))
+        .map_or(Part::Point, |(index, _)| Part::Line(SurfaceFeature::Edge(index as u32)))
 }
 
 /// Calls `visit` with the corners of a part.
@@ -190,7 +190,7 @@ fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature))
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.vertices).for_each(|&v| visit(Vertex(v)));
         }
-        (Shape::Convex(polyhedron), Part::Strip(Edge(edge))) => {
+        (Shape::Convex(polyhedron), Part::Line(Edge(edge))) => {
             let edge = polyhedron.edges.get(edge as usize);
             edge.iter().flat_map(|edge| edge.vertices).for_each(|v| visit(Vertex(v)));
         }
@@ -206,9 +206,9 @@ fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature))
             (0..RIM_POINTS).for_each(|k| visit(Vertex(k)));
             visit(Rim(0));
         }
-        (Shape::Cylinder(_), Part::Strip(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
-        (Shape::Cone(_), Part::Strip(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
-        (Shape::Capsule(_), Part::Strip(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
+        (Shape::Cylinder(_), Part::Line(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
+        (Shape::Cone(_), Part::Line(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
+        (Shape::Capsule(_), Part::Line(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
         _ => {}
     }
 }
@@ -224,7 +224,7 @@ fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature;
         }
         (Shape::Cylinder(_) | Shape::Cone(_), Part::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
         (Shape::Torus(_), Part::Ring) => visit([RimExit(0), RimEntry(0)]),
-        (_, Part::Strip(line)) => visit([line; 2]),
+        (_, Part::Line(line)) => visit([line; 2]),
         _ => {}
     }
 }
@@ -236,12 +236,12 @@ impl Region<'_> {
         let (shape_a, shape_b) = (self.a.shape, self.b.shape);
         let base = |part: Part| match part {
             Part::Flat(face) => Some(SurfaceFeature::Face(face)),
-            Part::Strip(line) => Some(line),
-            Part::Ring | Part::Spot => None,
+            Part::Line(line) => Some(line),
+            Part::Ring | Part::Point => None,
         };
         // The corners of a line lie on a plane under it; of two lines each has its corners on the other when they are
         // parallel.
-        let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Strip(_));
+        let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Line(_));
         if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
             each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));
         }

@@ -66,7 +66,7 @@ pub(crate) struct Stationary {
     margin: f64,
     /// Centre of mass of B, relative to A's.
     origin_b: DVec3,
-    /// The size of the pair with the rounding of its places, m.
+    /// Length scale of the pair: the place tolerance over [`COINCIDENCE`], m.
     size: f64,
     /// The body whose element is a plane.
     plane_of: Option<Side>,
@@ -184,7 +184,7 @@ impl Stationary {
                 growth -= outwards * n.dot(parameter.along) * rate;
             }
         }
-        // The contact point stands off the place by `outwards` times the radius and half the separation along n.
+        // The contact point is `outwards` times the radius plus half the separation away from the place, along n.
         let stand_off = n.dot(self.middle - on_locus);
         let rate = velocity.angular.cross(arm) + wandering + rates.normal * stand_off + n * (outwards * growth);
         let approach = a.linear - b.linear;
@@ -199,8 +199,8 @@ impl Stationary {
         })
     }
 
-    /// The terms of `chi''` from the rates of the normal and of the parameters, m/s^2. `velocity` is `v_A(x_A) -
-    /// v_B(x_B)`.
+    /// The terms of `chi''` from the rates of the normal and of the parameters, m/s^2. `velocity` is
+    /// `v_A(x_A) - v_B(x_B)`.
     #[inline]
     fn bending(&self, rates: &Rates, velocity: DVec3, a: &Velocity, b: &Velocity) -> f64 {
         let n = self.place.normal;

@@ -6,14 +6,14 @@
 //! `u_T = P V`,  `P = 1 - n n^T`,  `V = v_A + w_A x r_A - v_B - w_B x r_B`  (m/s).
 //!
 //! Its derivative is taken along the motion of the contact: the contact point moves over both bodies at `p'` and the
-//! normal turns at `n'`, both linear in the velocities. From `V' = v_A' + w_A' x r_A + w_A x (p' - v_A) - (the same of
-//! B)` and `P' = -n' n^T - n (n')^T` follows
+//! normal turns at `n'`, both linear in the velocities. From
+//! `V' = v_A' + w_A' x r_A + w_A x (p' - v_A) - (the same of B)` and `P' = -n' n^T - n (n')^T` follows
 //!
 //! `u_T' = P (v_A' + w_A' x r_A - v_B' - w_B' x r_B) + bias`,
 //! `bias = P (w_A x (p' - v_A) - w_B x (p' - v_B)) - (n.V) n' - (n'.V) n`  (m/s^2).
 //!
-//! This extends thesis 3.4 from the normal to the tangent plane; the normal part of the same `V'` is `chi''`: `n.(w_A x
-//! (p' - v_A) - w_B x (p' - v_B)) + n'.V` is the bias of equation (18) with erratum E18.
+//! This extends thesis 3.4 from the normal to the tangent plane; the normal part of the same `V'` is `chi''`:
+//! `n.(w_A x (p' - v_A) - w_B x (p' - v_B)) + n'.V` is the bias of equation (18) with erratum E18.
 //!
 //! `p'` and `n'` come from the kinds of contacts (`evaluate.rs`, `crossed_edges.rs`, `stationary.rs`); for two smooth
 //! surfaces they are what the contact equations give (docs/REFERENCES.md, Montana 1988), in world axes and at any
@@ -27,18 +27,18 @@ use crate::TangentialKinematics;
 use glam::DVec3;
 use polhode_spatial::Velocity;
 
-/// Cosine of the angle (25.8 degrees) to the x axis below which the projection of that axis on the tangent plane is too
-/// short. No common normal (30, 45 or 60 degrees between two axes, the diagonal of a cube) lies at this border. The
-/// shortest projection is the lesser of c and sqrt(1 - c^2), here 0.43, and a basis is right to a few roundings. Range:
-/// 0.3 to 0.95.
+/// Cosine between the normal and the x axis above which the y axis is projected instead, because the projection of the
+/// x axis on the tangent plane is short (an angle below 25.8 degrees). No common normal (30, 45 or 60 degrees between
+/// two axes, the diagonal of a cube) lies at this border. The shortest projection is the lesser of c and sqrt(1 - c^2),
+/// here 0.43, and a basis is right to a few roundings. Range: 0.3 to 0.95.
 const NEAR_AXIS_COSINE: f64 = 0.9;
 
 /// Two unit vectors `t_1`, `t_2` perpendicular to a unit vector and to each other, `t_1 x t_2 = n`.
 ///
 /// `t_1` is the x axis projected on the plane perpendicular to `normal`, or the y axis where the normal is within 26
 /// degrees of the x axis. For `normal` = z the basis is x and y. No continuous field of tangents exists on the sphere;
-/// this one is smooth but for the two circles of normals where the axes change, and turns by at most some 2 rad for
-/// each rad of the normal elsewhere.
+/// this one is smooth except on the two circles of normals where the axes change; elsewhere it turns by at most about 2
+/// rad for each rad of the normal.
 ///
 /// Symmetries, exact to the bit: the basis of `-normal` is `t_1, -t_2` (the bodies swapped), and the basis of a normal
 /// mirrored in a coordinate plane is the mirror image of `t_1` and `t_2`, up to the sign of each. Under other rotations
