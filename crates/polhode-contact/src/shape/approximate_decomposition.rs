@@ -46,7 +46,7 @@ pub enum ApproximateError {
     #[error("the number of parts must be from {low} to {high}, found {0}", low = PARTS[0], high = PARTS[1])]
     MaxParts(u32),
     /// The library failed, or found no part that has a volume.
-    #[error("the library found no parts: try another resolution, or the exact decomposition")]
+    #[error("V-HACD found no parts: try another resolution, or the exact decomposition")]
     NoParts,
 }
 

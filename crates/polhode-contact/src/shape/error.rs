@@ -56,7 +56,7 @@ pub enum ShapeError {
     },
     /// A vertex is outside the plane of a face.
     #[error(
-        "not convex: vertex {vertex} stands {height:e} m outside the plane of face {face}, at most {limit:e} m is \
+        "not convex: vertex {vertex} is {height:e} m outside the plane of face {face}, at most {limit:e} m is \
          allowed; decompose the mesh or use the convex hull of its points"
     )]
     NotConvex {
@@ -108,7 +108,7 @@ pub enum ShapeError {
     /// A triangle without area.
     #[error(
         "triangle {triangle} has no area: its height is {height:e} m over a side of {longest:e} m (counted from 0); \
-         leave it out"
+         remove it"
     )]
     NoArea {
         /// The triangle.
@@ -119,7 +119,7 @@ pub enum ShapeError {
         longest: f64,
     },
     /// A triangle that is given twice.
-    #[error("triangle {triangle} has the same corners as triangle {of} (counted from 0); leave one out")]
+    #[error("triangle {triangle} has the same corners as triangle {of} (counted from 0); remove one")]
     Double {
         /// The triangle.
         triangle: usize,
