@@ -1,0 +1,76 @@
+// Contact points, a short stub along each normal, and the contact force as an arrow along the normal.
+
+import { CanvasTexture, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
+import { Arrows, ArrowScale } from '../arrows.js';
+import { FORCE_COLOUR, NORMAL_COLOUR } from '../colours.js';
+import { GrowingGeometry } from '../growing.js';
+import { short } from '../numbers.js';
+
+/** Size of a contact point in pixels. */
+const POINT_PIXELS = 7;
+/** Lengths in typical radii of a body: the stub of a normal, the longest arrow, the radius of its shaft. */
+const STUB = 0.35;
+const LONGEST = 2.5;
+const SHAFT = 0.035;
+
+/** A round picture for points, which WebGL draws as squares. */
+function discTexture() {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const pen = canvas.getContext('2d');
+  pen.fillStyle = '#fff';
+  pen.arc(16, 16, 15, 0, 2 * Math.PI);
+  pen.fill();
+  return new CanvasTexture(canvas);
+}
+
+export class Contacts {
+  constructor(view) {
+    this.view = view;
+    this.group = new Group();
+    this.scale = new ArrowScale(LONGEST * view.size);
+    this.arrows = new Arrows(FORCE_COLOUR, SHAFT * view.size);
+    this.points = new GrowingGeometry();
+    this.stubs = new GrowingGeometry();
+    const above_all = { depthTest: false, depthWrite: false, transparent: true };
+    const dots = new Points(
+      this.points.geometry,
+      new PointsMaterial({
+        color: NORMAL_COLOUR, size: POINT_PIXELS * Math.min(2, devicePixelRatio), sizeAttenuation: false,
+        map: discTexture(), alphaTest: 0.5, ...above_all,
+      }),
+    );
+    const lines = new LineSegments(
+      this.stubs.geometry, new LineBasicMaterial({ color: NORMAL_COLOUR, ...above_all }),
+    );
+    dots.renderOrder = 12;
+    lines.renderOrder = 9;
+    dots.frustumCulled = lines.frustumCulled = false;
+    this.group.add(this.arrows.group, lines, dots);
+  }
+
+  update() {
+    const { snapshot, size } = this.view;
+    for (const part of [this.points, this.stubs, this.arrows]) part.clear();
+    snapshot.eachContact((a, b, numbers, at) => this.scale.see(Math.abs(numbers[at + 7])));
+    const { factor } = this.scale;
+    snapshot.eachContact((a, b, numbers, at) => {
+      const point = numbers.subarray(at, at + 3);
+      const normal = numbers.subarray(at + 3, at + 6);
+      const stub = STUB * size;
+      this.points.add(...point);
+      this.stubs.add(...point);
+      this.stubs.add(point[0] + stub * normal[0], point[1] + stub * normal[1], point[2] + stub * normal[2]);
+      // The normal points from B to A, so a positive force is what A feels.
+      if (Number.isFinite(numbers[at + 7])) this.arrows.add(point, normal, numbers[at + 7] * factor);
+    });
+    for (const part of [this.points, this.stubs, this.arrows]) part.show();
+  }
+
+  legend() {
+    return [
+      { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
+      { colour: FORCE_COLOUR, text: `contact force: ${short(this.scale.full)} N is ${short(this.scale.longest)} m long` },
+    ];
+  }
+}

@@ -1,0 +1,90 @@
+// The picture: renderer, light, camera, and one or two views of it.
+
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { PageError } from './errors.js';
+import { colour } from './theme.js';
+
+/** Vertical angle of view in degrees. */
+const FIELD_OF_VIEW = 35;
+/** Pixels of the shadow map along its edge. */
+const SHADOW_PIXELS = 2048;
+/** Where the light comes from, seen from the point that the camera looks at; z is up. */
+const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
+
+export class Stage {
+  constructor(canvas, shadows) {
+    this.canvas = canvas;
+    try {
+      this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    } catch {
+      throw new PageError('This browser draws no WebGL, so the bodies cannot be shown. The numbers can be saved.');
+    }
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.shadowMap.enabled = shadows;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
+    this.camera.up.set(0, 0, 1);
+    this.sky = new HemisphereLight(0xffffff, 0x9a948c, 1.7);
+    this.sky.position.set(0, 0, 1);
+    this.sun = new DirectionalLight(0xffffff, 1.9);
+    this.sun.castShadow = shadows;
+    this.sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    this.sun.shadow.radius = 3;
+    this.scene.add(this.sky, this.sun, this.sun.target);
+    this.scene.background = new Color();
+    this.applyTheme();
+  }
+
+  applyTheme() {
+    this.scene.background.setStyle(colour('stage'));
+  }
+
+  /** Fits the drawing to the canvas's place in the page; true where it changed. */
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === this.width && clientHeight === this.height) return false;
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    return true;
+  }
+
+  /** The shadow map covers what the camera looks at, so that its grain follows the distance of the camera. */
+  aimLight(target) {
+    const distance = this.camera.position.distanceTo(target);
+    this.camera.near = distance / 100;
+    this.camera.far = distance * 40;
+    this.sun.target.position.copy(target);
+    this.sun.position.copy(target).addScaledVector(LIGHT_FROM, 2 * distance);
+    const { camera, map } = this.sun.shadow;
+    const reach = 0.75 * distance;
+    Object.assign(camera, { left: -reach, right: reach, bottom: -reach, top: reach, near: 0, far: 4 * distance });
+    camera.updateProjectionMatrix();
+    this.sun.shadow.normalBias = (3 * reach) / (map ? map.width : SHADOW_PIXELS);
+  }
+
+  /** Draws every group of `views` in its own part of the canvas, from left to right; a view is a list of groups. */
+  draw(views, target) {
+    this.aimLight(target);
+    const width = this.width / views.length;
+    this.camera.aspect = width / this.height;
+    this.camera.updateProjectionMatrix();
+    this.renderer.setScissorTest(views.length > 1);
+    views.forEach((shown, index) => {
+      for (const group of views.flat()) group.visible = shown.includes(group);
+      this.renderer.setViewport(index * width, 0, width, this.height);
+      this.renderer.setScissor(index * width, 0, width, this.height);
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+}
