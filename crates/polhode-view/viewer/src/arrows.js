@@ -92,13 +92,18 @@ export function crossAxes(w) {
 
 /** Lengths of arrows: the largest value met so far, rounded up to 1, 2 or 5, is `longest` m long. */
 export class ArrowScale {
-  constructor(longest) {
+  /** `grown` is called when the scale changes, since arrows drawn before are then too long. */
+  constructor(longest, grown) {
     this.longest = longest;
     this.largest = 0;
+    this.grown = grown;
   }
 
   see(value) {
-    if (Number.isFinite(value) && value > this.largest) this.largest = value;
+    if (!Number.isFinite(value) || value <= this.largest) return;
+    const full = this.full;
+    this.largest = value;
+    if (this.full !== full) this.grown();
   }
 
   get full() {

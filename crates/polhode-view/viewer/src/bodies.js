@@ -9,7 +9,7 @@ import {
   Group,
   InstancedBufferAttribute,
   LineBasicMaterial,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
   Vector3,
 } from 'three';
 import { BODY_COLOURS } from './colours.js';
@@ -43,9 +43,7 @@ function middleOf(geometry) {
  * tones, like those of a beach ball.
  */
 function bodyMaterial(geometry, smooth) {
-  const material = new MeshStandardMaterial({
-    roughness: 0.72,
-    metalness: 0,
+  const material = new MeshLambertMaterial({
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

@@ -75,7 +75,7 @@ export class Ground {
     const look = { vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide };
     this.ink = new LineBasicMaterial(look);
     this.wash = new MeshBasicMaterial(look);
-    this.shade = shadows ? new ShadowMaterial({ opacity: 0.22, depthWrite: false }) : null;
+    this.shade = shadows ? new ShadowMaterial({ opacity: 0.17, depthWrite: false }) : null;
     run.bodies.forEach((body, index) => {
       if (body.half_spaces.length === 0) return;
       const holder = new Group();

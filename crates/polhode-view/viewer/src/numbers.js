@@ -21,7 +21,7 @@ export function short(value, digits = 4) {
 
 /** Seconds with the same number of places for the whole run, so that the text does not jump. */
 export function seconds(value, duration) {
-  const places = Math.min(6, Math.max(2, 3 - Math.floor(Math.log10(Math.max(duration, 1e-6)))));
+  const places = Math.min(6, Math.max(3, 3 - Math.floor(Math.log10(Math.max(duration, 1e-6)))));
   return `${value.toFixed(places)} s`;
 }
 

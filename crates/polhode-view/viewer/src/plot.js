@@ -181,6 +181,8 @@ export class Plot {
   drawLine(pen, { run, values, ink }, yOf, width) {
     pen.strokeStyle = ink;
     pen.lineWidth = 1.4;
+    // Round ends make a dot of a single value between gaps.
+    pen.lineCap = pen.lineJoin = 'round';
     pen.setLineDash(this.two_runs && run.index > 0 ? [4, 3] : []);
     pen.beginPath();
     let pen_down = false;

@@ -20,11 +20,25 @@ const SHADOW_PIXELS = 2048;
 /** Where the light comes from, seen from the point that the camera looks at; z is up. */
 const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
 
+/** Software draws edges of many small triangles three times as slowly when it smooths them. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** Whether WebGL is drawn by the processor, because there is no graphics card or no driver. */
+function drawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(name);
+}
+
 export class Stage {
-  constructor(canvas, shadows) {
+  /** `many`: so many bodies that shadows are left out, and smooth edges too where software draws. */
+  constructor(canvas, many) {
     this.canvas = canvas;
+    const shadows = !many;
     try {
-      this.renderer = new WebGLRenderer({ canvas, antialias: true });
+      this.renderer = new WebGLRenderer({ canvas, antialias: !(many && drawnBySoftware()) });
     } catch {
       throw new PageError('This browser draws no WebGL, so the bodies cannot be shown. The numbers can be saved.');
     }
@@ -34,13 +48,15 @@ export class Stage {
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
     this.camera.up.set(0, 0, 1);
-    this.sky = new HemisphereLight(0xffffff, 0x9a948c, 1.7);
+    this.sky = new HemisphereLight(0xffffff, 0xaaa59d, 1.75);
     this.sky.position.set(0, 0, 1);
-    this.sun = new DirectionalLight(0xffffff, 1.9);
+    this.sun = new DirectionalLight(0xffffff, 1.5);
+    // A weak light from the camera, so that no face that is seen is black.
+    this.lamp = new DirectionalLight(0xffffff, 0.75);
     this.sun.castShadow = shadows;
     this.sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     this.sun.shadow.radius = 3;
-    this.scene.add(this.sky, this.sun, this.sun.target);
+    this.scene.add(this.sky, this.sun, this.sun.target, this.lamp, this.lamp.target);
     this.scene.background = new Color();
     this.applyTheme();
   }
@@ -64,6 +80,8 @@ export class Stage {
     const distance = this.camera.position.distanceTo(target);
     this.camera.near = distance / 100;
     this.camera.far = distance * 40;
+    this.lamp.position.copy(this.camera.position);
+    this.lamp.target.position.copy(target);
     this.sun.target.position.copy(target);
     this.sun.position.copy(target).addScaledVector(LIGHT_FROM, 2 * distance);
     const { camera, map } = this.sun.shadow;

@@ -1,6 +1,7 @@
 // The view of one run: its frames, its state at the time shown, its bodies, its ground and its overlays.
 
 import { Box3, Group, LineBasicMaterial, Sphere, Vector3 } from 'three';
+import { ArrowScale } from './arrows.js';
 import { Bodies } from './bodies.js';
 import { SELECTED_COLOUR } from './colours.js';
 import { Frames } from './frames.js';
@@ -15,8 +16,12 @@ import { Snapshot } from './snapshot.js';
 const UNKNOWN_RADIUS = 0.5;
 
 export class View {
-  /** `look` is { shadows, edges }; `tell` has requestDraw(), loaded() and broken(words). */
-  constructor(run, geometries, look, tell) {
+  /**
+   * `look` is { shadows, edges }; `tell` has requestDraw(), loaded() and broken(words); `scales` holds the scales of
+   * arrows by name, one for all runs, so that arrows of two runs can be compared.
+   */
+  constructor(run, geometries, look, tell, scales) {
+    this.scales = scales;
     this.run = run;
     this.geometries = geometries;
     this.look = look;
@@ -84,6 +89,12 @@ export class View {
     overlay.part.group.visible = on;
     if (on) overlay.part.update();
     else overlay.part.hidden?.();
+  }
+
+  /** The scale of a quantity's arrows, the longest of which is `longest` radii of a body. */
+  scaleOf(quantity, longest) {
+    if (!this.scales.has(quantity)) this.scales.set(quantity, new ArrowScale(longest * this.size, this.requestDraw));
+    return this.scales.get(quantity);
   }
 
   legend() {

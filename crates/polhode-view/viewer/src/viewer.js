@@ -27,7 +27,7 @@ export class Viewer {
   constructor(show) {
     this.show = show;
     const many = Math.max(...show.runs.map((run) => run.bodies.length)) > MANY_BODIES;
-    this.stage = new Stage(byId('stage'), !many);
+    this.stage = new Stage(byId('stage'), many);
     this.playback = new Playback(show.runs);
     this.dirty = true;
     this.waiting = [];
@@ -40,7 +40,8 @@ export class Viewer {
     };
     const geometries = show.meshes.map(meshGeometry);
     const look = { shadows: !many, edges: !many };
-    this.views = show.runs.map((run) => new View(run, geometries, look, tell));
+    const scales = new Map();
+    this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales));
     for (const view of this.views) this.stage.scene.add(view.group);
     this.on = new Set(many ? [] : ['edges']);
     for (const view of this.views) view.setOverlay('edges', !many);
@@ -195,7 +196,8 @@ export class Viewer {
     for (const plot of this.plots) plot.draw();
     this.events.update(playback.time, playback.playing);
     showLegend(views.flatMap((view) => view.legend()));
-    if (!states.every(Boolean)) return;
+    // Not yet the final picture: frames are still being unpacked, or a scale of arrows grew.
+    if (this.dirty || !states.every(Boolean)) return;
     for (const kept of this.waiting.splice(0)) kept();
   }
 

@@ -1,7 +1,7 @@
 // Contact points, a short stub along each normal, and the contact force as an arrow along the normal.
 
 import { CanvasTexture, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
-import { Arrows, ArrowScale } from '../arrows.js';
+import { Arrows } from '../arrows.js';
 import { FORCE_COLOUR, NORMAL_COLOUR } from '../colours.js';
 import { GrowingGeometry } from '../growing.js';
 import { short } from '../numbers.js';
@@ -11,7 +11,7 @@ const POINT_PIXELS = 7;
 /** Lengths in typical radii of a body: the stub of a normal, the longest arrow, the radius of its shaft. */
 const STUB = 0.35;
 const LONGEST = 2.5;
-const SHAFT = 0.035;
+const SHAFT = 0.03;
 
 /** A round picture for points, which WebGL draws as squares. */
 function discTexture() {
@@ -28,7 +28,7 @@ export class Contacts {
   constructor(view) {
     this.view = view;
     this.group = new Group();
-    this.scale = new ArrowScale(LONGEST * view.size);
+    this.scale = view.scaleOf('force', LONGEST);
     this.arrows = new Arrows(FORCE_COLOUR, SHAFT * view.size);
     this.points = new GrowingGeometry();
     this.stubs = new GrowingGeometry();
@@ -70,7 +70,7 @@ export class Contacts {
   legend() {
     return [
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
-      { colour: FORCE_COLOUR, text: `contact force: ${short(this.scale.full)} N is ${short(this.scale.longest)} m long` },
+      { colour: FORCE_COLOUR, text: `contact force: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long` },
     ];
   }
 }

@@ -10,6 +10,7 @@ import {
   BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, Line, LineBasicMaterial, LineSegments, Mesh,
   MeshBasicMaterial, Quaternion, SphereGeometry, Vector3, WireframeGeometry,
 } from 'three';
+import { Arrows } from '../arrows.js';
 import { MOMENTUM_COLOUR, SPIN_COLOUR } from '../colours.js';
 import { angularMomentum, inPrincipalFrame, spinEnergy } from '../inertia.js';
 import { normalise } from '../rotation.js';
@@ -22,6 +23,9 @@ const PLANE_SIZE = 1.2;
 const MOST_POINTS = 20000;
 /** Orientation and angular velocity in the channels of a chunk. */
 const CHANNELS_READ = [3, 4, 5, 6, 10, 11, 12];
+
+/** The shaft of the arrow to the tip of the angular velocity in radii of the body. */
+const SHAFT = 0.02;
 
 const HERPOLHODE_COLOUR = MOMENTUM_COLOUR;
 
@@ -82,14 +86,18 @@ export class Polhode {
     const data = run.bodies[body];
     const at = 7 * body;
     const pose = snapshot.poses.subarray(at, at + 7);
-    this.group.position.set(pose[0], pose[1], pose[2]);
+    this.construction.position.set(pose[0], pose[1], pose[2]);
     const [w, x, y, z] = data.principal_axes;
     this.in_body.quaternion.set(pose[4], pose[5], pose[6], pose[3]).multiply(new Quaternion(-x, -y, -z, w));
-    this.group.scale.setScalar(this.scale || 1);
+    this.construction.scale.setScalar(this.scale || 1);
     const past = Math.min(this.count, Math.floor(snapshot.frame / this.stride) + 1);
     this.polhode.show(past, this.count);
     this.herpolhode.show(past, this.count);
-    this.placeEllipsoid(data, snapshot.rates.subarray(6 * body + 3, 6 * body + 6), at);
+    const spin = snapshot.rates.subarray(6 * body + 3, 6 * body + 6);
+    this.placeEllipsoid(data, spin, at);
+    this.vector.clear();
+    this.vector.add(pose, spin, this.scale);
+    this.vector.show();
   }
 
   /** Ellipsoid and plane of the energy and the momentum of this moment. */
@@ -126,7 +134,9 @@ export class Polhode {
     this.in_body = new Group();
     this.makeEllipsoid();
     this.in_body.add(this.polhode.group, this.ellipsoid);
-    this.group.add(this.in_body, this.herpolhode.group, this.plane);
+    this.construction = new Group();
+    this.construction.add(this.in_body, this.herpolhode.group, this.plane);
+    this.group.add(this.construction, this.vector.group);
     this.scan = new AbortController();
     this.readCurves(run.bodies[body], run.moving.indexOf(body), this.scan.signal);
   }
@@ -141,6 +151,7 @@ export class Polhode {
     );
     this.ellipsoid = new Group();
     this.ellipsoid.add(shell, net);
+    this.vector = new Arrows(SPIN_COLOUR, SHAFT * this.view.radiusOf(this.body));
     this.plane = new Mesh(
       new CircleGeometry(1, 64),
       new MeshBasicMaterial({ ...look, color: HERPOLHODE_COLOUR, opacity: 0.13, side: DoubleSide }),

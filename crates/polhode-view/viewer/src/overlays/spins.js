@@ -1,21 +1,21 @@
 // Angular velocity w and angular momentum L = R I R^T w of each body as arrows from its place.
 
 import { Group } from 'three';
-import { Arrows, ArrowScale } from '../arrows.js';
+import { Arrows } from '../arrows.js';
 import { MOMENTUM_COLOUR, SPIN_COLOUR } from '../colours.js';
 import { angularMomentum } from '../inertia.js';
 import { short } from '../numbers.js';
 
 /** Lengths in typical radii of a body: the longest arrow and the radius of its shaft. */
 const LONGEST = 2.2;
-const SHAFT = 0.04;
+const SHAFT = 0.03;
 
 export class Spins {
   constructor(view) {
     this.view = view;
     this.group = new Group();
-    this.spin_scale = new ArrowScale(LONGEST * view.size);
-    this.momentum_scale = new ArrowScale(LONGEST * view.size);
+    this.spin_scale = view.scaleOf('spin', LONGEST);
+    this.momentum_scale = view.scaleOf('momentum', LONGEST);
     this.spins = new Arrows(SPIN_COLOUR, SHAFT * view.size);
     this.momenta = new Arrows(MOMENTUM_COLOUR, SHAFT * view.size);
     this.group.add(this.momenta.group, this.spins.group);
@@ -41,7 +41,7 @@ export class Spins {
   }
 
   legend() {
-    const line = (name, unit, { full, longest }) => `${name}: ${short(full)} ${unit} is ${short(longest)} m long`;
+    const line = (name, unit, { full, longest }) => `${name}: ${short(full)} ${unit} is ${short(longest, 3)} m long`;
     return [
       { colour: SPIN_COLOUR, text: line('angular velocity', 'rad/s', this.spin_scale) },
       { colour: MOMENTUM_COLOUR, text: line('angular momentum', 'kg m²/s', this.momentum_scale) },

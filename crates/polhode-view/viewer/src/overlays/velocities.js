@@ -1,17 +1,17 @@
 // The velocity of each body as an arrow from its place.
 
-import { Arrows, ArrowScale } from '../arrows.js';
+import { Arrows } from '../arrows.js';
 import { VELOCITY_COLOUR } from '../colours.js';
 import { short } from '../numbers.js';
 
 /** Lengths in typical radii of a body: the longest arrow and the radius of its shaft. */
 const LONGEST = 3;
-const SHAFT = 0.04;
+const SHAFT = 0.03;
 
 export class Velocities {
   constructor(view) {
     this.view = view;
-    this.scale = new ArrowScale(LONGEST * view.size);
+    this.scale = view.scaleOf('velocity', LONGEST);
     this.arrows = new Arrows(VELOCITY_COLOUR, SHAFT * view.size);
     this.group = this.arrows.group;
   }
@@ -28,7 +28,7 @@ export class Velocities {
   }
 
   legend() {
-    const text = `velocity: ${short(this.scale.full)} m/s is ${short(this.scale.longest)} m long`;
+    const text = `velocity: ${short(this.scale.full)} m/s is ${short(this.scale.longest, 3)} m long`;
     return [{ colour: VELOCITY_COLOUR, text }];
   }
 }
