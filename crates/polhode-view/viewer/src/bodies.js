@@ -12,6 +12,7 @@ import {
   MeshLambertMaterial,
   Vector3,
 } from 'three';
+import { coarseGeometry, SMALL_PIXELS, worthCoarse } from './coarse.js';
 import { BODY_COLOURS } from './colours.js';
 import { instancedLines, instancedMesh, writeMatrix } from './instances.js';
 import { matrixOf, turn } from './rotation.js';
@@ -67,11 +68,86 @@ function bodyMaterial(geometry, smooth) {
   return material;
 }
 
-/** A part's place in its body: the 3x3 matrix of turn and scale, row by row, and the origin. */
-function partPlace(part) {
+/** A part's place in its body: the 3x3 matrix of turn and scale, row by row, the origin, and the radius of the part. */
+function partPlace(part, geometry) {
   const matrix = matrixOf(part.orientation, 0, new Float64Array(9));
   for (let k = 0; k < 9; k += 1) matrix[k] *= part.scale[k % 3];
-  return { matrix, origin: part.position };
+  geometry.computeBoundingSphere();
+  return { matrix, origin: part.position, radius: geometry.boundingSphere.radius * Math.max(...part.scale) };
+}
+
+/** The parts of one mesh: drawn fine, or coarse where they are small in the picture. */
+class PartSet {
+  constructor(members, geometry, look) {
+    this.members = members;
+    const material = bodyMaterial(geometry.faces, geometry.edges === null);
+    if (look.ghost) Object.assign(material, { transparent: true, opacity: GHOST_OPACITY, depthWrite: false });
+    /** Colour of each member, red, green, blue. */
+    this.colours = new Float32Array(3 * members.length).fill(1);
+    this.fine = this.makeMesh(geometry.faces, material, look);
+    const coarse = worthCoarse(geometry.faces, members.length);
+    this.coarse = coarse ? this.makeMesh(coarseGeometry(geometry.faces), material, look) : null;
+    this.lines = null;
+    if (!geometry.edges) return;
+    const ink = new LineBasicMaterial({ transparent: true, opacity: look.ghost ? GHOST_OPACITY : 0.75 });
+    this.lines = instancedLines(geometry.edges, ink, members.length, this.fine.mesh.instanceMatrix);
+  }
+
+  /** A mesh with room for all members; `shown` lists those that it draws now. */
+  makeMesh(geometry, material, look) {
+    const mesh = instancedMesh(geometry, material, this.members.length);
+    mesh.castShadow = look.shadows && !look.ghost;
+    mesh.receiveShadow = look.shadows;
+    mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(this.colours.length), 3);
+    mesh.instanceColor.setUsage(DynamicDrawUsage);
+    return { mesh, shown: [] };
+  }
+
+  objects() {
+    return [this.fine.mesh, this.coarse?.mesh, this.lines].filter(Boolean);
+  }
+
+  /** Places every member by the poses of the bodies; `eye` is { place, pixels } or null before there is a camera. */
+  update(poses, eye) {
+    const levels = [this.fine, this.coarse].filter(Boolean);
+    for (const level of levels) level.shown.length = 0;
+    const turned = new Float64Array(9);
+    this.members.forEach(({ body, matrix, origin, radius }, member) => {
+      matrixOf(poses, 7 * body + 3, turned);
+      const o = turn(turned, origin);
+      for (let k = 0; k < 3; k += 1) o[k] += poses[7 * body + k];
+      const small = this.coarse && eye && (radius * eye.pixels) / distance(o, eye.place) < SMALL_PIXELS;
+      const level = small ? this.coarse : this.fine;
+      const instance = level.shown.push(member) - 1;
+      const column = (k) => turn(turned, [matrix[k], matrix[3 + k], matrix[6 + k]]);
+      writeMatrix(level.mesh.instanceMatrix.array, instance, column(0), column(1), column(2), o);
+      for (let k = 0; k < 3; k += 1) level.mesh.instanceColor.array[3 * instance + k] = this.colours[3 * member + k];
+    });
+    for (const { mesh, shown } of levels) {
+      mesh.count = shown.length;
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.instanceColor.needsUpdate = true;
+    }
+    if (this.lines) this.lines.count = this.fine.shown.length;
+  }
+
+  /** The nearest hit of a ray: { body, distance }, or null. */
+  pick(raycaster) {
+    let nearest = null;
+    for (const { mesh, shown } of [this.fine, this.coarse].filter(Boolean)) {
+      // The bounding sphere that three.js remembers is that of another frame.
+      mesh.boundingSphere = null;
+      for (const hit of raycaster.intersectObject(mesh, false)) {
+        if (nearest && nearest.distance <= hit.distance) continue;
+        nearest = { body: this.members[shown[hit.instanceId]].body, distance: hit.distance };
+      }
+    }
+    return nearest;
+  }
+}
+
+function distance(point, place) {
+  return Math.hypot(point[0] - place.x, point[1] - place.y, point[2] - place.z);
 }
 
 export class Bodies {
@@ -79,43 +155,27 @@ export class Bodies {
   constructor(run, geometries, look) {
     this.run = run;
     this.group = new Group();
-    this.sets = [];
-    this.edge_lines = [];
     const members = geometries.map(() => []);
     run.bodies.forEach((body, index) => {
       if (look.ghost && !body.moves) return;
-      for (const part of body.parts) members[part.mesh].push({ body: index, ...partPlace(part) });
+      for (const part of body.parts) {
+        members[part.mesh].push({ body: index, ...partPlace(part, geometries[part.mesh].faces) });
+      }
     });
-    members.forEach((list, mesh) => {
-      if (list.length > 0) this.addSet(list, geometries[mesh], look);
-    });
+    this.sets = members
+      .map((list, mesh) => (list.length > 0 ? new PartSet(list, geometries[mesh], look) : null))
+      .filter(Boolean);
+    for (const set of this.sets) this.group.add(...set.objects());
     this.showEdges(look.edges);
     this.applyTheme();
   }
 
-  addSet(members, geometry, look) {
-    const material = bodyMaterial(geometry.faces, geometry.edges === null);
-    if (look.ghost) Object.assign(material, { transparent: true, opacity: GHOST_OPACITY, depthWrite: false });
-    const mesh = instancedMesh(geometry.faces, material, members.length);
-    mesh.castShadow = look.shadows && !look.ghost;
-    mesh.receiveShadow = look.shadows;
-    mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * members.length).fill(1), 3);
-    mesh.instanceColor.setUsage(DynamicDrawUsage);
-    this.sets.push({ mesh, members, placed: false });
-    this.group.add(mesh);
-    if (!geometry.edges) return;
-    const ink = new LineBasicMaterial({ transparent: true, opacity: look.ghost ? GHOST_OPACITY : 0.75 });
-    const lines = instancedLines(geometry.edges, ink, members.length, mesh.instanceMatrix);
-    this.edge_lines.push(lines);
-    this.group.add(lines);
-  }
-
   showEdges(on) {
-    for (const lines of this.edge_lines) lines.visible = on;
+    for (const { lines } of this.sets) if (lines) lines.visible = on;
   }
 
   applyTheme() {
-    for (const lines of this.edge_lines) lines.material.color.setStyle(colour('edge'));
+    for (const { lines } of this.sets) lines?.material.color.setStyle(colour('edge'));
     this.paint((body) => this.plainColour(body));
   }
 
@@ -124,50 +184,25 @@ export class Bodies {
     return this.run.bodies[body].moves ? BODY_COLOURS[body % BODY_COLOURS.length] : colour('fixed-body');
   }
 
-  /** Paints every body in the colour that colourOf(body) gives. */
+  /** Paints every body in the colour that colourOf(body) gives; it is seen after the next update. */
   paint(colourOf) {
     const of_text = new Map();
-    for (const { mesh, members } of this.sets) {
-      members.forEach(({ body }, instance) => {
+    for (const { colours, members } of this.sets) {
+      members.forEach(({ body }, member) => {
         const text = colourOf(body);
         if (!of_text.has(text)) of_text.set(text, new Color(text));
-        of_text.get(text).toArray(mesh.instanceColor.array, 3 * instance);
+        of_text.get(text).toArray(colours, 3 * member);
       });
-      mesh.instanceColor.needsUpdate = true;
     }
   }
 
-  /** Moves every instance to the pose of its body. */
-  update(snapshot) {
-    const { poses } = snapshot;
-    const turned = new Float64Array(9);
-    for (const set of this.sets) {
-      const out = set.mesh.instanceMatrix.array;
-      set.members.forEach(({ body, matrix, origin }, instance) => {
-        if (set.placed && !this.run.bodies[body].moves) return;
-        matrixOf(poses, 7 * body + 3, turned);
-        const o = turn(turned, origin);
-        for (let k = 0; k < 3; k += 1) o[k] += poses[7 * body + k];
-        const column = (k) => turn(turned, [matrix[k], matrix[3 + k], matrix[6 + k]]);
-        writeMatrix(out, instance, column(0), column(1), column(2), o);
-      });
-      set.placed = true;
-      set.mesh.instanceMatrix.needsUpdate = true;
-    }
+  update(snapshot, eye) {
+    for (const set of this.sets) set.update(snapshot.poses, eye);
   }
 
   /** The nearest body that a ray meets, or null: { body, distance }. */
   pick(raycaster) {
-    let nearest = null;
-    for (const { mesh, members } of this.sets) {
-      // The bounding sphere that three.js remembers is that of another frame.
-      mesh.boundingSphere = null;
-      for (const hit of raycaster.intersectObject(mesh, false)) {
-        if (!nearest || hit.distance < nearest.distance) {
-          nearest = { body: members[hit.instanceId].body, distance: hit.distance };
-        }
-      }
-    }
-    return nearest;
+    const hits = this.sets.map((set) => set.pick(raycaster)).filter(Boolean);
+    return hits.reduce((best, hit) => (best && best.distance <= hit.distance ? best : hit), null);
   }
 }

@@ -4,6 +4,7 @@ import {
   Color,
   DirectionalLight,
   HemisphereLight,
+  MathUtils,
   PCFShadowMap,
   PerspectiveCamera,
   Scene,
@@ -63,6 +64,12 @@ export class Stage {
 
   applyTheme() {
     this.scene.background.setStyle(colour('stage'));
+  }
+
+  /** Where the camera is, and how many pixels a thing of one metre has at a distance of one metre. */
+  eye() {
+    const pixels = this.canvas.clientHeight / 2 / Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    return { place: this.camera.position, pixels };
   }
 
   /** Fits the drawing to the canvas's place in the page; true where it changed. */

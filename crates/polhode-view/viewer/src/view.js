@@ -18,9 +18,10 @@ const UNKNOWN_RADIUS = 0.5;
 export class View {
   /**
    * `look` is { shadows, edges }; `tell` has requestDraw(), loaded() and broken(words); `scales` holds the scales of
-   * arrows by name, one for all runs, so that arrows of two runs can be compared.
+   * arrows by name, one for all runs, so that arrows of two runs can be compared; eye() tells where the camera is.
    */
-  constructor(run, geometries, look, tell, scales) {
+  constructor(run, geometries, look, tell, scales, eye) {
+    this.eye = eye;
     this.scales = scales;
     this.run = run;
     this.geometries = geometries;
@@ -60,9 +61,10 @@ export class View {
   }
 
   update() {
-    this.bodies.update(this.snapshot);
-    this.ground.update(this.snapshot);
+    // Overlays first, because some paint the bodies.
     for (const overlay of this.overlays.values()) if (overlay.on) overlay.part.update();
+    this.bodies.update(this.snapshot, this.eye());
+    this.ground.update(this.snapshot);
     this.markFollowed();
   }
 

@@ -41,7 +41,7 @@ export class Viewer {
     const geometries = show.meshes.map(meshGeometry);
     const look = { shadows: !many, edges: !many };
     const scales = new Map();
-    this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales));
+    this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales, () => this.stage.eye()));
     for (const view of this.views) this.stage.scene.add(view.group);
     this.on = new Set(many ? [] : ['edges']);
     for (const view of this.views) view.setOverlay('edges', !many);
