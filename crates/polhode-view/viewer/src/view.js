@@ -15,6 +15,12 @@ import { Snapshot } from './snapshot.js';
 /** Radius in m of a body of which no bounding box is known. */
 const UNKNOWN_RADIUS = 0.5;
 
+/** Bodies times frames that are read at most to find the bounds of the motion, and the frames looked at in them. */
+const MOST_CELLS_READ = 50000;
+const MOTION_SAMPLES = 60;
+/** A motion wider than so many radii of the start does not set the first camera. */
+const WIDEST_MOTION = 4;
+
 export class View {
   /**
    * `look` is { shadows, edges }; `tell` has requestDraw(), loaded() and broken(words); `scales` holds the scales of
@@ -122,6 +128,30 @@ export class View {
       bounds.expandByPoint(place.clone().addScalar(radius)).expandByPoint(place.addScalar(-radius));
     }
     return bounds.isEmpty() ? new Box3(new Vector3(-0.5, -0.5, -0.5), new Vector3(0.5, 0.5, 0.5)) : bounds;
+  }
+
+  /**
+   * The box of the whole motion, from some frames of it, or null where the run is so long that reading it would delay
+   * the first picture, or so wide that the bodies would be too small in it.
+   */
+  async motionBounds() {
+    const { run } = this;
+    const start = this.bounds();
+    if (run.times.length === 0 || run.moving.length * run.times.length > MOST_CELLS_READ) return null;
+    const whole = start.clone();
+    const bodies = run.moving.length;
+    const take = (frame, values) => {
+      for (let place = 0; place < bodies; place += 1) {
+        const at = new Vector3(...[0, 1, 2].map((k) => values[k * bodies + place] * run.quanta[0]));
+        const radius = this.radiusOf(run.moving[place]);
+        whole.expandByPoint(at.clone().addScalar(radius)).expandByPoint(at.addScalar(-radius));
+      }
+    };
+    const stride = Math.ceil(run.times.length / MOTION_SAMPLES);
+    const places = run.moving.map((_, place) => place);
+    await this.frames.scan(places, [0, 1, 2], stride, take, new AbortController().signal, () => {});
+    const radius = (box) => box.getBoundingSphere(new Sphere()).radius;
+    return radius(whole) <= WIDEST_MOTION * radius(start) ? whole : null;
   }
 
   placeOf(body) {

@@ -143,9 +143,10 @@ export class Viewer {
     if (nearest && first[nearest.body]?.moves) this.follow(nearest.body);
   }
 
-  look(name) {
+  /** Looks from a preset at all that the boxes hold: by default at the bodies as they stand now. */
+  look(name, boxes = this.views.map((view) => view.bounds())) {
     this.stage.resize();
-    const bounds = this.views.reduce((all, view) => all.union(view.bounds()), new Box3());
+    const bounds = boxes.reduce((all, box) => all.union(box), new Box3());
     this.camera.tracked = null;
     this.camera.look(name, bounds, 1 / this.pictures().length);
   }
@@ -159,7 +160,8 @@ export class Viewer {
   async start() {
     await Promise.all(this.views.map(({ frames, run }) => (run.chunks.length > 0 ? frames.load(0) : null)));
     for (const view of this.views) view.moveTo(this.playback.time, true);
-    this.look('iso');
+    const motions = await Promise.all(this.views.map((view) => view.motionBounds()));
+    this.look('iso', motions.map((motion, index) => motion ?? this.views[index].bounds()));
     let before = performance.now();
     const tick = (now) => {
       const clock_s = Math.max(0, Math.min(LONGEST_TICK, (now - before) / 1000));

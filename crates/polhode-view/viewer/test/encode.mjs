@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
 const here = new URL('..', import.meta.url);
-export const QUANTA = { position_quantum_m: 1e-8, velocity_quantum_m_s: 1e-6, spin_quantum_rad_s: 1e-6 };
+export const QUANTA = { position_quantum_m: 1e-7, velocity_quantum_m_s: 1e-6, spin_quantum_rad_s: 1e-6 };
 
 /** Base64 of a typed array. */
 export const base64 = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString('base64');

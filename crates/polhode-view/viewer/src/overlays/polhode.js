@@ -147,7 +147,7 @@ export class Polhode {
     const shell = new Mesh(sphere, new MeshBasicMaterial({ ...look, color: SPIN_COLOUR, opacity: 0.14 }));
     const net = new LineSegments(
       new WireframeGeometry(new SphereGeometry(1, 16, 10)),
-      new LineBasicMaterial({ ...look, color: SPIN_COLOUR, opacity: 0.18 }),
+      new LineBasicMaterial({ ...look, color: SPIN_COLOUR, opacity: 0.13 }),
     );
     this.ellipsoid = new Group();
     this.ellipsoid.add(shell, net);
