@@ -1,6 +1,6 @@
 // The camera: orbit by mouse or finger, presets, fitting, following a body. z is up.
 
-import { MathUtils, Raycaster, Sphere, Vector2, Vector3 } from 'three';
+import { MathUtils, Raycaster, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 /** Directions from what is looked at to the camera. Top leans a little, since "up" has no meaning straight from above. */
@@ -12,10 +12,29 @@ const PRESETS = {
 };
 /** Names of all presets; "fit" keeps the direction. */
 export const CAMERAS = ['fit', ...Object.keys(PRESETS)];
-/** How much farther than the bounding sphere the picture reaches. */
-const MARGIN = 1.12;
+/** How much wider than what is looked at the picture is: the buttons stand at its rim. */
+const MARGIN = 1.3;
 /** A press that moves less than this many pixels is a click. */
 const CLICK_PIXELS = 5;
+
+/**
+ * The distance from the middle of a box, along `direction`, at which all its corners lie in the picture: a corner at x
+ * across, y up and z towards the camera is in it when |x| / (distance - z) is at most `wide` and |y| / (distance - z)
+ * at most `high`.
+ */
+function fittingDistance(box, direction, wide, high) {
+  const right = new Vector3(0, 0, 1).cross(direction).normalize();
+  const up = direction.clone().cross(right);
+  const half = box.getSize(new Vector3()).multiplyScalar(0.5);
+  let distance = 0;
+  for (let corner = 0; corner < 8; corner += 1) {
+    const sign = (bit) => ((corner >> bit) & 1 ? 1 : -1);
+    const at = new Vector3(half.x * sign(0), half.y * sign(1), half.z * sign(2));
+    const needed = Math.max(Math.abs(at.dot(right)) / wide, Math.abs(at.dot(up)) / high);
+    distance = Math.max(distance, needed + at.dot(direction));
+  }
+  return distance;
+}
 
 export class Camera {
   constructor(stage, changed) {
@@ -33,13 +52,11 @@ export class Camera {
   /** Looks at a box from a preset's direction; `share` is the part of the canvas's width that one view has. */
   look(name, bounds, share) {
     const { camera, width, height } = this.stage;
-    const sphere = bounds.getBoundingSphere(new Sphere());
-    const half_angle = MathUtils.degToRad(camera.fov / 2);
-    const aspect = Math.min(1, (width * share) / height || 1);
-    const distance = (MARGIN * sphere.radius) / Math.sin(Math.atan(Math.tan(half_angle) * aspect));
-    const direction = PRESETS[name]?.clone() ?? camera.position.clone().sub(this.target);
-    this.target.copy(sphere.center);
-    camera.position.copy(sphere.center).addScaledVector(direction.normalize(), distance);
+    const direction = (PRESETS[name]?.clone() ?? camera.position.clone().sub(this.target)).normalize();
+    const across = Math.tan(MathUtils.degToRad(camera.fov / 2)) / MARGIN;
+    const distance = fittingDistance(bounds, direction, across * ((width * share) / height || 1), across);
+    bounds.getCenter(this.target);
+    camera.position.copy(this.target).addScaledVector(direction, distance);
     camera.near = distance / 100;
     camera.far = distance * 40;
     this.controls.update();

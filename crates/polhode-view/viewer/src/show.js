@@ -107,7 +107,7 @@ function readBody(body, index, mesh_count, what) {
   return {
     name: body.name || `body ${index}`,
     moves: Boolean(body.moves),
-    mass: body.mass_kg ?? null,
+    center_of_mass: body.center_of_mass ?? [0, 0, 0],
     principal_inertia: body.principal_inertia_kg_m2 ?? null,
     principal_axes: body.principal_axes ?? [1, 0, 0, 0],
     parts,

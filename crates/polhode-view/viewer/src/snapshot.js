@@ -4,7 +4,15 @@
 // slerp. Kinds, islands and contacts are those of the frame before: nothing is known of them in between.
 
 import { CHANNELS, CONTACT_WORDS, NO_ISLAND } from './decode.js';
-import { normalise, slerp } from './rotation.js';
+import { matrixOf, normalise, slerp, turn } from './rotation.js';
+
+const turned = new Float64Array(9);
+
+/** The centre of mass in the world of a body whose pose stands at `at`. */
+export function centreAt(body, poses, at) {
+  const from_origin = turn(matrixOf(poses, at + 3, turned), body.center_of_mass);
+  return from_origin.map((value, k) => value + poses[at + k]);
+}
 
 /** Motion kind of a body that rests. */
 export const AT_REST = 3;
@@ -76,6 +84,11 @@ export class Snapshot {
       out[k] = chunk.values[(k * bodies + place) * chunk.frames + frame] * this.units[k];
     }
     normalise(out, 3);
+  }
+
+  /** The place of a body's centre of mass in the world, m. */
+  centreOf(body) {
+    return centreAt(this.run.bodies[body], this.poses, 7 * body);
   }
 
   /** The motion kind of a body, or null where none is known. */

@@ -17,7 +17,7 @@ import { colour } from './theme.js';
 /** Vertical angle of view in degrees. */
 const FIELD_OF_VIEW = 35;
 /** Pixels of the shadow map along its edge. */
-const SHADOW_PIXELS = 2048;
+const SHADOW_PIXELS = 1024;
 /** Where the light comes from, seen from the point that the camera looks at; z is up. */
 const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
 

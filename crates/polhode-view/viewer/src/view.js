@@ -155,7 +155,7 @@ export class View {
   }
 
   placeOf(body) {
-    return new Vector3().fromArray(this.snapshot.poses, 7 * body);
+    return new Vector3(...this.snapshot.centreOf(body));
   }
 }
 

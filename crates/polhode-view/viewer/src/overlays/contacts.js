@@ -50,7 +50,7 @@ export class Contacts {
   }
 
   update() {
-    const { snapshot, size } = this.view;
+    const { run, snapshot, size } = this.view;
     for (const part of [this.points, this.stubs, this.arrows]) part.clear();
     snapshot.eachContact((a, b, numbers, at) => this.scale.see(Math.abs(numbers[at + 7])));
     const { factor } = this.scale;
@@ -61,8 +61,9 @@ export class Contacts {
       this.points.add(...point);
       this.stubs.add(...point);
       this.stubs.add(point[0] + stub * normal[0], point[1] + stub * normal[1], point[2] + stub * normal[2]);
-      // The normal points from B to A, so a positive force is what A feels.
-      if (Number.isFinite(numbers[at + 7])) this.arrows.add(point, normal, numbers[at + 7] * factor);
+      // The normal points from B to A, so a positive force along it is what A feels; where A is fixed, what B feels.
+      const felt_by = run.bodies[a]?.moves ? 1 : -1;
+      if (Number.isFinite(numbers[at + 7])) this.arrows.add(point, normal.map((n) => n * felt_by), numbers[at + 7] * factor);
     });
     for (const part of [this.points, this.stubs, this.arrows]) part.show();
   }
@@ -70,7 +71,7 @@ export class Contacts {
   legend() {
     return [
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
-      { colour: FORCE_COLOUR, text: `contact force: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long` },
+      { colour: FORCE_COLOUR, text: `force on a body that moves: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long` },
     ];
   }
 }

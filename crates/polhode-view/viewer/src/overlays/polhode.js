@@ -3,7 +3,7 @@
 // The tip of the angular velocity w moves on the inertia ellipsoid w·Iw = 2T, fixed in the body: its path there is the
 // polhode. In the world the tip moves in the invariable plane L·w = 2T, square to the angular momentum L at the
 // distance 2T/|L| from the centre: its path there is the herpolhode. In free rotation the ellipsoid rolls on the plane
-// without slipping. All is drawn at the body's place, scaled so that the ellipsoid is a little larger than the body.
+// without slipping. All is drawn at the centre of mass, scaled so that the ellipsoid is a little larger than the body.
 // Source: Goldstein, Classical Mechanics, section 5.6.
 
 import {
@@ -86,7 +86,8 @@ export class Polhode {
     const data = run.bodies[body];
     const at = 7 * body;
     const pose = snapshot.poses.subarray(at, at + 7);
-    this.construction.position.set(pose[0], pose[1], pose[2]);
+    const centre = snapshot.centreOf(body);
+    this.construction.position.set(...centre);
     const [w, x, y, z] = data.principal_axes;
     this.in_body.quaternion.set(pose[4], pose[5], pose[6], pose[3]).multiply(new Quaternion(-x, -y, -z, w));
     this.construction.scale.setScalar(this.scale || 1);
@@ -96,7 +97,7 @@ export class Polhode {
     const spin = snapshot.rates.subarray(6 * body + 3, 6 * body + 6);
     this.placeEllipsoid(data, spin, at);
     this.vector.clear();
-    this.vector.add(pose, spin, this.scale);
+    this.vector.add(centre, spin, this.scale);
     this.vector.show();
   }
 

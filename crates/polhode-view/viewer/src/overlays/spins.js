@@ -1,4 +1,4 @@
-// Angular velocity w and angular momentum L = R I R^T w of each body as arrows from its place.
+// Angular velocity w and angular momentum L = R I R^T w of each body as arrows from its centre of mass.
 
 import { Group } from 'three';
 import { Arrows } from '../arrows.js';
@@ -30,7 +30,7 @@ export class Spins {
       const momentum = angularMomentum(run.bodies[body], snapshot.poses, 7 * body + 3, spin);
       this.spin_scale.see(Math.hypot(...spin));
       if (momentum) this.momentum_scale.see(Math.hypot(...momentum));
-      return { origin: snapshot.poses.subarray(7 * body, 7 * body + 3), spin, momentum };
+      return { origin: snapshot.centreOf(body), spin, momentum };
     });
     for (const { origin, spin, momentum } of vectors) {
       this.spins.add(origin, spin, this.spin_scale.factor);

@@ -1,11 +1,14 @@
-// The paths of the bodies' places: the past strong, the future faint.
+// The paths of the centres of mass: the past strong, the future faint.
 
 import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments } from 'three';
 import { BODY_COLOURS } from '../colours.js';
+import { normalise } from '../rotation.js';
+import { centreAt } from '../snapshot.js';
 
 /** Points of all paths together at most; with more, only every so many frames are used. */
 const MOST_POINTS = 300000;
-const POSITION_CHANNELS = [0, 1, 2];
+/** Position and orientation in the channels of a chunk. */
+const POSE_CHANNELS = [0, 1, 2, 3, 4, 5, 6];
 
 export class Traces {
   constructor(view) {
@@ -52,21 +55,25 @@ export class Traces {
     this.past = lines(1);
     this.scan = new AbortController();
     const places = run.moving.map((_, place) => place);
-    const take = this.taker(bodies, run.quanta[0]);
-    frames.scan(places, POSITION_CHANNELS, this.stride, take, this.scan.signal, requestDraw);
+    const take = this.taker(run);
+    frames.scan(places, POSE_CHANNELS, this.stride, take, this.scan.signal, requestDraw);
   }
 
   /** Writes the segments from each read frame to the next one. */
-  taker(bodies, metre) {
+  taker(run) {
+    const bodies = run.moving.length;
+    const [metre, unit] = run.quanta;
+    const pose = new Float64Array(7);
     let before = null;
     return (frame, values) => {
-      const now = Float32Array.from(values, (value) => value * metre);
-      for (let body = 0; before && body < bodies; body += 1) {
-        const at = 6 * this.segments;
-        for (let k = 0; k < 3; k += 1) {
-          this.positions.array[at + k] = before[k * bodies + body];
-          this.positions.array[at + 3 + k] = now[k * bodies + body];
-        }
+      const now = run.moving.map((body, place) => {
+        for (let k = 0; k < 7; k += 1) pose[k] = values[k * bodies + place] * (k < 3 ? metre : unit);
+        normalise(pose, 3);
+        return centreAt(run.bodies[body], pose, 0);
+      });
+      for (let place = 0; before && place < bodies; place += 1) {
+        this.positions.array.set(before[place], 6 * this.segments);
+        this.positions.array.set(now[place], 6 * this.segments + 3);
         this.segments += 1;
       }
       before = now;

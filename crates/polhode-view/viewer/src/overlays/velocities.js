@@ -1,4 +1,4 @@
-// The velocity of each body as an arrow from its place.
+// The velocity of each body as an arrow from its centre of mass.
 
 import { Arrows } from '../arrows.js';
 import { VELOCITY_COLOUR } from '../colours.js';
@@ -22,7 +22,7 @@ export class Velocities {
     for (const body of run.moving) this.scale.see(Math.hypot(...velocity(body)));
     this.arrows.clear();
     for (const body of run.moving) {
-      this.arrows.add(snapshot.poses.subarray(7 * body, 7 * body + 3), velocity(body), this.scale.factor);
+      this.arrows.add(snapshot.centreOf(body), velocity(body), this.scale.factor);
     }
     this.arrows.show();
   }
