@@ -1,6 +1,13 @@
 // A field of arrows of one colour, drawn by two instanced calls, and the scale that makes their lengths readable.
 
-import { ConeGeometry, CylinderGeometry, DynamicDrawUsage, Group, InstancedBufferAttribute, MeshBasicMaterial } from 'three';
+import {
+  ConeGeometry,
+  CylinderGeometry,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  MeshBasicMaterial,
+} from 'three';
 import { instancedMesh, writeMatrix } from './instances.js';
 import { roundedUp } from './numbers.js';
 
@@ -64,7 +71,12 @@ export class Arrows {
     const scaled = (axis, factor) => [axis[0] * factor, axis[1] * factor, axis[2] * factor];
     const { count } = this;
     writeMatrix(
-      this.shafts.instanceMatrix.array, count, scaled(u, shaft), scaled(side, shaft), scaled(w, length - head), origin,
+      this.shafts.instanceMatrix.array,
+      count,
+      scaled(u, shaft),
+      scaled(side, shaft),
+      scaled(w, length - head),
+      origin,
     );
     writeMatrix(this.heads.instanceMatrix.array, count, scaled(u, wide), scaled(side, wide), scaled(w, head), neck);
     this.count += 1;

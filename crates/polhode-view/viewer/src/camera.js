@@ -3,7 +3,7 @@
 import { MathUtils, Raycaster, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
-/** Directions from what is looked at to the camera. Top leans a little, since "up" has no meaning straight from above. */
+/** Directions from what is looked at to the camera. Top leans a little: straight from above, "up" has no meaning. */
 const PRESETS = {
   front: new Vector3(0, -1, 0.12),
   side: new Vector3(1, 0, 0.12),

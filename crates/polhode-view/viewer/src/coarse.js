@@ -1,7 +1,8 @@
 // Coarse meshes for bodies that are small in the picture, so that thousands of balls stay quick to draw.
 //
-// Vertices in one cell of a grid over the mesh become one, in their mean (vertex clustering, Rossignac and Borrel 1993).
-// The error is at most a cell, which is less than two pixels for a body smaller than SMALL_PIXELS.
+// Vertices in one cell of a grid over the mesh become one, in their mean (vertex clustering,
+// Rossignac and Borrel 1993).
+// No vertex moves farther than the diagonal of a cell, and a cell of a body of SMALL_PIXELS has four pixels.
 
 import { BufferAttribute, BufferGeometry } from 'three';
 

@@ -19,10 +19,11 @@ function button(words, title, press) {
 
 /** The row of playing; returns a function that shows the present state. */
 export function playControls(playback, changed) {
-  const on = (id, act) => byId(id).addEventListener('click', () => {
-    act();
-    changed();
-  });
+  const on = (id, act) =>
+    byId(id).addEventListener('click', () => {
+      act();
+      changed();
+    });
   on('play', () => playback.toggle());
   on('back', () => playback.step(-1));
   on('forward', () => playback.step(1));

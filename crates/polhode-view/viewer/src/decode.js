@@ -40,8 +40,7 @@ export function readRow(bytes, shape, channel, body, out, offset) {
   let slope = 0;
   for (let frame = 0; frame < frames; frame += 1) {
     const at = first + frame;
-    const folded =
-      bytes[at] | (bytes[at + plane] << 8) | (bytes[at + 2 * plane] << 16) | (bytes[at + 3 * plane] << 24);
+    const folded = bytes[at] | (bytes[at + plane] << 8) | (bytes[at + 2 * plane] << 16) | (bytes[at + 3 * plane] << 24);
     const difference = (folded >>> 1) ^ -(folded & 1);
     if (frame === 0) {
       value = difference;

@@ -25,7 +25,12 @@ export function fromPrincipalFrame(body, poses, at, vector) {
 export function angularMomentum(body, poses, at, spin) {
   if (!body.principal_inertia) return null;
   const inside = inPrincipalFrame(body, poses, at, spin);
-  return fromPrincipalFrame(body, poses, at, inside.map((w, k) => w * body.principal_inertia[k]));
+  return fromPrincipalFrame(
+    body,
+    poses,
+    at,
+    inside.map((w, k) => w * body.principal_inertia[k]),
+  );
 }
 
 /** Kinetic energy of rotation in J of an angular velocity in the principal frame. */

@@ -30,6 +30,7 @@ function publish(viewer, ready) {
 function start() {
   const report = reportText();
   reportLink(report, document.title || 'report');
+  byId('title').textContent = document.title;
   const notices = [];
   const show = readShow(notices);
   document.title = show.title;

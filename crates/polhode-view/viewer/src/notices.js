@@ -37,11 +37,11 @@ export function tellOutcome(run) {
     notice(`“${run.name}” is degraded: it did not keep what its method promises. The report says where.`, false);
     return;
   }
-  const message = run.outcome.replace(/^failed:?\s*/, '') || 'no reason is given';
+  const message = run.outcome.replace(/^failed:?\s*|\.$/g, '') || 'no reason is given';
   const last = run.times.at(-1);
   const computed =
     last === undefined
       ? 'Nothing was computed.'
       : `It stopped at t = ${short(last, 6)} s of ${short(run.duration, 6)} s; what was computed until then is shown.`;
-  notice(`“${run.name}” failed: ${message}. ${computed}`.replace('..', '.'), true);
+  notice(`“${run.name}” failed: ${message}. ${computed}`, true);
 }

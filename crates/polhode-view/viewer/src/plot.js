@@ -105,7 +105,8 @@ export class Plot {
 
   draw() {
     for (const { output, values, run, frames } of this.lines) {
-      const shown = run.times.length > 0 && this.playback.time <= run.times.at(-1) ? frames.frameAt(this.playback.time) : -1;
+      const shown =
+        run.times.length > 0 && this.playback.time <= run.times.at(-1) ? frames.frameAt(this.playback.time) : -1;
       const text = shown < 0 ? '–' : short(values[shown]);
       if (output.textContent !== text) output.textContent = text;
     }
@@ -141,7 +142,11 @@ export class Plot {
       }
     }
     if (low > high) return [0, 1];
-    if (this.log) return [Math.max(Math.floor(low), Math.ceil(high) - MOST_DECADES), Math.max(Math.ceil(high), Math.floor(low) + 1)];
+    if (this.log)
+      return [
+        Math.max(Math.floor(low), Math.ceil(high) - MOST_DECADES),
+        Math.max(Math.ceil(high), Math.floor(low) + 1),
+      ];
     const room = high > low ? (high - low) * 0.05 : Math.abs(high) * 0.05 || 1;
     return [low - room, high + room];
   }
@@ -208,7 +213,8 @@ export class Plot {
       const exact = this.xOf(run.times[at], width);
       const point = { value, at };
       if (column && Math.floor(exact) !== column.pixel) flush();
-      if (!column) column = { pixel: Math.floor(exact), x: exact, first: point, least: point, most: point, last: point };
+      if (!column)
+        column = { pixel: Math.floor(exact), x: exact, first: point, least: point, most: point, last: point };
       if (value < column.least.value) column.least = point;
       if (value > column.most.value) column.most = point;
       column.last = point;

@@ -87,7 +87,7 @@ function readRun(run, index, mesh_count, notices) {
     index,
     name,
     outcome: run.outcome ?? 'completed',
-    duration: Number.isFinite(run.duration_s) ? run.duration_s : times.at(-1) ?? 0,
+    duration: Number.isFinite(run.duration_s) ? run.duration_s : (times.at(-1) ?? 0),
     bodies,
     initial: Float64Array.from(run.initial.flat()),
     times,

@@ -100,6 +100,7 @@ export class Stage {
 
   /** Draws every group of `views` in its own part of the canvas, from left to right; a view is a list of groups. */
   draw(views, target) {
+    if (!(this.width > 0 && this.height > 0)) return;
     this.aimLight(target);
     const width = this.width / views.length;
     this.camera.aspect = width / this.height;

@@ -15,6 +15,8 @@ import { Snapshot } from './snapshot.js';
 /** Radius in m of a body of which no bounding box is known. */
 const UNKNOWN_RADIUS = 0.5;
 
+/** How far the mark of the followed body stands off it, in radii of the body. */
+const MARK_ROOM = 0.05;
 /** Bodies times frames that are read at most to find the bounds of the motion, and the frames looked at in them. */
 const MOST_CELLS_READ = 50000;
 const MOTION_SAMPLES = 60;
@@ -41,7 +43,12 @@ export class View {
     this.radiusOf = (body) => radiusOfBox(run.bodies[body].box);
     const movers = run.moving.filter((body) => run.bodies[body].box);
     this.size = median(movers.map(this.radiusOf)) ?? UNKNOWN_RADIUS;
-    this.selected = instancedLines(cubeEdges(), new LineBasicMaterial({ color: SELECTED_COLOUR }), 1);
+    this.selected = instancedLines(
+      cubeEdges(),
+      new LineBasicMaterial({ color: SELECTED_COLOUR, depthTest: false, transparent: true }),
+      1,
+    );
+    this.selected.renderOrder = 5;
     this.selected.visible = false;
     const bounds = this.bounds();
     const reach = bounds.getBoundingSphere(new Sphere()).radius;
@@ -78,7 +85,10 @@ export class View {
     const box = this.run.bodies[this.followed]?.box;
     this.selected.visible = Boolean(box);
     if (!box) return;
-    placeBox(this.selected.instanceMatrix.array, 0, box, this.snapshot.poses, this.followed);
+    // A little larger than the body, so that its lines do not hide in the body's own edges.
+    const room = MARK_ROOM * this.radiusOf(this.followed);
+    const wider = [box[0].map((value) => value - room), box[1].map((value) => value + room)];
+    placeBox(this.selected.instanceMatrix.array, 0, wider, this.snapshot.poses, this.followed);
     this.selected.instanceMatrix.needsUpdate = true;
   }
 

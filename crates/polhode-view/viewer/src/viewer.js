@@ -78,6 +78,7 @@ export class Viewer {
       overlay: (name) => this.toggleOverlay(name),
       help: helpDialog(),
     });
+    this.stage.canvas.addEventListener('webglcontextrestored', changed);
     byId('layout').hidden = views.length < 2;
     byId('layout').addEventListener('click', () => this.setLayout(this.layout === 'side' ? 'over' : 'side'));
     this.camera.onClick(
@@ -161,7 +162,10 @@ export class Viewer {
     await Promise.all(this.views.map(({ frames, run }) => (run.chunks.length > 0 ? frames.load(0) : null)));
     for (const view of this.views) view.moveTo(this.playback.time, true);
     const motions = await Promise.all(this.views.map((view) => view.motionBounds()));
-    this.look('iso', motions.map((motion, index) => motion ?? this.views[index].bounds()));
+    this.look(
+      'iso',
+      motions.map((motion, index) => motion ?? this.views[index].bounds()),
+    );
     let before = performance.now();
     const tick = (now) => {
       const clock_s = Math.max(0, Math.min(LONGEST_TICK, (now - before) / 1000));
@@ -191,7 +195,10 @@ export class Viewer {
     const states = views.map((view) => view.moveTo(playback.time, playback.interpolate));
     const followed = views[0].followed;
     if (followed !== null) this.camera.track(views[0].placeOf(followed));
-    this.stage.draw(this.pictures().map((list) => list.map((view) => view.group)), this.camera.target);
+    this.stage.draw(
+      this.pictures().map((list) => list.map((view) => view.group)),
+      this.camera.target,
+    );
     this.frames_drawn += 1;
     this.showPlaying(views[0].snapshot.frame, views[0].run.times.length);
     this.timeline.draw();

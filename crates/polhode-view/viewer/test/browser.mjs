@@ -58,7 +58,9 @@ async function picture(page) {
     copy.height = height;
     const pen = copy.getContext('2d', { willReadFrequently: true });
     pen.drawImage(document.getElementById('stage'), 0, 0, width, height);
-    return Array.from(pen.getImageData(0, 0, width, height).data).map((value) => String.fromCharCode(value)).join('');
+    return Array.from(pen.getImageData(0, 0, width, height).data)
+      .map((value) => String.fromCharCode(value))
+      .join('');
   }, PICTURE);
   return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 }
@@ -116,7 +118,9 @@ async function changeBy(page, overlay, end) {
 
 async function checkOverlays(page, name, all_must) {
   const end = await endOf(page);
-  const overlays = await page.locator('#overlays button:not([disabled])').evaluateAll((list) => list.map((one) => one.dataset.overlay));
+  const overlays = await page
+    .locator('#overlays button:not([disabled])')
+    .evaluateAll((list) => list.map((one) => one.dataset.overlay));
   let any = false;
   for (const overlay of overlays) {
     const { most, back } = await changeBy(page, overlay, end);
@@ -208,14 +212,23 @@ async function checkEvents(page, name) {
   await page.locator('.chip').first().click();
   const rows = await page.locator('.row').count();
   await page.locator('.chip').first().click();
-  check(name, 'events: a row jumps to its time', at >= 0 && rows < 100, `${chips} kinds, ${rows} rows with a kind hidden`);
+  check(
+    name,
+    'events: a row jumps to its time',
+    at >= 0 && rows < 100,
+    `${chips} kinds, ${rows} rows with a kind hidden`,
+  );
 }
 
 async function measurePlaying(page, name) {
   await seek(page, 0);
   await page.evaluate(() => window.polhode.play());
   await page.waitForTimeout(2500);
-  const { time: t, ms_per_frame, frames_drawn } = await page.evaluate(() => {
+  const {
+    time: t,
+    ms_per_frame,
+    frames_drawn,
+  } = await page.evaluate(() => {
     window.polhode.pause();
     return { time: window.polhode.time(), ...window.polhode.stats() };
   });
@@ -276,7 +289,9 @@ async function checkBroken(browser, path, name, { words, seek: t }) {
   const { page, errors } = await open(browser, path);
   if (t !== undefined) {
     await seek(page, t);
-    await page.waitForFunction((source) => new RegExp(source).test(document.body.innerText), words.source).catch(() => {});
+    await page
+      .waitForFunction((source) => new RegExp(source).test(document.body.innerText), words.source)
+      .catch(() => {});
   }
   const text = (await page.locator('#notices').innerText()) + (await page.locator('#message').innerText());
   check(name, 'says what is wrong', words.test(text), text.slice(0, 160).replaceAll('\n', ' '));

@@ -53,7 +53,15 @@ test('slerp halves the angle, also between opposite signs of one orientation', (
   const out = new Float64Array(4);
   const quarter = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
   for (const sign of [1, -1]) {
-    slerp(out, 0, [1, 0, 0, 0], 0, quarter.map((value) => sign * value), 0, 0.5);
+    slerp(
+      out,
+      0,
+      [1, 0, 0, 0],
+      0,
+      quarter.map((value) => sign * value),
+      0,
+      0.5,
+    );
     assert.ok(Math.abs(out[0] - Math.cos(Math.PI / 8)) < 1e-12);
     assert.ok(Math.abs(Math.abs(out[3]) - Math.sin(Math.PI / 8)) < 1e-12);
   }

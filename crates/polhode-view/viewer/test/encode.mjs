@@ -55,7 +55,10 @@ function contactBytes(run, first, frames, bodies) {
     const list = run.contactsOf(first + frame);
     counts[frame] = list.length;
     for (const { a, b, point, normal, separation, force } of list) {
-      records.push(base64Bytes(new Uint32Array([a, b])), base64Bytes(new Float32Array([...point, ...normal, separation, force])));
+      records.push(
+        base64Bytes(new Uint32Array([a, b])),
+        base64Bytes(new Float32Array([...point, ...normal, separation, force])),
+      );
     }
   }
   return Buffer.concat([kinds, base64Bytes(islands), base64Bytes(counts), ...records]);

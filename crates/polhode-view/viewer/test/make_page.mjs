@@ -12,7 +12,8 @@ const failed = 'failed: body r1c1 sinks into floor by 0.3 m <at> t = 4';
 
 /** Pages that must play: name and text. */
 export const GOOD_PAGES = {
-  top: () => pageText('A top near its middle axis', 'Look at the polhode: the top flips over and back.', meshes, [top()]),
+  top: () =>
+    pageText('A top near its middle axis', 'Look at the polhode: the top flips over and back.', meshes, [top()]),
   pile: () => pageText('A pile of boxes', 'Boxes fall and come to rest.', meshes, [pile()]),
   'two-runs': () => pageText('Two methods', 'The same top by two methods.', meshes, [top(), top('fast', 0.02)]),
   failed: () => pageText('A run that failed', '', meshes, [pile({ outcome: failed })]),
@@ -23,16 +24,25 @@ export const GOOD_PAGES = {
 export const BROKEN_PAGES = {
   'first-chunk-cut': {
     words: /cannot be unpacked/,
-    text: () => pageText('cut', '', meshes, [pile()], { chunk: (run, chunk, bytes) => (chunk === 0 ? bytes.subarray(0, 900) : bytes) }),
+    text: () =>
+      pageText('cut', '', meshes, [pile()], {
+        chunk: (run, chunk, bytes) => (chunk === 0 ? bytes.subarray(0, 900) : bytes),
+      }),
   },
   'late-chunk-cut': {
     words: /The part from .* cannot be unpacked/,
     seek: 3.5,
-    text: () => pageText('cut late', '', meshes, [pile()], { chunk: (run, chunk, bytes) => (chunk === 4 ? bytes.subarray(0, 900) : bytes) }),
+    text: () =>
+      pageText('cut late', '', meshes, [pile()], {
+        chunk: (run, chunk, bytes) => (chunk === 4 ? bytes.subarray(0, 900) : bytes),
+      }),
   },
   'wrong-length': {
     words: /does not fit the run/,
-    text: () => pageText('length', '', meshes, [pile()], { show: (show) => (show.runs[0].frames.chunks = [{ first: 0, count: 240 }]) }),
+    text: () =>
+      pageText('length', '', meshes, [pile()], {
+        show: (show) => (show.runs[0].frames.chunks = [{ first: 0, count: 240 }]),
+      }),
   },
   'wrong-version': {
     words: /version 2.*reads version 1/,
@@ -81,5 +91,6 @@ if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) 
   const folder = process.argv.slice(2).find((word) => !word.startsWith('--')) ?? 'test/out';
   for (const [name, text] of Object.entries(GOOD_PAGES)) console.log(writePage(folder, name, text()));
   for (const [name, { text }] of Object.entries(BROKEN_PAGES)) console.log(writePage(folder, name, text()));
-  if (process.argv.includes('--large')) console.log(writePage(folder, 'crowd-5000', pageText('5,000 bodies', '', meshes, [crowd(5000, 600)])));
+  if (process.argv.includes('--large'))
+    console.log(writePage(folder, 'crowd-5000', pageText('5,000 bodies', '', meshes, [crowd(5000, 600)])));
 }

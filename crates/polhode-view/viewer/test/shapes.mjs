@@ -20,7 +20,12 @@ export function cube() {
       const first = positions.length;
       const normal = [0, 0, 0];
       normal[axis] = side;
-      for (const [p, q] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+      for (const [p, q] of [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ]) {
         const corner = [0, 0, 0];
         corner[axis] = side / 2;
         corner[(axis + 1) % 3] = p / 2;

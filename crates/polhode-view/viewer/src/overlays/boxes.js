@@ -9,9 +9,23 @@ import { colour } from '../theme.js';
 export function placeBox(out, instance, box, poses, body) {
   const [low, high] = box;
   const turned = matrixOf(poses, 7 * body + 3, new Float64Array(9));
-  const middle = turn(turned, low.map((value, k) => (value + high[k]) / 2));
-  const side = (k) => turn(turned, [0, 1, 2].map((axis) => (axis === k ? high[k] - low[k] : 0)));
-  writeMatrix(out, instance, side(0), side(1), side(2), middle.map((value, k) => value + poses[7 * body + k]));
+  const middle = turn(
+    turned,
+    low.map((value, k) => (value + high[k]) / 2),
+  );
+  const side = (k) =>
+    turn(
+      turned,
+      [0, 1, 2].map((axis) => (axis === k ? high[k] - low[k] : 0)),
+    );
+  writeMatrix(
+    out,
+    instance,
+    side(0),
+    side(1),
+    side(2),
+    middle.map((value, k) => value + poses[7 * body + k]),
+  );
 }
 
 /** The edges of a cube with sides of one metre about the origin. */

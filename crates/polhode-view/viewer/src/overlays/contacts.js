@@ -36,13 +36,15 @@ export class Contacts {
     const dots = new Points(
       this.points.geometry,
       new PointsMaterial({
-        color: NORMAL_COLOUR, size: POINT_PIXELS * Math.min(2, devicePixelRatio), sizeAttenuation: false,
-        map: discTexture(), alphaTest: 0.5, ...above_all,
+        color: NORMAL_COLOUR,
+        size: POINT_PIXELS * Math.min(2, devicePixelRatio),
+        sizeAttenuation: false,
+        map: discTexture(),
+        alphaTest: 0.5,
+        ...above_all,
       }),
     );
-    const lines = new LineSegments(
-      this.stubs.geometry, new LineBasicMaterial({ color: NORMAL_COLOUR, ...above_all }),
-    );
+    const lines = new LineSegments(this.stubs.geometry, new LineBasicMaterial({ color: NORMAL_COLOUR, ...above_all }));
     dots.renderOrder = 12;
     lines.renderOrder = 9;
     dots.frustumCulled = lines.frustumCulled = false;
@@ -63,7 +65,12 @@ export class Contacts {
       this.stubs.add(point[0] + stub * normal[0], point[1] + stub * normal[1], point[2] + stub * normal[2]);
       // The normal points from B to A, so a positive force along it is what A feels; where A is fixed, what B feels.
       const felt_by = run.bodies[a]?.moves ? 1 : -1;
-      if (Number.isFinite(numbers[at + 7])) this.arrows.add(point, normal.map((n) => n * felt_by), numbers[at + 7] * factor);
+      if (Number.isFinite(numbers[at + 7]))
+        this.arrows.add(
+          point,
+          normal.map((n) => n * felt_by),
+          numbers[at + 7] * factor,
+        );
     });
     for (const part of [this.points, this.stubs, this.arrows]) part.show();
   }
@@ -71,7 +78,10 @@ export class Contacts {
   legend() {
     return [
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
-      { colour: FORCE_COLOUR, text: `force on a body that moves: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long` },
+      {
+        colour: FORCE_COLOUR,
+        text: `force on a body that moves: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long`,
+      },
     ];
   }
 }

@@ -1,7 +1,8 @@
 // All overlays, in the order of their keys 1 to 9.
 //
-// An overlay is built for the view of one run and has `group` (what is drawn), update() (called while it is on), legend()
-// (lines for the key of colours) and, where it changes the bodies themselves, hidden() (called when it goes off).
+// An overlay is built for the view of one run and has `group` (what is drawn), update() (called while it is on),
+// legend() (lines for the key of colours) and, where it changes the bodies themselves, hidden() (called when it goes
+// off).
 
 import { Boxes } from './boxes.js';
 import { Contacts } from './contacts.js';

@@ -50,7 +50,8 @@ export class Manifolds {
     this.rims = new GrowingGeometry();
     const above_all = { color: MANIFOLD_COLOUR, depthTest: false, depthWrite: false, transparent: true };
     const faces = new Mesh(
-      this.faces.geometry, new MeshBasicMaterial({ ...above_all, opacity: 0.45, side: DoubleSide }),
+      this.faces.geometry,
+      new MeshBasicMaterial({ ...above_all, opacity: 0.45, side: DoubleSide }),
     );
     const rims = new LineSegments(this.rims.geometry, new LineBasicMaterial(above_all));
     faces.renderOrder = 7;

@@ -7,8 +7,20 @@
 // Source: Goldstein, Classical Mechanics, section 5.6.
 
 import {
-  BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, Line, LineBasicMaterial, LineSegments, Mesh,
-  MeshBasicMaterial, Quaternion, SphereGeometry, Vector3, WireframeGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  DoubleSide,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+  WireframeGeometry,
 } from 'three';
 import { Arrows } from '../arrows.js';
 import { MOMENTUM_COLOUR, SPIN_COLOUR } from '../colours.js';
@@ -71,11 +83,13 @@ export class Polhode {
   /** The followed body, or the one that spins fastest when none is followed. */
   chosenBody() {
     const { run, snapshot, followed } = this.view;
-    const known = (body) => run.bodies[body].principal_inertia !== null && run.moving.includes(body);
+    const known = (body) => run.bodies[body].principal_inertia !== null && snapshot.place_of.has(body);
     if (followed !== null) return followed < run.bodies.length && known(followed) ? followed : null;
     if (this.body !== null) return this.body;
     const spin = (body) => Math.hypot(...snapshot.rates.subarray(6 * body + 3, 6 * body + 6));
-    return run.moving.filter(known).reduce((best, body) => (best === null || spin(body) > spin(best) ? body : best), null);
+    return run.moving
+      .filter(known)
+      .reduce((best, body) => (best === null || spin(body) > spin(best) ? body : best), null);
   }
 
   update() {

@@ -46,7 +46,10 @@ export class Traces {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', this.positions);
       geometry.setAttribute('color', colours);
-      const drawn = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, opacity }));
+      const drawn = new LineSegments(
+        geometry,
+        new LineBasicMaterial({ vertexColors: true, transparent: true, opacity }),
+      );
       drawn.frustumCulled = false;
       this.group.add(drawn);
       return geometry;
