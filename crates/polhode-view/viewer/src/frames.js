@@ -9,6 +9,8 @@ import { blockText } from './show.js';
 /** Largest size of the unpacked chunks of a run that are kept, in bytes; two chunks are kept in any case. */
 const CACHE_BYTES = 256 * 1024 * 1024;
 const CHUNKS_ALWAYS_KEPT = 2;
+/** A long reading tells of its progress so often, in ms: each telling draws the picture again. */
+const TELL_EVERY_MS = 500;
 
 export class Frames {
   /** `when_loaded` is called after each chunk that was asked for, `when_broken` with words and the span of frames. */
@@ -125,11 +127,12 @@ export class Frames {
 
   /**
    * Reads some channels of some bodies of every `stride`-th frame, one chunk after another, without filling the cache.
-   * Calls take(frame, values) with the integers channel by channel, body by body, and after_chunk() after each chunk;
+   * Calls take(frame, values) with the integers channel by channel, body by body, and now and then after_chunk();
    * stops when `signal` is aborted.
    * Bodies are given by their place in `moving`.
    */
   async scan(places, channels, stride, take, signal, after_chunk) {
+    let told = performance.now();
     for (let index = 0; index < this.run.chunks.length; index += 1) {
       if (signal.aborted) return;
       if (this.broken.has(index)) continue;
@@ -142,7 +145,10 @@ export class Frames {
         for (let row = 0; row < values.length; row += 1) values[row] = rows[row * count + frame];
         take(first + frame, values);
       }
-      after_chunk();
+      if (performance.now() - told > TELL_EVERY_MS || index === this.run.chunks.length - 1) {
+        after_chunk();
+        told = performance.now();
+      }
     }
   }
 

@@ -37,7 +37,10 @@ export class Snapshot {
     for (let body = 0; body < run.bodies.length; body += 1) normalise(this.poses, 7 * body + 3);
   }
 
-  /** Moves the snapshot to the time t. False where the frames are still being unpacked: then it stays as it is. */
+  /**
+   * Moves the snapshot to the time t. False where frames are still being unpacked: then it stays as it is, or stands at
+   * the frame before.
+   */
   moveTo(t, interpolate) {
     const { times } = this.run;
     if (times.length === 0) return true;
@@ -53,7 +56,7 @@ export class Snapshot {
     const fraction = interpolate && span > 0 ? Math.min(1, Math.max(0, (t - times[frame]) / span)) : 0;
     const next = fraction > 0 ? this.frameCell(frame + 1) : null;
     this.run.moving.forEach((body, place) => this.moveBody(body, place, next, fraction));
-    return true;
+    return fraction === 0 || next !== null || this.frames.broken.has(this.frames.chunkOf(frame + 1));
   }
 
   /** The chunk and the place in it of a frame, or null while it is not unpacked. */

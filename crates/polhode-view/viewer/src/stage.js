@@ -21,11 +21,11 @@ const SHADOW_PIXELS = 1024;
 /** Where the light comes from, seen from the point that the camera looks at; z is up. */
 const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
 
-/** Software draws edges of many small triangles three times as slowly when it smooths them. */
+/** Names of renderers that draw on the processor. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /** Whether WebGL is drawn by the processor, because there is no graphics card or no driver. */
-function drawnBySoftware() {
+export function drawnBySoftware() {
   const gl = document.createElement('canvas').getContext('webgl2');
   const info = gl?.getExtension('WEBGL_debug_renderer_info');
   const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
@@ -34,12 +34,11 @@ function drawnBySoftware() {
 }
 
 export class Stage {
-  /** `many`: so many bodies that shadows are left out, and smooth edges too where software draws. */
-  constructor(canvas, many) {
+  /** `look` is { shadows, antialias }. */
+  constructor(canvas, { shadows, antialias }) {
     this.canvas = canvas;
-    const shadows = !many;
     try {
-      this.renderer = new WebGLRenderer({ canvas, antialias: !(many && drawnBySoftware()) });
+      this.renderer = new WebGLRenderer({ canvas, antialias });
     } catch {
       throw new PageError('This browser draws no WebGL, so the bodies cannot be shown. The numbers can be saved.');
     }

@@ -9,7 +9,7 @@ import { listen } from './keyboard.js';
 import { notice } from './notices.js';
 import { buildPlots } from './panel.js';
 import { Playback } from './playback.js';
-import { Stage } from './stage.js';
+import { drawnBySoftware, Stage } from './stage.js';
 import { themeSwitch } from './theme.js';
 import { Timeline } from './timeline.js';
 import { View } from './view.js';
@@ -23,23 +23,37 @@ const LONGEST_TICK = 0.25;
 /** Below this width of the page in CSS pixels two runs are drawn over each other at first. */
 const NARROW_PIXELS = 700;
 
+/** Triangles of all bodies; software draws each of them for the shadow too, and three times as slowly when smoothed. */
+const SOFTWARE_TRIANGLES = 60000;
+
+/** Triangles of the bodies of all runs together. */
+function trianglesOf(show) {
+  const of_mesh = show.meshes.map((mesh) => mesh.indices.length / 3);
+  const bodies = show.runs.flatMap((run) => run.bodies);
+  return bodies.flatMap((body) => body.parts).reduce((sum, part) => sum + of_mesh[part.mesh], 0);
+}
+
 export class Viewer {
   constructor(show) {
     this.show = show;
     const many = Math.max(...show.runs.map((run) => run.bodies.length)) > MANY_BODIES;
-    this.stage = new Stage(byId('stage'), many);
+    const slow = trianglesOf(show) > SOFTWARE_TRIANGLES && drawnBySoftware();
+    const shadows = !many && !slow;
+    this.stage = new Stage(byId('stage'), { shadows, antialias: !slow });
     this.playback = new Playback(show.runs);
     this.dirty = true;
+    /** Whether the last picture lacks frames that are being unpacked. */
+    this.incomplete = true;
     this.waiting = [];
     this.frame_times = [];
     this.frames_drawn = 0;
     const tell = {
       requestDraw: () => (this.dirty = true),
-      loaded: () => (this.dirty = true),
+      loaded: () => (this.dirty ||= this.incomplete),
       broken: (words) => notice(words, true),
     };
     const geometries = show.meshes.map(meshGeometry);
-    const look = { shadows: !many, edges: !many };
+    const look = { shadows, edges: !many };
     const scales = new Map();
     this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales, () => this.stage.eye()));
     for (const view of this.views) this.stage.scene.add(view.group);
@@ -205,8 +219,9 @@ export class Viewer {
     for (const plot of this.plots) plot.draw();
     this.events.update(playback.time, playback.playing);
     showLegend(views.flatMap((view) => view.legend()));
-    // Not yet the final picture: frames are still being unpacked, or a scale of arrows grew.
-    if (this.dirty || !states.every(Boolean)) return;
+    this.incomplete = !states.every(Boolean);
+    // A scale of arrows may have grown; then this is not yet the final picture either.
+    if (this.dirty || this.incomplete) return;
     for (const kept of this.waiting.splice(0)) kept();
   }
 

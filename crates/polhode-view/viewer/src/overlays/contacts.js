@@ -10,8 +10,8 @@ import { short } from '../numbers.js';
 const POINT_PIXELS = 7;
 /** Lengths in typical radii of a body: the stub of a normal, the longest arrow, the radius of its shaft. */
 const STUB = 0.35;
-const LONGEST = 2.5;
-const SHAFT = 0.03;
+const LONGEST = 1.8;
+const SHAFT = 0.022;
 
 /** A round picture for points, which WebGL draws as squares. */
 function discTexture() {

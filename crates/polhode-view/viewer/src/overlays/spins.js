@@ -8,7 +8,7 @@ import { short } from '../numbers.js';
 
 /** Lengths in typical radii of a body: the longest arrow and the radius of its shaft. */
 const LONGEST = 2.2;
-const SHAFT = 0.03;
+const SHAFT = 0.022;
 
 export class Spins {
   constructor(view) {

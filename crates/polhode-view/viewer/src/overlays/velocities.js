@@ -5,8 +5,8 @@ import { VELOCITY_COLOUR } from '../colours.js';
 import { short } from '../numbers.js';
 
 /** Lengths in typical radii of a body: the longest arrow and the radius of its shaft. */
-const LONGEST = 3;
-const SHAFT = 0.03;
+const LONGEST = 2.5;
+const SHAFT = 0.022;
 
 export class Velocities {
   constructor(view) {
