@@ -1,8 +1,9 @@
 // Tests pages in a real browser: `node test/browser.mjs` for the synthetic pages, `node test/browser.mjs PAGE...` for
-// given ones. Prints a line for each check and `N passed, N failed`; exit code 1 when one failed.
+// given ones; with --record it writes the pictures in test/pictures anew. Prints a line for each check and
+// `N passed, N failed`; exit code 1 when one failed.
 // The browser is the one of the variable CHROMIUM, or /usr/bin/chromium.
 
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -21,6 +22,13 @@ const ANOTHER_COLOUR = 6;
 const ANOTHER_PICTURE = 12;
 const DESKTOP = { width: 1280, height: 800 };
 const PHONE = { width: 390, height: 844 };
+/** Pages with a committed picture, and the overlays that are on in it, at a share of the run's time. */
+const COMMITTED = { top: ['spins'], pile: ['contacts', 'manifolds', 'islands'], 'two-runs': ['velocities'] };
+const COMMITTED_MOMENT = 0.3;
+/** Another version of the browser may draw the rims of things differently: so many pixels may be clearly others. */
+const CLEARLY_ANOTHER = 40;
+const MOST_OTHER_PIXELS = (PICTURE[0] * PICTURE[1]) / 100;
+const RECORD = process.argv.includes('--record');
 /** Shares of the run's time at which overlays are looked for. */
 const MOMENTS = [0.3, 0.6, 0.05, 0.95];
 
@@ -49,27 +57,61 @@ async function open(browser, path, viewport = DESKTOP) {
   return { page, errors, opening_ms: performance.now() - begun };
 }
 
+/** A picture as the page gives it, PNG in base64; `from` is null for the canvas at the present time, or such a PNG. */
+function pixelsInPage([from, width, height]) {
+  const copy = document.createElement('canvas');
+  copy.width = width;
+  copy.height = height;
+  const pen = copy.getContext('2d', { willReadFrequently: true });
+  const draw = async () => {
+    if (from === null) {
+      await window.polhode.seek(window.polhode.time());
+      return document.getElementById('stage');
+    }
+    const image = new Image();
+    image.src = from;
+    await image.decode();
+    return image;
+  };
+  return draw().then((source) => {
+    pen.drawImage(source, 0, 0, width, height);
+    const values = Array.from(pen.getImageData(0, 0, width, height).data, (value) => String.fromCharCode(value));
+    return { pixels: values.join(''), png: copy.toDataURL('image/png') };
+  });
+}
+
+const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+
 /** The pixels of the canvas, small, as the present time is drawn. */
 async function picture(page) {
-  const text = await page.evaluate(async ([width, height]) => {
-    await window.polhode.seek(window.polhode.time());
-    const copy = document.createElement('canvas');
-    copy.width = width;
-    copy.height = height;
-    const pen = copy.getContext('2d', { willReadFrequently: true });
-    pen.drawImage(document.getElementById('stage'), 0, 0, width, height);
-    return Array.from(pen.getImageData(0, 0, width, height).data)
-      .map((value) => String.fromCharCode(value))
-      .join('');
-  }, PICTURE);
-  return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  return asBytes((await page.evaluate(pixelsInPage, [null, ...PICTURE])).pixels);
+}
+
+/** Compares the canvas with the committed picture, or writes that anew. */
+async function checkCommitted(page, name) {
+  const path = new URL(`pictures/${name}.png`, import.meta.url);
+  await seek(page, COMMITTED_MOMENT * (await endOf(page)));
+  for (const overlay of COMMITTED[name])
+    await page.evaluate((which) => window.polhode.setOverlay(which, true), overlay);
+  const now = await page.evaluate(pixelsInPage, [null, ...PICTURE]);
+  for (const overlay of COMMITTED[name])
+    await page.evaluate((which) => window.polhode.setOverlay(which, false), overlay);
+  if (RECORD) {
+    mkdirSync(new URL('.', path), { recursive: true });
+    writeFileSync(path, Buffer.from(now.png.split(',')[1], 'base64'));
+    return note(name, 'picture written');
+  }
+  const png = `data:image/png;base64,${readFileSync(path, 'base64')}`;
+  const committed = await page.evaluate(pixelsInPage, [png, ...PICTURE]);
+  const count = difference(asBytes(now.pixels), asBytes(committed.pixels), CLEARLY_ANOTHER);
+  check(name, 'the picture is the committed one', count <= MOST_OTHER_PIXELS, `${count} pixels differ`);
 }
 
 /** How many pixels of two pictures differ. */
-function difference(one, other) {
+function difference(one, other, least = ANOTHER_COLOUR) {
   let count = 0;
   for (let at = 0; at < one.length; at += 4) {
-    if ([0, 1, 2].some((k) => Math.abs(one[at + k] - other[at + k]) > ANOTHER_COLOUR)) count += 1;
+    if ([0, 1, 2].some((k) => Math.abs(one[at + k] - other[at + k]) > least)) count += 1;
   }
   return count;
 }
@@ -235,14 +277,15 @@ async function measurePlaying(page, name) {
   check(name, 'playing goes on', t > 0, `${ms_per_frame.toFixed(1)} ms for each picture, ${frames_drawn} drawn`);
 }
 
-async function checkPage(browser, path, all_overlays_must) {
+async function checkPage(browser, path, is_synthetic) {
   const name = basename(path, '.html');
   const { page, errors, opening_ms } = await open(browser, path);
   check(name, 'opens', !(await page.locator('#message').isVisible()), `${opening_ms.toFixed(0)} ms`);
   const count = colours(await picture(page));
   check(name, 'the picture is not blank', count > 8, `${count} colours`);
+  if (is_synthetic && COMMITTED[name]) await checkCommitted(page, name);
   await checkScrubbing(page, name);
-  await checkOverlays(page, name, all_overlays_must);
+  await checkOverlays(page, name, is_synthetic && ['pile', 'top'].includes(name));
   await checkKeyboard(page, name);
   await checkCameras(page, name);
   await checkThemeAndPhone(page, name);
@@ -299,11 +342,20 @@ async function checkBroken(browser, path, name, { words, seek: t }) {
   await page.close();
 }
 
+/** Writes the committed pictures anew. */
+async function recordPictures(browser, folder) {
+  for (const name of Object.keys(COMMITTED)) {
+    const { page } = await open(browser, writePage(folder, name, GOOD_PAGES[name]()));
+    await checkCommitted(page, name);
+    await page.close();
+  }
+}
+
 async function checkSynthetic(browser, folder) {
   for (const [name, text] of Object.entries(GOOD_PAGES)) {
     const path = writePage(folder, name, text());
     if (name === 'crowd-1000') await checkOpening(browser, path);
-    await checkPage(browser, path, name === 'pile' || name === 'top');
+    await checkPage(browser, path, true);
     if (name === 'top') await checkFollowing(browser, path);
     if (name === 'two-runs') await checkLayouts(browser, path);
   }
@@ -318,9 +370,10 @@ const browser = await chromium.launch({
 });
 const folder = mkdtempSync(join(tmpdir(), 'polhode-viewer-'));
 try {
-  const given = process.argv.slice(2);
+  const given = process.argv.slice(2).filter((word) => !word.startsWith('--'));
   for (const path of given) await checkPage(browser, resolve(path), false);
-  if (given.length === 0) await checkSynthetic(browser, folder);
+  if (RECORD) await recordPictures(browser, folder);
+  else if (given.length === 0) await checkSynthetic(browser, folder);
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true });
