@@ -42,6 +42,6 @@ export function tellOutcome(run) {
   const computed =
     last === undefined
       ? 'Nothing was computed.'
-      : `It stopped at t = ${short(last, 6)} s of ${short(run.duration, 6)} s; what was computed until then is shown.`;
+      : `What was computed is shown: the last frame is at t = ${short(last, 6)} s of ${short(run.duration, 6)} s.`;
   notice(`“${run.name}” failed: ${message}. ${computed}`, true);
 }

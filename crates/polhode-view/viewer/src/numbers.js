@@ -30,8 +30,8 @@ export function seconds(value, duration) {
   return `${value.toFixed(places)} s`;
 }
 
-/** The median of finite values, or null where there is none. */
-export function median(values) {
+/** The finite value below which the share `share` of the values lies, or null where there is none. */
+export function quantile(values, share) {
   const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
-  return sorted.length === 0 ? null : sorted[sorted.length >> 1];
+  return sorted.length === 0 ? null : sorted[Math.round(share * (sorted.length - 1))];
 }

@@ -7,7 +7,7 @@ import { SELECTED_COLOUR } from './colours.js';
 import { Frames } from './frames.js';
 import { Ground } from './ground.js';
 import { instancedLines } from './instances.js';
-import { median } from './numbers.js';
+import { quantile } from './numbers.js';
 import { cubeEdges, placeBox } from './overlays/boxes.js';
 import { OVERLAYS } from './overlays/index.js';
 import { Snapshot } from './snapshot.js';
@@ -42,7 +42,7 @@ export class View {
     this.overlays = new Map();
     this.radiusOf = (body) => radiusOfBox(run.bodies[body].box);
     const movers = run.moving.filter((body) => run.bodies[body].box);
-    this.size = median(movers.map(this.radiusOf)) ?? UNKNOWN_RADIUS;
+    this.size = quantile(movers.map(this.radiusOf), 0.5) ?? UNKNOWN_RADIUS;
     this.selected = instancedLines(
       cubeEdges(),
       new LineBasicMaterial({ color: SELECTED_COLOUR, depthTest: false, transparent: true }),

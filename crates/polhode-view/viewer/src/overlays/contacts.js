@@ -4,7 +4,7 @@ import { CanvasTexture, Group, LineBasicMaterial, LineSegments, Points, PointsMa
 import { Arrows } from '../arrows.js';
 import { FORCE_COLOUR, NORMAL_COLOUR } from '../colours.js';
 import { GrowingGeometry } from '../growing.js';
-import { short } from '../numbers.js';
+import { quantile, short } from '../numbers.js';
 
 /** Size of a contact point in pixels. */
 const POINT_PIXELS = 7;
@@ -12,6 +12,10 @@ const POINT_PIXELS = 7;
 const STUB = 0.35;
 const LONGEST = 1.8;
 const SHAFT = 0.022;
+/** The largest force of this share of the contacts sets the scale: a single jammed one must not hide the others. */
+const USUAL_SHARE = 0.9;
+/** Arrows are cut at so many lengths of the scale. */
+const CUT = 1.5;
 
 /** A round picture for points, which WebGL draws as squares. */
 function discTexture() {
@@ -54,7 +58,9 @@ export class Contacts {
   update() {
     const { run, snapshot, size } = this.view;
     for (const part of [this.points, this.stubs, this.arrows]) part.clear();
-    snapshot.eachContact((a, b, numbers, at) => this.scale.see(Math.abs(numbers[at + 7])));
+    const forces = [];
+    snapshot.eachContact((a, b, numbers, at) => forces.push(Math.abs(numbers[at + 7])));
+    this.scale.see(quantile(forces, USUAL_SHARE) ?? 0);
     const { factor } = this.scale;
     snapshot.eachContact((a, b, numbers, at) => {
       const point = numbers.subarray(at, at + 3);
@@ -63,24 +69,24 @@ export class Contacts {
       this.points.add(...point);
       this.stubs.add(...point);
       this.stubs.add(point[0] + stub * normal[0], point[1] + stub * normal[1], point[2] + stub * normal[2]);
+      const force = numbers[at + 7];
+      if (!Number.isFinite(force)) return;
       // The normal points from B to A, so a positive force along it is what A feels; where A is fixed, what B feels.
       const felt_by = run.bodies[a]?.moves ? 1 : -1;
-      if (Number.isFinite(numbers[at + 7]))
-        this.arrows.add(
-          point,
-          normal.map((n) => n * felt_by),
-          numbers[at + 7] * factor,
-        );
+      const along = normal.map((n) => n * felt_by * Math.sign(force));
+      this.arrows.add(point, along, Math.min(Math.abs(force) * factor, CUT * this.scale.longest));
     });
     for (const part of [this.points, this.stubs, this.arrows]) part.show();
   }
 
   legend() {
+    const metres = (times) => short(times * this.scale.longest, 3);
+    const length = `${metres(1)} m`;
     return [
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
       {
         colour: FORCE_COLOUR,
-        text: `force on a body that moves: ${short(this.scale.full)} N is ${short(this.scale.longest, 3)} m long`,
+        text: `force on a body that moves: ${short(this.scale.full)} N is ${length} long, cut at ${metres(CUT)} m`,
       },
     ];
   }
