@@ -1,0 +1,154 @@
+// What the page shows: the data block `polhode-show`, checked and turned into runs, meshes, series and events.
+
+import { numbersOfBase64 } from './bytes.js';
+import { PageError } from './errors.js';
+
+/** The version of the data block that this viewer reads. */
+const VERSION = 1;
+
+/** Text of a data block of the page, or null where the page has none. */
+export function blockText(id) {
+  const element = document.getElementById(id);
+  return element === null ? null : element.textContent;
+}
+
+/** Parses a JSON block; `what` names it in the error text. */
+function parseBlock(id, what) {
+  const text = blockText(id);
+  if (text === null) throw new PageError(`The page holds no ${what}: it was cut off before its end.`);
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new PageError(`The ${what} of the page cannot be read: it is damaged or was cut off.`);
+  }
+}
+
+/** Reads what is shown. `notices` collects the words about data that are left out. */
+export function readShow(notices) {
+  const show = parseBlock('polhode-show', 'description of what is shown');
+  if (show?.version !== VERSION) {
+    throw new PageError(
+      `The page is of version ${show?.version ?? 'unknown'}, and this viewer reads version ${VERSION}. ` +
+        'Write the page again with one and the same polhode.',
+    );
+  }
+  if (!Array.isArray(show.runs) || show.runs.length === 0) throw new PageError('The page holds no run.');
+  const meshes = (show.meshes ?? []).map(readMesh);
+  const runs = show.runs.slice(0, 2).map((run, index) => readRun(run, index, meshes.length, notices));
+  if (show.runs.length > 2) notices.push(`The page holds ${show.runs.length} runs; the first two are shown.`);
+  return {
+    title: show.title || 'polhode',
+    description: show.description || '',
+    gravity: show.gravity ?? null,
+    meshes,
+    runs,
+  };
+}
+
+/** The text of the JSON report, or null where the page has none. */
+export function reportText() {
+  const text = blockText('polhode-report')?.trim();
+  return !text || text === 'null' ? null : text;
+}
+
+function readMesh(mesh, index) {
+  const what = `Mesh ${index}`;
+  const positions = numbersOfBase64(mesh.positions, Float32Array, `${what}: its vertices`);
+  const normals = numbersOfBase64(mesh.normals, Float32Array, `${what}: its normals`);
+  const indices = numbersOfBase64(mesh.indices, Uint32Array, `${what}: its triangles`);
+  const edges = numbersOfBase64(mesh.edges ?? '', Uint32Array, `${what}: its edges`);
+  const vertices = positions.length / 3;
+  const outside = (vertex) => vertex >= vertices;
+  if (indices.some(outside) || edges.some(outside)) throw new PageError(`${what} names a vertex that it lacks.`);
+  return { positions, normals, indices, edges };
+}
+
+function readRun(run, index, mesh_count, notices) {
+  const name = run.name || `run ${index + 1}`;
+  const what = `The run “${name}”`;
+  const bodies = (run.bodies ?? []).map((body, at) => readBody(body, at, mesh_count, what));
+  const frames = run.frames ?? {};
+  const times = numbersOfBase64(frames.times ?? '', Float64Array, `${what}: its times`);
+  if (times.length !== (frames.count ?? 0)) {
+    throw new PageError(`${what} tells of ${frames.count} frames and gives ${times.length} times.`);
+  }
+  if (times.some((time, at) => !Number.isFinite(time) || (at > 0 && time < times[at - 1]))) {
+    throw new PageError(`${what} has frame times that are no numbers or run backwards.`);
+  }
+  if ((run.initial ?? []).length !== bodies.length) {
+    throw new PageError(`${what} has ${bodies.length} bodies and ${(run.initial ?? []).length} initial poses.`);
+  }
+  const moving = frames.moving ?? [];
+  if (moving.some((body) => !(body >= 0 && body < bodies.length))) {
+    throw new PageError(`${what} has frames of a body that it does not know.`);
+  }
+  if (times.length === 0) notices.push(`${what} has no frames: nothing was computed. The start is shown.`);
+  return {
+    index,
+    name,
+    outcome: run.outcome ?? 'completed',
+    duration: Number.isFinite(run.duration_s) ? run.duration_s : (times.at(-1) ?? 0),
+    bodies,
+    initial: Float64Array.from(run.initial.flat()),
+    times,
+    moving,
+    contacts: Boolean(frames.contacts),
+    quanta: [frames.position_quantum_m, 1 / 32767, frames.velocity_quantum_m_s, frames.spin_quantum_rad_s],
+    chunks: checkChunks(frames.chunks ?? [], times.length, what),
+    series: readSeries(run.series ?? [], times.length, what, notices),
+    events: readEvents(run.events ?? []),
+  };
+}
+
+function readBody(body, index, mesh_count, what) {
+  const parts = body.parts ?? [];
+  const unknown = parts.find((part) => !(part.mesh >= 0 && part.mesh < mesh_count));
+  if (unknown) throw new PageError(`${what}: body ${index} has a part of mesh ${unknown.mesh}, which is missing.`);
+  return {
+    name: body.name || `body ${index}`,
+    moves: Boolean(body.moves),
+    center_of_mass: body.center_of_mass ?? [0, 0, 0],
+    principal_inertia: body.principal_inertia_kg_m2 ?? null,
+    principal_axes: body.principal_axes ?? [1, 0, 0, 0],
+    parts,
+    half_spaces: body.half_spaces ?? [],
+    box: body.box ?? null,
+  };
+}
+
+/** Chunks must follow one another and cover all frames. */
+function checkChunks(chunks, frame_count, what) {
+  let next = 0;
+  for (const chunk of chunks) {
+    if (chunk.first !== next || !(chunk.count > 0)) {
+      throw new PageError(`${what}: its frames do not follow one another (frame ${next} is missing).`);
+    }
+    next += chunk.count;
+  }
+  if (next !== frame_count) throw new PageError(`${what} tells of ${frame_count} frames and holds ${next}.`);
+  return chunks;
+}
+
+/** Series of a wrong length or without any number are left out, and a notice says so. */
+function readSeries(list, frame_count, what, notices) {
+  const kept = [];
+  for (const series of list) {
+    const label = `${what}: the series “${series.group} ${series.name}”`;
+    const values = numbersOfBase64(series.values, Float64Array, label);
+    if (values.length !== frame_count) {
+      notices.push(`${label} has ${values.length} values for ${frame_count} frames and is left out.`);
+    } else if (frame_count > 0 && !values.some(Number.isFinite)) {
+      notices.push(`${label} has no numbers and is left out.`);
+    } else {
+      kept.push({ group: series.group, name: series.name, unit: series.unit ?? '', values });
+    }
+  }
+  return kept;
+}
+
+function readEvents(list) {
+  return list
+    .filter((event) => Number.isFinite(event.t))
+    .map((event) => ({ t: event.t, kind: event.kind ?? 'event', bodies: event.bodies ?? [], text: event.text ?? '' }))
+    .sort((one, other) => one.t - other.t);
+}

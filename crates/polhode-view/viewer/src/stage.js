@@ -1,0 +1,115 @@
+// The picture: renderer, light, camera, and one or two views of it.
+
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  MathUtils,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { PageError } from './errors.js';
+import { colour } from './theme.js';
+
+/** Vertical angle of view in degrees. */
+const FIELD_OF_VIEW = 35;
+/** Pixels of the shadow map along its edge. */
+const SHADOW_PIXELS = 1024;
+/** Where the light comes from, seen from the point that the camera looks at; z is up. */
+const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
+
+/** Names of renderers that draw on the processor. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** Whether WebGL is drawn by the processor, because there is no graphics card or no driver. */
+export function drawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(name);
+}
+
+export class Stage {
+  /** `look` is { shadows, antialias }. */
+  constructor(canvas, { shadows, antialias }) {
+    this.canvas = canvas;
+    try {
+      this.renderer = new WebGLRenderer({ canvas, antialias });
+    } catch {
+      throw new PageError('This browser draws no WebGL, so the bodies cannot be shown. The numbers can be saved.');
+    }
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.shadowMap.enabled = shadows;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
+    this.camera.up.set(0, 0, 1);
+    this.sky = new HemisphereLight(0xffffff, 0xaaa59d, 1.75);
+    this.sky.position.set(0, 0, 1);
+    this.sun = new DirectionalLight(0xffffff, 1.5);
+    // A weak light from the camera, so that no face that is seen is black.
+    this.lamp = new DirectionalLight(0xffffff, 0.75);
+    this.sun.castShadow = shadows;
+    this.sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    this.sun.shadow.radius = 3;
+    this.scene.add(this.sky, this.sun, this.sun.target, this.lamp, this.lamp.target);
+    this.scene.background = new Color();
+    this.applyTheme();
+  }
+
+  applyTheme() {
+    this.scene.background.setStyle(colour('stage'));
+  }
+
+  /** Where the camera is, and how many pixels a thing of one metre has at a distance of one metre. */
+  eye() {
+    const pixels = this.canvas.clientHeight / 2 / Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    return { place: this.camera.position, pixels };
+  }
+
+  /** Fits the drawing to the canvas's place in the page; true where it changed. */
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === this.width && clientHeight === this.height) return false;
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    return true;
+  }
+
+  /** The shadow map covers what the camera looks at, so that its grain follows the distance of the camera. */
+  aimLight(target) {
+    const distance = this.camera.position.distanceTo(target);
+    this.camera.near = distance / 100;
+    this.camera.far = distance * 40;
+    this.lamp.position.copy(this.camera.position);
+    this.lamp.target.position.copy(target);
+    this.sun.target.position.copy(target);
+    this.sun.position.copy(target).addScaledVector(LIGHT_FROM, 2 * distance);
+    const { camera, map } = this.sun.shadow;
+    const reach = 0.75 * distance;
+    Object.assign(camera, { left: -reach, right: reach, bottom: -reach, top: reach, near: 0, far: 4 * distance });
+    camera.updateProjectionMatrix();
+    this.sun.shadow.normalBias = (3 * reach) / (map ? map.width : SHADOW_PIXELS);
+  }
+
+  /** Draws every group of `views` in its own part of the canvas, from left to right; a view is a list of groups. */
+  draw(views, target) {
+    if (!(this.width > 0 && this.height > 0)) return;
+    this.aimLight(target);
+    const width = this.width / views.length;
+    this.camera.aspect = width / this.height;
+    this.camera.updateProjectionMatrix();
+    this.renderer.setScissorTest(views.length > 1);
+    views.forEach((shown, index) => {
+      for (const group of views.flat()) group.visible = shown.includes(group);
+      this.renderer.setViewport(index * width, 0, width, this.height);
+      this.renderer.setScissor(index * width, 0, width, this.height);
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+}

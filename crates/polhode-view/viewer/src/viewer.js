@@ -1,0 +1,236 @@
+// The viewer: one time, one camera, one or two views of runs, drawn again whenever something changed.
+
+import { Box3 } from 'three';
+import { meshGeometry } from './bodies.js';
+import { Camera } from './camera.js';
+import { byId, cameraButtons, followList, helpDialog, overlayButtons, playControls, showLegend } from './controls.js';
+import { EventList } from './eventlist.js';
+import { listen } from './keyboard.js';
+import { notice } from './notices.js';
+import { buildPlots } from './panel.js';
+import { Playback } from './playback.js';
+import { drawnBySoftware, Stage } from './stage.js';
+import { themeSwitch } from './theme.js';
+import { Timeline } from './timeline.js';
+import { View } from './view.js';
+
+/** With more bodies than this there are no shadows, and sharp edges are off at first. */
+const MANY_BODIES = 500;
+/** Frames over which the time of a frame is averaged. */
+const FRAMES_AVERAGED = 60;
+/** Longest step of the clock in s: after a pause of the whole page the run goes on where it was. */
+const LONGEST_TICK = 0.25;
+/** Below this width of the page in CSS pixels two runs are drawn over each other at first. */
+const NARROW_PIXELS = 700;
+
+/** Triangles of all bodies; software draws each of them for the shadow too, and three times as slowly when smoothed. */
+const SOFTWARE_TRIANGLES = 60000;
+
+/** Triangles of the bodies of all runs together. */
+function trianglesOf(show) {
+  const of_mesh = show.meshes.map((mesh) => mesh.indices.length / 3);
+  const bodies = show.runs.flatMap((run) => run.bodies);
+  return bodies.flatMap((body) => body.parts).reduce((sum, part) => sum + of_mesh[part.mesh], 0);
+}
+
+export class Viewer {
+  constructor(show) {
+    this.show = show;
+    const many = Math.max(...show.runs.map((run) => run.bodies.length)) > MANY_BODIES;
+    const slow = trianglesOf(show) > SOFTWARE_TRIANGLES && drawnBySoftware();
+    const shadows = !many && !slow;
+    this.stage = new Stage(byId('stage'), { shadows, antialias: !slow });
+    this.playback = new Playback(show.runs);
+    this.dirty = true;
+    /** Whether the last picture lacks frames that are being unpacked. */
+    this.incomplete = true;
+    this.waiting = [];
+    this.frame_times = [];
+    this.frames_drawn = 0;
+    const tell = {
+      requestDraw: () => (this.dirty = true),
+      loaded: () => (this.dirty ||= this.incomplete),
+      broken: (words) => notice(words, true),
+    };
+    const geometries = show.meshes.map(meshGeometry);
+    const look = { shadows, edges: !many };
+    const scales = new Map();
+    this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales, () => this.stage.eye()));
+    for (const view of this.views) this.stage.scene.add(view.group);
+    this.on = new Set(many ? [] : ['edges']);
+    for (const view of this.views) view.setOverlay('edges', !many);
+    this.camera = new Camera(this.stage, tell.requestDraw);
+    this.seek = (t) => {
+      this.playback.seek(t);
+      this.dirty = true;
+      return this.drawn();
+    };
+    this.buildControls();
+    this.setLayout(innerWidth < NARROW_PIXELS ? 'over' : 'side');
+  }
+
+  buildControls() {
+    const { playback, show, views } = this;
+    const changed = () => (this.dirty = true);
+    this.showPlaying = playControls(playback, changed);
+    this.showOverlays = overlayButtons(views, (name) => this.toggleOverlay(name));
+    this.showFollowed = followList(views[0].run, (body) => this.follow(body));
+    cameraButtons((name) => this.look(name));
+    this.events = new EventList(byId('events'), show.runs, playback.duration, () => this.timeline.refresh(), this.seek);
+    this.timeline = new Timeline(byId('timeline'), playback, show.runs, () => this.events.marks(), this.seek);
+    this.plots = buildPlots(byId('plots'), views, playback, this.seek);
+    themeSwitch(byId('theme'), () => this.applyTheme());
+    listen({
+      playback,
+      changed,
+      event: (forward) => {
+        const t = this.events.neighbour(playback.time, forward);
+        if (t !== null) this.seek(t);
+      },
+      fit: () => this.look('fit'),
+      unfollow: () => this.follow(null),
+      overlay: (name) => this.toggleOverlay(name),
+      help: helpDialog(),
+    });
+    this.stage.canvas.addEventListener('webglcontextrestored', changed);
+    byId('layout').hidden = views.length < 2;
+    byId('layout').addEventListener('click', () => this.setLayout(this.layout === 'side' ? 'over' : 'side'));
+    this.camera.onClick(
+      () => this.pictures().length,
+      (raycaster, picture) => this.pick(raycaster, this.pictures()[picture]),
+    );
+    this.showOverlays(this.on);
+  }
+
+  applyTheme() {
+    this.stage.applyTheme();
+    for (const view of this.views) view.applyTheme();
+    this.timeline.refresh();
+    for (const plot of this.plots) plot.refresh();
+    this.dirty = true;
+  }
+
+  /** What is drawn from left to right: for each part of the picture its views. */
+  pictures() {
+    return this.layout === 'side' ? this.views.map((view) => [view]) : [this.views];
+  }
+
+  /** Two runs 'side' by side, or the second as a ghost 'over' the first. */
+  setLayout(layout) {
+    this.layout = this.views.length < 2 ? 'over' : layout;
+    this.views.slice(1).forEach((view) => view.setGhost(this.layout === 'over'));
+    for (const view of this.views) view.setOverlay('edges', this.on.has('edges'));
+    byId('layout').textContent = this.layout === 'side' ? 'Overlay' : 'Side by side';
+    const labels = this.views.map((view, index) => {
+      const label = document.createElement('span');
+      label.textContent = this.layout === 'over' && index > 0 ? `${view.run.name} (ghost)` : view.run.name;
+      return label;
+    });
+    byId('labels').className = this.layout;
+    byId('labels').replaceChildren(...(this.views.length < 2 ? [] : labels));
+    this.dirty = true;
+  }
+
+  setOverlay(name, on) {
+    if (on) this.on.add(name);
+    else this.on.delete(name);
+    for (const view of this.views) view.setOverlay(name, on);
+    this.showOverlays(this.on);
+    this.dirty = true;
+  }
+
+  toggleOverlay(name) {
+    this.setOverlay(name, !this.on.has(name));
+  }
+
+  follow(body) {
+    for (const view of this.views) view.followed = body;
+    this.camera.tracked = null;
+    if (body !== null) this.camera.track(this.views[0].placeOf(body));
+    this.showFollowed(body);
+    this.dirty = true;
+  }
+
+  pick(raycaster, views) {
+    const hits = views.map((view) => view.bodies.pick(raycaster)).filter(Boolean);
+    const nearest = hits.reduce((best, hit) => (best && best.distance <= hit.distance ? best : hit), null);
+    const first = this.views[0].run.bodies;
+    if (nearest && first[nearest.body]?.moves) this.follow(nearest.body);
+  }
+
+  /** Looks from a preset at all that the boxes hold: by default at the bodies as they stand now. */
+  look(name, boxes = this.views.map((view) => view.bounds())) {
+    this.stage.resize();
+    const bounds = boxes.reduce((all, box) => all.union(box), new Box3());
+    this.camera.tracked = null;
+    this.camera.look(name, bounds, 1 / this.pictures().length);
+  }
+
+  /** A promise that is kept when the picture of the present time has been drawn. */
+  drawn() {
+    return new Promise((kept) => this.waiting.push(kept));
+  }
+
+  /** Draws the first picture from the first chunk, and from then on whatever changes. */
+  async start() {
+    await Promise.all(this.views.map(({ frames, run }) => (run.chunks.length > 0 ? frames.load(0) : null)));
+    for (const view of this.views) view.moveTo(this.playback.time, true);
+    const motions = await Promise.all(this.views.map((view) => view.motionBounds()));
+    this.look(
+      'iso',
+      motions.map((motion, index) => motion ?? this.views[index].bounds()),
+    );
+    let before = performance.now();
+    const tick = (now) => {
+      const clock_s = Math.max(0, Math.min(LONGEST_TICK, (now - before) / 1000));
+      this.tick(clock_s, now - before);
+      before = now;
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+    await this.drawn();
+  }
+
+  tick(clock_s, elapsed_ms) {
+    const { playback } = this;
+    if (playback.playing) {
+      playback.advance(clock_s, (t) => this.views.every(({ frames }) => frames.ready(frames.frameAt(t))));
+      this.frame_times.push(elapsed_ms);
+      if (this.frame_times.length > FRAMES_AVERAGED) this.frame_times.shift();
+      this.dirty = true;
+    }
+    if (this.stage.resize()) this.dirty = true;
+    if (this.dirty) this.draw();
+  }
+
+  draw() {
+    this.dirty = false;
+    const { playback, views } = this;
+    const states = views.map((view) => view.moveTo(playback.time, playback.interpolate));
+    const followed = views[0].followed;
+    if (followed !== null) this.camera.track(views[0].placeOf(followed));
+    this.stage.draw(
+      this.pictures().map((list) => list.map((view) => view.group)),
+      this.camera.target,
+    );
+    this.frames_drawn += 1;
+    this.showPlaying(views[0].snapshot.frame, views[0].run.times.length);
+    this.timeline.draw();
+    for (const plot of this.plots) plot.draw();
+    this.events.update(playback.time, playback.playing);
+    showLegend(views.flatMap((view) => view.legend()));
+    this.incomplete = !states.every(Boolean);
+    // A scale of arrows may have grown; then this is not yet the final picture either.
+    if (this.dirty || this.incomplete) return;
+    for (const kept of this.waiting.splice(0)) kept();
+  }
+
+  stats() {
+    const sum = this.frame_times.reduce((total, time) => total + time, 0);
+    return {
+      frames_drawn: this.frames_drawn,
+      ms_per_frame: this.frame_times.length > 0 ? sum / this.frame_times.length : null,
+      bytes_decoded: this.views.reduce((total, { frames }) => total + frames.bytes_decoded, 0),
+    };
+  }
+}
