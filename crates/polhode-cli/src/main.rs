@@ -10,6 +10,8 @@
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `checkpoints` | when and where a run is kept to be continued |
+//! | `view` | the command that shows a scene or a trajectory |
+//! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `watch` | what a run shows and writes while it goes on, and Ctrl-C |
 //! | `cost` | the command that shows what accuracy costs |
 //! | `scene` | loading the scene that a command names |
@@ -23,11 +25,13 @@ mod compare;
 mod cost;
 mod failure;
 mod mesh;
+mod pictures;
 mod plan;
 mod run;
 mod scene;
 mod stdout;
 mod text;
+mod view;
 mod watch;
 
 use args::{Cli, Command};
@@ -53,6 +57,7 @@ fn main() -> ExitCode {
         Command::Mesh(args) => mesh::mesh(args),
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args),
+        Command::View(args) => view::view(args),
         Command::Probe(args) => cost::probe(args),
     };
     outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
