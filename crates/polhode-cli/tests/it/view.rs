@@ -108,6 +108,56 @@ fn mistakes() {
     assert_eq!(place.list(), ["empty.toml", "scene.toml"]);
 }
 
+/// A picture of any time of a scene or a trajectory, without what comes after it.
+#[test]
+fn stills() {
+    let place = Place::with_scene(DROP);
+    let small = ["--size", "64x48"];
+    let run = place.expect(0, &[&["view", "scene.toml", "--still", "t=0.25"], &small[..]].concat());
+    assert_eq!(run.stdout, "scene.png\n");
+    let png = |name: &str| std::fs::read(place.path(name)).unwrap();
+    place.expect(0, &[&["view", "scene.toml", "--still", "0.25", "-o", "again.png"], &small[..]].concat());
+    assert_eq!(png("scene.png"), png("again.png"));
+    place.expect(0, &["run", "scene.toml", "-o", "a.csv"]);
+    place.expect(0, &[&["view", "scene.toml", "a.csv", "--still", "t=0.25", "-o", "a.png"], &small[..]].concat());
+    assert_eq!(png("scene.png"), png("a.png"));
+    place.expect(0, &[&["view", "scene.toml", "--still", "t=0", "-o", "start.png"], &small[..]].concat());
+    assert_ne!(png("scene.png"), png("start.png"));
+    for (args, message) in [
+        (&["scene.toml", "--still", "t=0.6"][..], "the motion is from t = 0 s to 0.5 s"),
+        (&["scene.toml", "--still", "t=-1"], "the motion is from"),
+        (&["scene.toml", "--still", "t=NaN"], "the motion is from"),
+        (&["scene.toml", "a.csv", "--still", "t=0.6"], "the motion is from t = 0 s to 0.5 s"),
+        (&["scene.toml", "--still", "soon"], "t=S"),
+        (&["scene.toml", "--still", "t=0", "-o", "a.html"], "--still draws a picture (.png)"),
+        (&["scene.toml", "scene.toml", "--still", "t=0"], "two runs are shown by a page"),
+        (&["scene.toml", "--still", "t=0", "--size", "big"], "WxH"),
+        (&["scene.toml", "--still", "t=0", "--size", "0x5"], "1 to 8192 pixels"),
+    ] {
+        let run = place.expect(2, &[&["view"], args].concat());
+        assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn moving_pictures_and_models() {
+    let place = Place::with_scene(DROP);
+    let outputs = ["-o", "a.gif", "-o", "a.apng", "-o", "a.webp", "-o", "a.glb", "-o", "a.png"];
+    let view = ["view", "scene.toml", "--size", "32x24", "--duration", "0.2"];
+    place.expect(0, &[&view[..], &outputs].concat());
+    for (name, magic) in [
+        ("a.gif", &b"GIF89a"[..]),
+        ("a.apng", b"\x89PNG"),
+        ("a.webp", b"RIFF"),
+        ("a.glb", b"glTF"),
+        ("a.png", b"\x89PNG"),
+    ] {
+        assert!(std::fs::read(place.path(name)).unwrap().starts_with(magic), "{name}");
+    }
+    place.expect(0, &["run", "scene.toml", "-o", "b.glb", "-o", "b.csv", "-o", "b.html"]);
+    assert!(std::fs::read(place.path("b.glb")).unwrap().starts_with(b"glTF"));
+}
+
 /// A run that fails shows what was computed and where it stopped; the exit code is that of `run`.
 #[test]
 fn a_run_that_fails() {

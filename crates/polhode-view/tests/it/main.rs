@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+mod animations;
 mod chunks;
+mod models;
 mod page;
+mod stills;
 mod tessellation;
