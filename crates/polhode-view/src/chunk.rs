@@ -23,8 +23,14 @@ const MOST_FRAMES: usize = 256;
 const FEWEST_FRAMES: usize = 32;
 /// Bodies times frames of a chunk, about: 13 numbers of 4 bytes each are 3.4 MB.
 const BODY_FRAMES: usize = 65_536;
-/// Bits that are kept of the 24 of a contact's numbers, which only draw it.
-const CONTACT_BITS: u32 = 12;
+/// Position quanta of the grid that places of contacts are rounded to: a thousandth of the smallest body.
+const PLACE_QUANTA: f64 = 1000.0;
+/// Bits that are kept of the 24 of a normal's components: its direction is right to a quarter of a degree.
+const NORMAL_BITS: u32 = 9;
+/// Bits that are kept of separations.
+const SEPARATION_BITS: u32 = 6;
+/// Bits that are kept of forces: they are right to 0.4 %.
+const FORCE_BITS: u32 = 8;
 
 /// A contact of a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,21 +43,37 @@ pub struct ChunkContact {
 
 impl ChunkContact {
     /// With as many digits as drawing needs.
-    pub fn new(bodies: [usize; 2], point: DVec3, normal: DVec3, separation_m: f64, force_n: f64) -> Self {
-        let [x, y, z] = point.to_array().map(|number| number as f32);
-        let [a, b, c] = normal.to_array().map(rounded);
-        let numbers = [x, y, z, a, b, c, rounded(separation_m), rounded(force_n)];
-        Self { bodies: bodies.map(|body| body as u32), numbers }
+    pub fn new(
+        bodies: [usize; 2],
+        place: DVec3,
+        normal: DVec3,
+        separation_m: f64,
+        force_n: f64,
+        quanta: Quanta,
+    ) -> Self {
+        // A power of two, so that the lowest bits of the rounded numbers are zero.
+        let grid = power_of_two_above(PLACE_QUANTA * quanta.position_m);
+        let [x, y, z] = place.to_array().map(|number| ((number / grid).round() * grid) as f32);
+        let [a, b, c] = normal.to_array().map(|number| shortened(number, NORMAL_BITS));
+        let (separation, force) = (shortened(separation_m, SEPARATION_BITS), shortened(force_n, FORCE_BITS));
+        Self { bodies: bodies.map(|body| body as u32), numbers: [x, y, z, a, b, c, separation, force] }
     }
 }
 
-/// A number with a short mantissa.
-fn rounded(number: f64) -> f32 {
-    let (bits, dropped) = ((number as f32).to_bits(), 24 - CONTACT_BITS);
+/// The smallest power of two that is not below a positive number.
+fn power_of_two_above(number: f64) -> f64 {
+    let (mantissa, exponent) = libm::frexp(number);
+    libm::ldexp(1.0, if mantissa > 0.5 { exponent } else { exponent - 1 })
+}
+
+/// A number with so many bits of its mantissa, rounded.
+fn shortened(number: f64, bits: u32) -> f32 {
+    let number = number as f32;
     if !number.is_finite() {
-        return number as f32;
+        return number;
     }
-    f32::from_bits((bits + (1 << (dropped - 1))) & !((1 << dropped) - 1))
+    let dropped = f32::MANTISSA_DIGITS - bits;
+    f32::from_bits((number.to_bits() + (1 << (dropped - 1))) & !((1 << dropped) - 1))
 }
 
 /// What a frame has besides poses and velocities, for the bodies of the chunk in their order.

@@ -4,7 +4,7 @@ use polhode::{Event, EventKind};
 use serde::Serialize;
 
 /// Events that a page lists at the most: what comes later is counted.
-const MOST_EVENTS: usize = 5000;
+const MOST_EVENTS: usize = 2000;
 
 /// An event in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -227,7 +227,7 @@ impl<W: Write> PageRun<W> {
             self.initial = bodies.iter().map(pose_json).collect();
         }
         self.times.push(t);
-        let details = frame.map(|frame| details(frame, &self.shown.moving));
+        let details = frame.map(|frame| details(frame, &self.shown.moving, self.quanta));
         if let Some(frame) = frame {
             self.series.add(frame);
         }
@@ -277,7 +277,7 @@ impl<W: Write> Observer for PageRun<W> {
 }
 
 /// What a chunk holds of a frame besides poses and velocities.
-fn details(frame: &Frame, moving: &[usize]) -> ChunkDetails {
+fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
     let motion = |&body: &usize| match frame.motions.get(body) {
         Some(MotionKind::Flight) => 1,
         Some(MotionKind::Integrated) => 2,
@@ -296,7 +296,7 @@ fn details(frame: &Frame, moving: &[usize]) -> ChunkDetails {
     let contacts = frame.contacts.iter().map(|contact| {
         let bodies = [contact.body_a.index(), contact.body_b.index()];
         let (separation, force) = (contact.separation_m, contact.normal_force_n);
-        ChunkContact::new(bodies, contact.point_m, contact.normal, separation, force)
+        ChunkContact::new(bodies, contact.point_m, contact.normal, separation, force, quanta)
     });
     ChunkDetails {
         motions: moving.iter().map(motion).collect(),

@@ -15,12 +15,12 @@ const POSITION_WITHOUT_SIZE_M: f64 = 1e-6;
 /// Times that a body may be carried by speed and gravity, as a multiple of the size of the whole scene: what goes farther is
 /// out of sight.
 const FARTHEST: f64 = 1e4;
-/// The smallest position quantum, m.
-const SMALLEST_M: f64 = 1e-12;
+/// The smallest position quantum is one divided by this, m.
+const MOST_PER_M: f64 = 1e12;
 /// Velocity quanta per position quantum, 1/s.
-const VELOCITY_PER_POSITION: f64 = 10.0;
-/// Quantum of angular velocities, rad/s: 2^31 of them are 21,000 rad/s.
-const SPIN_RAD_S: f64 = 1e-5;
+const VELOCITY_PER_POSITION: f64 = 100.0;
+/// Quantum of angular velocities, rad/s: 2^31 of them are 210,000 rad/s.
+const SPIN_RAD_S: f64 = 1e-4;
 /// Quanta that the reach of a scene may take: half of 2^31, for what the bound leaves out.
 const MOST_QUANTA: f64 = 1_073_741_824.0;
 
@@ -60,9 +60,10 @@ fn reach_m(scene: &Scene, shown: &ShownScene) -> f64 {
 }
 
 fn round_up_to_power_of_ten(value: f64) -> f64 {
-    let mut power = SMALLEST_M;
-    while power < value && power.is_finite() {
-        power *= 10.0;
+    // Powers with positive exponents are exact, so that each quotient is the nearest number to its power.
+    let mut per_unit = MOST_PER_M;
+    while 1.0 / per_unit < value && per_unit > f64::MIN_POSITIVE {
+        per_unit /= 10.0;
     }
-    power
+    1.0 / per_unit
 }

@@ -56,7 +56,9 @@ proptest! {
         prop_assert!(rest.is_empty());
         for (i, sample) in samples[..3 * frames].iter().enumerate() {
             let number = |channel: usize| f64::from(channels[channel][i % 3][i / 3]);
-            let vector = |channel: usize, unit: f64| DVec3::new(number(channel), number(channel + 1), number(channel + 2)) * unit;
+            let vector = |channel: usize, unit: f64| {
+                DVec3::from_array([0, 1, 2].map(|axis| number(channel + axis))) * unit
+            };
             let half = |unit: f64| 0.5 * unit * (1.0 + 1e-6);
             let apart = |a: DVec3, b: DVec3| (a - b).abs().max_element();
             prop_assert!(apart(vector(0, QUANTA.position_m), sample.pose.translation) <= half(QUANTA.position_m));
@@ -110,7 +112,7 @@ fn far_away() {
 #[test]
 fn details_come_back() {
     let mut chunk = Chunk::new(2, QUANTA);
-    let contact = ChunkContact::new([1, 0], DVec3::new(0.5, -2.0, 0.0), DVec3::Z, -1e-9, f64::NAN);
+    let contact = ChunkContact::new([1, 0], DVec3::new(0.5, -2.0, 0.0), DVec3::Z, -1e-9, f64::NAN, QUANTA);
     for frame in 0..3_u8 {
         let contacts = vec![contact; usize::from(frame)];
         let details = ChunkDetails { motions: vec![frame, 3], islands: vec![u16::MAX, 7], contacts };
@@ -124,5 +126,7 @@ fn details_come_back() {
     let float = |i: usize| f32::from_le_bytes(rest[i..i + 4].try_into().unwrap());
     let numbers: Vec<f32> = (0..8).map(|i| float(38 + 4 * i)).collect();
     assert_eq!(numbers[..6], [0.5, -2.0, 0.0, 0.0, 0.0, 1.0]);
-    assert!((numbers[6] / -1e-9 - 1.0).abs() < 1e-3 && numbers[7].is_nan());
+    let rounded = ChunkContact::new([1, 0], DVec3::splat(1.2345), DVec3::X, 0.0, 981.0, QUANTA);
+    assert!((rounded.numbers[0] - 1.2345).abs() < 1e-3 && (rounded.numbers[7] / 981.0 - 1.0).abs() < 0.004);
+    assert!((numbers[6] / -1e-9 - 1.0).abs() < 0.02 && numbers[7].is_nan());
 }
