@@ -7,6 +7,11 @@ use crate::thinning::Thinning;
 use polhode::spatial::{DVec3, Pose};
 use polhode::{BodySample, Flow, Observer, Scene};
 
+/// Size of a standing body up to which it is in the picture whole, in sizes of what moves.
+const LARGEST_BESIDE: f64 = 1.5;
+/// Distance up to which a standing body is in the picture whole, in sizes of what moves.
+const FARTHEST_BESIDE: f64 = 1.0;
+
 /// The motion of a scene: an [`Observer`] that keeps the poses of the bodies that move.
 #[derive(Debug)]
 pub struct Recording {
@@ -129,33 +134,44 @@ impl Recording {
         }
     }
 
-    /// Corners of a box around the bodies that move in all frames; of all bodies where none moves.
+    /// Corners of the box that a camera looks at, m: around the bodies that move in all frames, and around those standing bodies
+    /// that are near them and of their size. Where none moves, around all.
     pub fn bounds(&self) -> [DVec3; 2] {
-        let mut bounds: Option<[DVec3; 2]> = None;
-        let mut add = |place: DVec3| {
-            let [low, high] = bounds.unwrap_or([place; 2]);
-            bounds = Some([low.min(place), high.max(place)]);
-        };
+        let mut moving: Option<[DVec3; 2]> = None;
         for poses in &self.poses {
             for (&body, pose) in self.shown.moving.iter().zip(poses) {
-                add_box(&self.shown.bodies[body], pose, &mut add);
+                add_box(&mut moving, &self.shown.bodies[body], pose);
             }
         }
-        if self.shown.moving.is_empty() {
-            for (body, pose) in self.shown.bodies.iter().zip(&self.initial) {
-                add_box(body, pose, &mut add);
+        let mut all = moving;
+        for (body, pose) in self.shown.bodies.iter().zip(&self.initial).filter(|(body, _)| !body.moves) {
+            let mut own = None;
+            add_box(&mut own, body, pose);
+            if let Some(own) = own
+                && moving.is_none_or(|moving| is_beside(own, moving))
+            {
+                add_box(&mut all, body, pose);
             }
         }
-        bounds.unwrap_or([DVec3::splat(-1.0), DVec3::ONE])
+        all.unwrap_or([DVec3::splat(-1.0), DVec3::ONE])
     }
 }
 
-/// Adds the corners of the box of a body.
-fn add_box(body: &ShownBody, pose: &Pose, add: &mut impl FnMut(DVec3)) {
-    let Some([low, high]) = body.bounds else { return };
+/// Whether a box is near another one and not much larger.
+fn is_beside(own: [DVec3; 2], other: [DVec3; 2]) -> bool {
+    let (size, room) = ((own[1] - own[0]).length(), (other[1] - other[0]).length());
+    let apart = 0.5 * ((own[0] + own[1]) - (other[0] + other[1])).length();
+    size <= LARGEST_BESIDE * room && apart <= FARTHEST_BESIDE * room
+}
+
+/// Widens a box to the corners of the box of a body.
+fn add_box(bounds: &mut Option<[DVec3; 2]>, body: &ShownBody, pose: &Pose) {
+    let Some(corners) = body.bounds else { return };
     for corner in 0..8 {
-        let pick = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
-        add(pose.transform_point(DVec3::new(pick(0), pick(1), pick(2))));
+        let pick = |axis: usize| corners[corner >> axis & 1][axis];
+        let place = pose.transform_point(DVec3::new(pick(0), pick(1), pick(2)));
+        let [low, high] = bounds.unwrap_or([place; 2]);
+        *bounds = Some([low.min(place), high.max(place)]);
     }
 }
 
