@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Schema,
     /// Compares two CSV trajectories number by number; exit code 1 when they differ beyond the tolerance
     Compare(CompareArgs),
+    /// Shows a scene or a trajectory: an HTML page that plays it, a picture, a moving picture or a model
+    View(ViewArgs),
     /// Prepares a scene and runs it, printing nothing: what `cost --instructions` counts
     #[command(hide = true)]
     Probe(ProbeArgs),
@@ -43,6 +45,13 @@ pub(crate) enum Command {
 pub(crate) struct SceneArgs {
     /// Scene file (TOML)
     pub(crate) scene: PathBuf,
+    #[command(flatten)]
+    pub(crate) changes: ChangeArgs,
+}
+
+/// Changes to a scene, and which of its effects are simulated.
+#[derive(Debug, Args)]
+pub(crate) struct ChangeArgs {
     /// Sets any key of the scene by its dotted path; bodies go by name or number (bodies.brick.mass=2)
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
@@ -86,8 +95,8 @@ pub(crate) struct RunArgs {
 /// What a run writes.
 #[derive(Debug, Args)]
 pub(crate) struct RunOutputArgs {
-    /// Writes the trajectory (`resume`: from the checkpoint on); the kind follows the ending: .csv, .npy or .json (may be
-    /// given several times)
+    /// Writes the trajectory (.csv, .npy, .json), a page that plays it (.html), a model (.glb), a moving picture (.gif,
+    /// .apng, .webp) or a picture of the end (.png); `resume`: from the checkpoint on (may be given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// Writes the events as CSV (`resume`: from the checkpoint on)
@@ -169,6 +178,32 @@ pub(crate) struct CostArgs {
     /// Time that the candidates may take together when no --vary is given, about, s
     #[arg(long, value_name = "S", default_value_t = 40.0, allow_negative_numbers = true)]
     pub(crate) budget: f64,
+}
+
+/// Arguments of `view`.
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv)
+    #[arg(required = true, num_args = 1..)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Where to: .html, .png, .gif, .apng, .webp or .glb (may be given several times) [default: the first file's name with
+    /// the ending .html, or .png with --still, beside it]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Draws a picture of this time, s: --still t=1.5
+    #[arg(long, value_name = "t=S", allow_hyphen_values = true)]
+    pub(crate) still: Option<String>,
+    /// Frames for each simulated second [default: 60; 25 for moving pictures; never more than 10,000 in all]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) fps: Option<f64>,
+    /// Shows a second run of the scene beside the first, with this change (may be given several times)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) beside: Vec<String>,
+    /// Width and height of pictures, pixels [default: 1280x720; 640x360 for moving pictures]
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<String>,
+    #[command(flatten)]
+    pub(crate) changes: ChangeArgs,
 }
 
 /// Arguments of `probe`.

@@ -7,7 +7,7 @@ use crate::{scene, stdout};
 /// Loads the scene and prepares it, which finds bodies that overlap.
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let loaded = scene::load(&args.scene)?;
-    scene::prepare(&loaded, &args.scene)?;
+    scene::prepare(&loaded, &args.scene.changes)?;
     let bodies = loaded.scene.bodies();
     let fixed = bodies.iter().filter(|body| body.is_fixed()).count();
     let (path, name, duration) = (args.scene.scene.display(), loaded.scene.name(), loaded.scene.duration_s());

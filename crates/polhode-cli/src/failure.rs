@@ -32,6 +32,16 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// What it says.
+    pub(crate) fn message(&self) -> &str {
+        match self {
+            Self::Check(message) | Self::Usage(message) | Self::InputOutput(message) | Self::Interrupted(message) => {
+                message
+            }
+            Self::StdoutClosed => "",
+        }
+    }
+
     /// Prints the message to stderr and gives the exit code.
     pub(crate) fn report(self) -> ExitCode {
         let (code, message) = match self {

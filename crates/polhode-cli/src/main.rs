@@ -10,7 +10,9 @@
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
-//! | `watch` | the observer of a run: outputs, progress bar and Ctrl-C |
+//! | `view` | the command that shows a scene or a trajectory |
+//! | `pictures` | the pages, pictures and models that a run is shown as |
+//! | `watch` | the observer of a run: outputs, pictures, progress bar and Ctrl-C |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
@@ -38,11 +40,13 @@ mod compare;
 mod cost;
 mod failure;
 mod mesh;
+mod pictures;
 mod plan;
 mod run;
 mod scene;
 mod stdout;
 mod text;
+mod view;
 mod watch;
 
 use args::{Cli, Command};
@@ -68,6 +72,7 @@ fn main() -> ExitCode {
         Command::Mesh(args) => mesh::mesh(args),
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args),
+        Command::View(args) => view::view(args),
         Command::Probe(args) => cost::probe(args),
     };
     outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)

@@ -8,7 +8,7 @@ use polhode_scene::plan_with_accelerations_json;
 /// Derives and prints the plan and the accelerations at t = 0.
 pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = scene::load(&args.scene)?;
-    let mut simulation = scene::prepare(&loaded, &args.scene)?;
+    let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     let accelerations = simulation.accelerations().map_err(|error| scene::failed(&loaded, error))?;
     if args.json {
         return stdout::json(&plan_with_accelerations_json(&loaded.scene, simulation.plan(), &accelerations));

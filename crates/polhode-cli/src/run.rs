@@ -3,16 +3,19 @@
 use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
+use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
 use crate::watch::{Bar, Interrupt, Watch};
 use crate::{cost, scene, stdout, text};
 use polhode::{Outcome, RunReport, Simulation};
-use polhode_scene::{Checkpoint, LoadedScene, Outputs, load_with, report_json};
+use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, report_json};
+use polhode_view::FrameSource;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let mut changes = scene::overrides(&args.scene)?;
+    let mut changes = scene::overrides(&args.scene.changes)?;
     if let Some(accuracy) = args.accuracy {
         changes.extend(cost::settings_for(&args.scene, accuracy)?);
     }
@@ -20,10 +23,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load_with(file, &changes)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
     let files = Files { asked: &args.output, inputs: &[file] };
-    let outputs = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    let simulation = scene::prepare(&loaded, &args.scene)?;
-    Run { loaded, simulation, outputs, checkpoints, started, json: args.output.json }.finish()
+    let simulation = scene::prepare(&loaded, &args.scene.changes)?;
+    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
@@ -33,9 +36,9 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let inputs = [&args.from, &checkpoint.scene];
     let files = Files { asked: &args.output, inputs: &inputs };
-    let outputs = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    Run { loaded, simulation, outputs, checkpoints, started, json: args.output.json }.finish()
+    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// The files that a run writes, and those that it was made from.
@@ -46,7 +49,7 @@ struct Files<'a> {
 
 impl Files<'_> {
     /// Opens the outputs.
-    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<Outputs, Failure> {
+    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures), Failure> {
         let RunOutputArgs { output, events, .. } = self.asked;
         for path in output.iter().chain(events).map(PathBuf::as_path) {
             if self.inputs.iter().any(|input| is_same(path, input)) {
@@ -59,7 +62,17 @@ impl Files<'_> {
                 return Err(Failure::Usage(what));
             }
         }
-        Ok(Outputs::create(&loaded.scene, output, events.as_deref())?)
+        let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
+        let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
+        let trajectories: Vec<PathBuf> = output.iter().filter(|path| !is_picture(path)).cloned().collect();
+        let mut pictures = Pictures::create(&shown, loaded.scene.name(), Options::default())?;
+        let outputs =
+            Outputs::create(&loaded.scene, &trajectories, events.as_deref()).map_err(|error| match error {
+                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}")),
+                error => error.into(),
+            })?;
+        pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
+        Ok((outputs, pictures))
     }
 }
 
@@ -87,6 +100,7 @@ struct Run {
     loaded: LoadedScene,
     simulation: Simulation,
     outputs: Outputs,
+    pictures: Pictures,
     checkpoints: Checkpoints,
     started: Instant,
     json: bool,
@@ -95,7 +109,7 @@ struct Run {
 impl Run {
     /// Goes on to the end, and prints the report.
     fn finish(self) -> Result<(), Failure> {
-        let Self { loaded, mut simulation, outputs, checkpoints, started, json } = self;
+        let Self { loaded, mut simulation, outputs, pictures, checkpoints, started, json } = self;
         if !json {
             match stdout::text(&text::plan(loaded.scene.name(), simulation.plan())) {
                 // Files are still wanted when nobody reads the report.
@@ -104,20 +118,23 @@ impl Run {
             }
         }
         let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
-        let mut watch = Watch { outputs, bar, interrupt, stop_s: f64::INFINITY };
+        let mut watch = Watch { outputs, pictures, bar, interrupt, stop_s: f64::INFINITY };
         let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
         watch.bar.clear();
         match report {
             Ok(_) if simulation.time() < loaded.scene.duration_s() && watch.interrupt.has_come() => {
+                let (t, duration) = (simulation.time(), loaded.scene.duration_s());
+                let said = format!("interrupted at t = {t} s of {duration} s");
                 keep_partial(watch.outputs)?;
+                show(watch.pictures, &pictures::failed(&said), &Value::Null)?;
                 if let Some(said) = checkpoints.write(&simulation)? {
                     failure::note(&said);
                 }
-                let (t, duration) = (simulation.time(), loaded.scene.duration_s());
-                Err(Failure::Interrupted(format!("interrupted at t = {t} s of {duration} s")))
+                Err(Failure::Interrupted(said))
             }
             Ok(report) => {
                 watch.outputs.finish()?;
+                show(watch.pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
                 let wall_s = started.elapsed().as_secs_f64();
                 if json {
                     stdout::json(&report_json(&report, wall_s))?;
@@ -132,6 +149,9 @@ impl Run {
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
                 keep_partial(watch.outputs)?;
+                if let Err(other) = show(watch.pictures, &pictures::failed(failure.message()), &Value::Null) {
+                    failure::note(other.message());
+                }
                 Err(failure)
             }
         }
@@ -158,6 +178,12 @@ fn go_on(
             watch.bar.note(&said);
         }
     }
+}
+
+/// Completes what shows the run, whether it has ended well or not: a page says itself where the run stopped.
+fn show(mut pictures: Pictures, outcome: &str, report: &Value) -> Result<(), Failure> {
+    pictures.end_run(outcome)?;
+    pictures.finish(report)
 }
 
 /// Keeps what has been written, and says where.

@@ -1,23 +1,20 @@
 //! Loading the scene that a command names.
 
-use crate::args::{EffectsArg, SceneArgs};
+use crate::args::{ChangeArgs, EffectsArg, SceneArgs};
 use crate::failure::Failure;
 use polhode::{Effects, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, Override, load_with};
 
 /// The scene with the changes of the command line.
 pub(crate) fn load(args: &SceneArgs) -> Result<LoadedScene, Failure> {
-    Ok(load_with(&args.scene, &overrides(args)?)?)
+    Ok(load_with(&args.scene, &overrides(&args.changes)?)?)
 }
 
 /// The changes of the command line.
-pub(crate) fn overrides(args: &SceneArgs) -> Result<Vec<Override>, Failure> {
+pub(crate) fn overrides(args: &ChangeArgs) -> Result<Vec<Override>, Failure> {
     let mut overrides = Vec::new();
     for text in &args.set {
-        let change = Override::parse("command line (--set)", text).ok_or_else(|| {
-            Failure::Usage(format!("error: --set {text}: not of the form KEY=VALUE, such as --set duration=5"))
-        })?;
-        overrides.push(change);
+        overrides.push(change("--set", text)?);
     }
     let flags = [
         ("--tier", "method.tier", &args.tier),
@@ -32,13 +29,20 @@ pub(crate) fn overrides(args: &SceneArgs) -> Result<Vec<Override>, Failure> {
     Ok(overrides)
 }
 
+/// One change that an option of this name gives.
+pub(crate) fn change(option: &str, text: &str) -> Result<Override, Failure> {
+    Override::parse(format!("command line ({option})"), text).ok_or_else(|| {
+        Failure::Usage(format!("error: {option} {text}: not of the form KEY=VALUE, such as {option} duration=5"))
+    })
+}
+
 /// The scene, ready to run.
-pub(crate) fn prepare(loaded: &LoadedScene, args: &SceneArgs) -> Result<Simulation, Failure> {
+pub(crate) fn prepare(loaded: &LoadedScene, args: &ChangeArgs) -> Result<Simulation, Failure> {
     Simulation::new(&loaded.scene, effects(args)).map_err(|error| failed(loaded, error))
 }
 
 /// The effects that are simulated.
-pub(crate) fn effects(args: &SceneArgs) -> Effects {
+pub(crate) fn effects(args: &ChangeArgs) -> Effects {
     match args.effects {
         EffectsArg::Planned => Effects::Planned,
         EffectsArg::All => Effects::All,

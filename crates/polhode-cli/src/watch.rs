@@ -1,8 +1,9 @@
 //! What a run shows and writes while it goes on, and when it stops.
 
 use crate::failure::Failure;
+use crate::pictures::Pictures;
 use indicatif::{ProgressBar, ProgressStyle};
-use polhode::{BodySample, Event, Flow, Observer};
+use polhode::{BodySample, Event, Flow, Frame, Observer};
 use polhode_scene::Outputs;
 use std::io::IsTerminal;
 use std::process;
@@ -12,6 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Writes files, shows progress and stops the run at Ctrl-C or when a checkpoint is due.
 pub(crate) struct Watch {
     pub(crate) outputs: Outputs,
+    pub(crate) pictures: Pictures,
     pub(crate) bar: Bar,
     pub(crate) interrupt: Interrupt,
     /// When the run stops next to be kept, s.
@@ -21,15 +23,28 @@ pub(crate) struct Watch {
 impl Observer for Watch {
     fn sample(&mut self, t: f64, bodies: &[BodySample]) {
         self.outputs.sample(t, bodies);
+        self.pictures.sample(t, bodies);
     }
 
     fn event(&mut self, event: &Event) {
         self.outputs.event(event);
+        self.pictures.event(event);
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.pictures.wants_frames()
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.pictures.frame(frame);
     }
 
     fn progress(&mut self, t: f64) -> Flow {
         self.bar.advance(t);
-        if t >= self.stop_s || self.interrupt.has_come() { Flow::Stop } else { self.outputs.progress(t) }
+        if t >= self.stop_s || self.interrupt.has_come() || self.outputs.progress(t) == Flow::Stop {
+            return Flow::Stop;
+        }
+        self.pictures.progress(t)
     }
 }
 
@@ -77,7 +92,7 @@ impl Bar {
         Self { bar, duration_s }
     }
 
-    fn advance(&self, t: f64) {
+    pub(crate) fn advance(&self, t: f64) {
         if let Some(bar) = &self.bar {
             bar.set_position((PARTS * t / self.duration_s) as u64);
             bar.set_message(format!("{t:.3} of {} s", self.duration_s));

@@ -4,18 +4,10 @@
 //! `|a - b| <= atol + rtol max(|a|, |b|)`. A quaternion and its negative are the same rotation, so the sign of the
 //! second is chosen to fit the first. Files are read side by side, row by row, whatever their size.
 
-use crate::csv::{Fault, Records};
 use crate::output::COLUMNS;
-use std::fs::File;
-use std::io::BufReader;
+use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
-
-/// First of the columns that hold numbers.
-const FIRST_NUMBER: usize = 2;
-
-/// Number of columns that hold numbers.
-const NUMBERS: usize = COLUMNS.len() - FIRST_NUMBER;
 
 /// Where the quaternion stands among the numbers.
 const QUATERNION: std::ops::Range<usize> = 3..7;
@@ -53,6 +45,15 @@ pub enum CompareError {
     /// A tolerance is negative or not a number.
     #[error("a tolerance is {0}: a number of at least 0 is needed")]
     Tolerance(f64),
+}
+
+impl From<RowError> for CompareError {
+    fn from(error: RowError) -> Self {
+        match error {
+            RowError::Read { path, source } => Self::Read { path, source },
+            RowError::Content { path, line, reason } => Self::Content { path, line, reason },
+        }
+    }
 }
 
 /// The outcome of a comparison.
@@ -131,7 +132,7 @@ pub fn compare(a: &Path, b: &Path, tolerance: Tolerance) -> Result<Comparison, C
             (Some(row_a), Some(row_b)) if row_a.key == row_b.key => (row_a, row_b),
             (row_a, row_b) => {
                 let (key_a, key_b) = (row_a.map(|row| row.key), row_b.map(|row| row.key));
-                comparison.mismatch = Some(Mismatch { line: a.records.line(), a: key_a, b: key_b });
+                comparison.mismatch = Some(Mismatch { line: a.line(), a: key_a, b: key_b });
                 return Ok(comparison);
             }
         };
@@ -159,54 +160,5 @@ impl Comparison {
                 column.at = Some(DifferencePlace { t, body, a, b });
             }
         }
-    }
-}
-
-/// One row of a trajectory.
-struct Row {
-    /// Time and body as written.
-    key: [String; 2],
-    numbers: [f64; NUMBERS],
-}
-
-/// The rows of a trajectory.
-struct Rows {
-    path: PathBuf,
-    records: Records<BufReader<File>>,
-    fields: Vec<String>,
-}
-
-impl Rows {
-    fn open(path: &Path) -> Result<Self, CompareError> {
-        let file = File::open(path).map_err(|source| CompareError::Read { path: path.to_owned(), source })?;
-        let mut rows = Self { path: path.to_owned(), records: Records::new(BufReader::new(file)), fields: Vec::new() };
-        let is_header = rows.read()? && rows.fields == COLUMNS;
-        if is_header { Ok(rows) } else { Err(rows.content(format!("the first line must be {}", COLUMNS.join(",")))) }
-    }
-
-    fn read(&mut self) -> Result<bool, CompareError> {
-        self.records.read(&mut self.fields).map_err(|fault| match fault {
-            Fault::Io(source) => CompareError::Read { path: self.path.clone(), source },
-            Fault::Content(reason) => self.content(reason.to_owned()),
-        })
-    }
-
-    fn next(&mut self) -> Result<Option<Row>, CompareError> {
-        if !self.read()? {
-            return Ok(None);
-        }
-        if self.fields.len() != COLUMNS.len() {
-            return Err(self.content(format!("{} columns, {} are needed", self.fields.len(), COLUMNS.len())));
-        }
-        let mut numbers = [0.0; NUMBERS];
-        for (number, field) in numbers.iter_mut().zip(&self.fields[FIRST_NUMBER..]) {
-            *number = field.parse().map_err(|_| self.content(format!("`{field}` is not a number")))?;
-        }
-        let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
-        Ok(Some(Row { key, numbers }))
-    }
-
-    fn content(&self, reason: String) -> CompareError {
-        CompareError::Content { path: self.path.clone(), line: self.records.line().max(1), reason }
     }
 }

@@ -11,6 +11,7 @@
 //! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events as CSV |
 //! | [`checkpoint`] | [`Checkpoint`]: a run that can be continued later |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
+//! | [`trajectory`] | [`TrajectoryReader`]: a trajectory read back, held against its scene |
 //! | [`report`] | reports and plans as JSON |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
@@ -59,11 +60,13 @@ pub mod names;
 pub mod output;
 pub mod report;
 pub mod schema;
+pub mod trajectory;
 
 mod build;
 mod csv;
 mod document;
 mod read;
+mod trajectory_rows;
 
 pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, Tolerance, compare};
@@ -75,3 +78,4 @@ pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, OutputError, Outputs};
 pub use report::{plan_json, plan_with_accelerations_json, report_json};
 pub use schema::schema;
+pub use trajectory::{TrajectoryError, TrajectoryReader};

@@ -4,6 +4,8 @@ use crate::BodyId;
 use crate::body_sample::BodySample;
 use crate::collision::contact_set::Touch;
 use crate::energy::Energy;
+use crate::ledger::Ledger;
+use crate::report::Certificate;
 use crate::world::World;
 use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
@@ -82,6 +84,12 @@ pub struct Frame {
     pub islands: Vec<IslandView>,
     /// Energies at this time; `initial_j` is that at the start of the run.
     pub energy: Energy,
+    /// Where the energy went so far: what a step takes is booked at its end.
+    pub ledger: Ledger,
+    /// What is certain of the accuracy of the run so far.
+    pub certificate: Certificate,
+    /// Steps made so far.
+    pub steps: u64,
 }
 
 impl World {

@@ -11,13 +11,18 @@ use std::sync::Arc;
 /// The frame at `t` (s), when the bodies have these states.
 pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
     let sample = |(body, state)| core.world.sample(body, state);
+    let mut books = core.accounts.books.clone();
+    let energy = books.observe(&core.world, states);
     Frame {
         t_s: t,
         bodies: states.iter().enumerate().map(sample).collect(),
         motions: tier.motions(core),
         contacts: tier.contacts(core, t, states),
         islands: tier.islands(core),
-        energy: core.accounts.books.clone().observe(&core.world, states),
+        energy,
+        ledger: books.ledger,
+        certificate: core.accounts.certificate_now(&books.ledger),
+        steps: core.accounts.steps(),
     }
 }
 

@@ -28,7 +28,8 @@ const LAYERS: &[Layer] = &[
         may_use: &["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response"],
     },
     Layer { name: "polhode-scene", may_use: &["polhode"] },
-    Layer { name: "polhode-cli", may_use: &["polhode", "polhode-scene"] },
+    Layer { name: "polhode-view", may_use: &["polhode"] },
+    Layer { name: "polhode-cli", may_use: &["polhode", "polhode-scene", "polhode-view"] },
     Layer {
         name: "xtask",
         may_use: &[
@@ -39,6 +40,7 @@ const LAYERS: &[Layer] = &[
             "polhode-response",
             "polhode",
             "polhode-scene",
+            "polhode-view",
             "polhode-cli",
         ],
     },

@@ -75,7 +75,7 @@ fn instructions(text: &str) -> Option<u64> {
 /// `polhode probe`: prepares a scene and, with `--run`, runs it, printing nothing. What valgrind counts.
 pub(crate) fn probe(args: &ProbeArgs) -> Result<(), Failure> {
     let loaded = scene::load(&args.scene)?;
-    let mut simulation = scene::prepare(&loaded, &args.scene)?;
+    let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     if args.run {
         simulation.run(&mut Unobserved).map_err(|error| scene::failed(&loaded, error))?;
     }

@@ -33,8 +33,8 @@ pub(crate) struct Completed {
 impl Source {
     /// From the arguments of a command.
     pub(crate) fn new(args: &SceneArgs) -> Result<Self, Failure> {
-        let given = scene::overrides(args)?;
-        Ok(Self { path: args.scene.clone(), given, effects: scene::effects(args) })
+        let given = scene::overrides(&args.changes)?;
+        Ok(Self { path: args.scene.clone(), given, effects: scene::effects(&args.changes) })
     }
 
     /// The scene as it is given.

@@ -10,6 +10,7 @@ mod plan;
 mod resume;
 mod run;
 mod usage;
+mod view;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -94,8 +94,8 @@ fn outputs_that_cannot_be_written() {
     let place = Place::with_scene(FLIGHT);
     for (code, name, message) in [
         (2, "a.txt", "accepted: .csv, .npy, .json"),
-        (2, "a.glb", "not yet available"),
-        (2, "a.html", "not yet available"),
+        (2, "a", "accepted: .csv, .npy, .json, .html"),
+        (3, "missing/a.html", "cannot write"),
         (3, "missing/a.csv", "cannot write"),
     ] {
         let run = place.expect(code, &["run", "scene.toml", "-o", name]);

@@ -19,12 +19,6 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
-    /// The ending says a kind of trajectory that is designed but not built.
-    #[error("not yet available: {} (.glb and .html); use .csv, .npy or .json", path.display())]
-    NotYetAvailable {
-        /// The file.
-        path: PathBuf,
-    },
     /// Two outputs have one name.
     #[error("{} is named twice: every output needs a file of its own", path.display())]
     Twice {
@@ -166,7 +160,6 @@ fn format_of(path: &Path, scene: &str, bodies: &[String]) -> Result<Box<dyn Traj
         Some("csv") => Ok(Box::new(Csv::new(bodies).map_err(|source| fault(path, source))?)),
         Some("npy") => Ok(Box::new(Npy::new(bodies.len()))),
         Some("json") => Ok(Box::new(Json::new(scene, bodies))),
-        Some("glb" | "html") => Err(OutputError::NotYetAvailable { path: path.to_owned() }),
         _ => Err(OutputError::Ending { path: path.to_owned() }),
     }
 }

@@ -209,7 +209,7 @@ fn refused_outputs() {
     let create = |name: &str| Outputs::create(&scene(BASE), &[folder.path().join(name)], None).unwrap_err();
     assert!(matches!(create("a.txt"), OutputError::Ending { .. }));
     assert!(matches!(create("a"), OutputError::Ending { .. }));
-    assert!(matches!(create("a.glb"), OutputError::NotYetAvailable { .. }));
+    assert!(matches!(create("a.glb"), OutputError::Ending { .. }));
     assert!(matches!(create("missing/a.csv"), OutputError::Write { .. }));
     std::fs::create_dir(folder.path().join("folder.csv")).unwrap();
     assert!(create("folder.csv").is_input_output());

@@ -15,7 +15,7 @@ use crate::observer::Observer;
 use crate::scene::ImpactLaw;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, Energy, Event, Outcome, RunReport, SimulationError};
+use crate::{Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};
 use books::Books;
 use measures::{Limits, Measures};
 use occurrences::Occurrences;
@@ -198,6 +198,19 @@ impl Accounts {
         self.steps += 1;
     }
 
+    /// Steps counted.
+    pub(crate) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// What is certain so far, with energies relative to the scale of this ledger.
+    pub(crate) fn certificate_now(&self, ledger: &Ledger) -> Certificate {
+        let mut certificate = self.certificate;
+        self.measures.fill(ledger, &mut certificate);
+        certificate.fallbacks = self.tolerated.total();
+        certificate
+    }
+
     /// Adds an event, to be sent to the observer in order of time.
     pub(crate) fn add_event(&mut self, event: Event) {
         self.events.push(event);
@@ -258,9 +271,7 @@ impl Accounts {
     pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
         report.energy = self.books.observe(world, states);
         report.ledger = self.books.ledger;
-        report.certificate = self.certificate;
-        self.measures.fill(&report.ledger, &mut report.certificate);
-        report.certificate.fallbacks = self.tolerated.total();
+        report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.warnings = self.measures.broken(world, &report.ledger, limits);
         if !report.warnings.is_empty() {

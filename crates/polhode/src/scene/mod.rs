@@ -101,6 +101,16 @@ impl Scene {
         Ok(self)
     }
 
+    /// The same scene with samples at this interval.
+    ///
+    /// # Errors
+    /// When the interval is not positive and finite, or there would be too many samples.
+    pub fn with_output_interval(mut self, interval_s: f64) -> Result<Self, SceneError> {
+        self.output_interval_s = error::positive("output.interval", interval_s)?;
+        self.check_counts()?;
+        Ok(self)
+    }
+
     /// Checks the method, and that the numbers of samples and steps are bounded.
     ///
     /// # Errors

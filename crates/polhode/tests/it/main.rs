@@ -12,6 +12,7 @@ mod diamonds;
 mod flight;
 mod forces;
 mod forces_with_contact;
+mod frames;
 mod impacts;
 mod integrators;
 mod invariance;

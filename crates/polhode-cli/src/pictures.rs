@@ -1,0 +1,267 @@
+//! What a run is shown as: pages, pictures and models, which polhode-view makes.
+
+use crate::failure::Failure;
+use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
+use polhode_scene::{AtomicFile, report_json};
+use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
+use polhode_view::glb::write_glb;
+use polhode_view::page::MOST_FRAMES;
+use polhode_view::raster::PictureSize;
+use polhode_view::still::{still, write_png};
+use polhode_view::{FrameSource, Page, PageRun, Recording, ViewError};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Endings of the files that show a run.
+pub(crate) const ENDINGS: &str = ".html, .png, .gif, .apng, .webp, .glb";
+
+/// Width and height of a picture when none are asked for, pixels.
+const PICTURE: [u32; 2] = [1280, 720];
+/// Width and height of a moving picture when none are asked for, pixels.
+const MOVING_PICTURE: [u32; 2] = [640, 360];
+/// Frames a second of a moving picture when none are asked for.
+pub(crate) const MOVING_PICTURE_FPS: f64 = 25.0;
+
+/// How a run is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A page that plays it.
+    Page,
+    /// A picture of its last frame, as PNG.
+    Still,
+    /// A moving picture.
+    Gif,
+    /// A moving picture.
+    Apng,
+    /// A moving picture.
+    WebP,
+    /// An animated model, as binary glTF.
+    Model,
+}
+
+impl Kind {
+    /// The kind that the ending of a name says; none of a file that shows nothing.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
+        match ending.as_str() {
+            "html" => Some(Self::Page),
+            "png" => Some(Self::Still),
+            "gif" => Some(Self::Gif),
+            "apng" => Some(Self::Apng),
+            "webp" => Some(Self::WebP),
+            "glb" => Some(Self::Model),
+            _ => None,
+        }
+    }
+
+    /// Whether it is a moving picture.
+    pub(crate) fn moves(self) -> bool {
+        matches!(self, Self::Gif | Self::Apng | Self::WebP)
+    }
+}
+
+/// The files that show one or two runs, written while they go on.
+pub(crate) struct Pictures {
+    pages: Vec<(PathBuf, Page<AtomicFile>)>,
+    page_runs: Vec<(PathBuf, PageRun<AtomicFile>)>,
+    files: Vec<(Kind, AtomicFile)>,
+    recording: Option<Recording>,
+    options: Options,
+}
+
+/// What the command line asks of them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Options {
+    /// Least time between frames, s; without it what suits their kind.
+    pub(crate) least_interval_s: Option<f64>,
+    /// Width and height of pictures, pixels; without it what suits their kind.
+    pub(crate) size: Option<[u32; 2]>,
+}
+
+impl Options {
+    /// Width and height of a kind of picture.
+    fn size_of(&self, kind: Kind) -> Result<PictureSize, ViewError> {
+        let [width, height] = self.size.unwrap_or(if kind.moves() { MOVING_PICTURE } else { PICTURE });
+        PictureSize::new(width, height)
+    }
+}
+
+impl Pictures {
+    /// Opens the files.
+    ///
+    /// # Errors
+    /// When a name is given twice or a file cannot be opened.
+    pub(crate) fn create(paths: &[PathBuf], title: &str, options: Options) -> Result<Self, Failure> {
+        let mut pictures =
+            Self { pages: Vec::new(), page_runs: Vec::new(), files: Vec::new(), recording: None, options };
+        for (number, path) in paths.iter().enumerate() {
+            if paths[..number].contains(path) {
+                let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
+                return Err(Failure::Usage(what));
+            }
+            let Some(kind) = Kind::of(path) else { continue };
+            let file = AtomicFile::create(path).map_err(|error| failure(path, ViewError::Write(error)))?;
+            match kind {
+                Kind::Page => {
+                    let page = Page::begin(file, title, "").map_err(|error| failure(path, error))?;
+                    pictures.pages.push((path.clone(), page));
+                }
+                kind => {
+                    // Known before the run, not after it.
+                    options.size_of(kind).map_err(|error| failure(path, error))?;
+                    pictures.files.push((kind, file));
+                }
+            }
+        }
+        Ok(pictures)
+    }
+
+    /// Begins a run; pictures and models are of the first.
+    ///
+    /// # Errors
+    /// When the scene has no bodies.
+    pub(crate) fn begin_run(&mut self, scene: &Scene, name: &str, source: FrameSource) -> Result<(), Failure> {
+        for (path, page) in self.pages.drain(..) {
+            let run = page.begin_run(scene, name, source).map_err(|error| failure(&path, error))?;
+            self.page_runs.push((path, run.with_least_interval(self.options.least_interval_s.unwrap_or_default())));
+        }
+        if let (Some((_, file)), None) = (self.files.first(), &self.recording) {
+            let recording = Recording::new(scene, self.recording_interval_s(scene));
+            self.recording = Some(recording.map_err(|error| failure(file.target(), error))?);
+        }
+        Ok(())
+    }
+
+    /// Takes one instant of a scene for its motion.
+    ///
+    /// # Errors
+    /// When the scene has no bodies, or the sample is not one of it.
+    pub(crate) fn take_instant(&mut self, scene: &Scene, t_s: f64, bodies: &[BodySample]) -> Result<(), Failure> {
+        let Some((_, file)) = self.files.first() else { return Ok(()) };
+        let recording = Recording::of_instant(scene, t_s, bodies);
+        self.recording = Some(recording.map_err(|error| failure(file.target(), error))?);
+        Ok(())
+    }
+
+    /// Least time between the frames that are kept, s: of a picture alone only the last one counts.
+    fn recording_interval_s(&self, scene: &Scene) -> f64 {
+        let least = self.options.least_interval_s;
+        if self.files.iter().all(|(kind, _)| *kind == Kind::Still) {
+            f64::INFINITY
+        } else if self.files.iter().any(|(kind, _)| kind.moves()) {
+            least.unwrap_or(1.0 / MOVING_PICTURE_FPS)
+        } else {
+            least.unwrap_or_default().max(scene.duration_s() / MOST_FRAMES)
+        }
+    }
+
+    /// Ends the run.
+    ///
+    /// # Errors
+    /// When it has no frame, or something could not be written.
+    pub(crate) fn end_run(&mut self, outcome: &str) -> Result<(), Failure> {
+        for (path, run) in self.page_runs.drain(..) {
+            let page = run.end(outcome).map_err(|error| failure(&path, error))?;
+            self.pages.push((path, page));
+        }
+        Ok(())
+    }
+
+    /// Completes the files and moves them to their names.
+    ///
+    /// # Errors
+    /// When something cannot be written.
+    pub(crate) fn finish(mut self, report: &Value) -> Result<(), Failure> {
+        for (path, page) in self.pages {
+            let mut file = page.finish(report).map_err(|error| failure(&path, error))?;
+            file.commit().map_err(|error| failure(&path, ViewError::Write(error)))?;
+        }
+        let Some(mut recording) = self.recording.take() else { return Ok(()) };
+        for (number, (kind, mut file)) in self.files.into_iter().enumerate() {
+            let ended = if number == 0 { recording.end() } else { Ok(()) };
+            ended
+                .and_then(|()| encode(&recording, kind, &self.options, &mut file))
+                .and_then(|()| file.commit().map_err(ViewError::Write))
+                .map_err(|error| failure(file.target(), error))?;
+        }
+        Ok(())
+    }
+
+    fn observers(&mut self) -> impl Iterator<Item = &mut dyn Observer> {
+        let pages = self.page_runs.iter_mut().map(|(_, run)| run as &mut dyn Observer);
+        pages.chain(self.recording.iter_mut().map(|recording| recording as &mut dyn Observer))
+    }
+}
+
+impl Observer for Pictures {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        self.observers().for_each(|observer| observer.sample(t, bodies));
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.observers().for_each(|observer| observer.event(event));
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.page_runs.iter().any(|(_, run)| run.wants_frames())
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.observers().for_each(|observer| observer.frame(frame));
+    }
+
+    fn progress(&mut self, t: f64) -> Flow {
+        let stops = self.observers().any(|observer| observer.progress(t) == Flow::Stop);
+        if stops { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+/// Writes a recording into a file of a kind.
+fn encode(recording: &Recording, kind: Kind, options: &Options, file: &mut AtomicFile) -> Result<(), ViewError> {
+    let size = options.size_of(kind)?;
+    let pace = || Pace::new(recording, size);
+    match kind {
+        Kind::Still => {
+            let last = recording.times().len().saturating_sub(1);
+            write_png(&still(recording, last, size), file)
+        }
+        Kind::Gif => write_gif(&pace()?, file),
+        Kind::Apng => write_apng(&pace()?, file),
+        Kind::WebP => write_webp(&pace()?, file),
+        Kind::Model => write_glb(recording, file),
+        // Pages are written while the run goes on.
+        Kind::Page => Ok(()),
+    }
+}
+
+/// The report that stands in a page: without the time that the run took, so that a page has the same bytes every time.
+pub(crate) fn report_in_page(report: &RunReport) -> Value {
+    let mut value = report_json(report, 0.0);
+    if let Some(object) = value.as_object_mut() {
+        object.remove("wall_s");
+    }
+    value
+}
+
+/// How a page says that a run ended.
+pub(crate) fn outcome(report: &RunReport) -> String {
+    match report.outcome {
+        Outcome::Completed => "completed".to_owned(),
+        Outcome::Degraded => "degraded".to_owned(),
+        Outcome::Stopped => failed(&format!("stopped at t = {} s of {} s", report.simulated_s, report.duration_s)),
+    }
+}
+
+/// How a page says that a run failed.
+pub(crate) fn failed(message: &str) -> String {
+    format!("failed: {}", message.trim_start_matches("error: "))
+}
+
+/// A failure of making this file.
+fn failure(path: &Path, error: ViewError) -> Failure {
+    match error {
+        ViewError::Write(error) => Failure::InputOutput(format!("error: cannot write {}: {error}", path.display())),
+        error @ ViewError::Encoding(_) => Failure::InputOutput(format!("error: {}: {error}", path.display())),
+        error => Failure::Usage(format!("error: {}: {error}", path.display())),
+    }
+}

@@ -1,0 +1,323 @@
+//! `polhode view`: a scene or a trajectory as a page, a picture or a model.
+
+use crate::args::ViewArgs;
+use crate::failure::{self, Failure};
+use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
+use crate::watch::{Bar, Interrupt};
+use crate::{scene, stdout};
+use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Unobserved};
+use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, load_with};
+use polhode_view::FrameSource;
+use polhode_view::page::MOST_FRAMES;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Frames for each simulated second when none are asked for.
+const DEFAULT_FPS: f64 = 60.0;
+
+/// Where the motion of a run comes from.
+enum Motion {
+    /// It is simulated.
+    Simulated,
+    /// It has been computed before.
+    Read(PathBuf),
+}
+
+/// A run to be shown.
+struct ShownRun {
+    loaded: LoadedScene,
+    motion: Motion,
+    name: String,
+}
+
+/// Shows what the command line names, and prints where.
+pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
+    let paths = outputs(args)?;
+    let interval_s = interval(args.fps, &paths)?;
+    let runs = runs(args, interval_s)?;
+    check_pictures_of_two(&paths, &runs)?;
+    let first = runs.first().map_or("", |run| run.loaded.scene.name()).to_owned();
+    let options = Options { least_interval_s: args.fps.map(|_| interval_s), size: size(args.size.as_deref())? };
+    let mut pictures = Pictures::create(&paths, &first, options)?;
+    if let (Some(text), [run]) = (&args.still, &runs[..]) {
+        take_still(run, args, still_time(text, run)?, &mut pictures)?;
+        pictures.finish(&Value::Null)?;
+        return print_paths(&paths);
+    }
+    let interrupt = Interrupt::listen()?;
+    let mut reports = Vec::new();
+    let mut ended = Ok(());
+    for run in &runs {
+        let (outcome, report) = show(run, args, &mut pictures, &interrupt)?;
+        let shown = pictures.end_run(&outcome);
+        match report {
+            // What went wrong first is what is told.
+            Err(failure) if shown.is_err() => return Err(failure),
+            Ok(report) => {
+                shown?;
+                reports.push(report);
+            }
+            Err(failure) => {
+                reports.push(Value::Null);
+                ended = Err(failure);
+                break;
+            }
+        }
+    }
+    let report = if reports.len() == 1 { reports.swap_remove(0) } else { Value::Array(reports) };
+    pictures.finish(&report)?;
+    print_paths(&paths)?;
+    ended
+}
+
+/// Says where the files are.
+fn print_paths(paths: &[PathBuf]) -> Result<(), Failure> {
+    paths.iter().try_for_each(|path| stdout::text(&format!("{}\n", path.display())))
+}
+
+/// A picture or model shows one run.
+fn check_pictures_of_two(paths: &[PathBuf], runs: &[ShownRun]) -> Result<(), Failure> {
+    let other = paths.iter().find(|path| Kind::of(path) != Some(Kind::Page));
+    match other {
+        Some(path) if runs.len() > 1 => {
+            let what = format!("error: {}: two runs are shown by a page (.html) alone", path.display());
+            Err(Failure::Usage(what))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The time that `--still` names, s.
+fn still_time(text: &str, run: &ShownRun) -> Result<f64, Failure> {
+    let number = text.strip_prefix("t=").unwrap_or(text).trim();
+    let t: f64 = number
+        .parse()
+        .map_err(|_| Failure::Usage(format!("error: --still {text}: not of the form t=S, such as --still t=1.5")))?;
+    let duration = run.loaded.scene.duration_s();
+    // How long a trajectory is, is known when it has been read.
+    let is_within = t >= 0.0 && (t <= duration || matches!(run.motion, Motion::Read(_)));
+    if is_within { Ok(t) } else { Err(outside(t, 0.0, duration)) }
+}
+
+/// That a time is not one of the run, which is from one time to another, s.
+fn outside(t: f64, from: f64, to: f64) -> Failure {
+    Failure::Usage(format!("error: --still t={t}: the motion is from t = {from} s to {to} s"))
+}
+
+/// Draws one instant: simulated to there exactly, or the nearest sample of a trajectory.
+fn take_still(run: &ShownRun, args: &ViewArgs, t_s: f64, pictures: &mut Pictures) -> Result<(), Failure> {
+    let scene = &run.loaded.scene;
+    match &run.motion {
+        Motion::Simulated => {
+            let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
+            let reached = simulation.advance_to(t_s, &mut Unobserved);
+            reached.map_err(|error| scene::failed(&run.loaded, error))?;
+            pictures.take_instant(scene, t_s, &simulation.bodies())
+        }
+        Motion::Read(path) => {
+            let mut reader = TrajectoryReader::open(path, scene)?;
+            let mut first_s = None;
+            let mut nearest: Option<(f64, Vec<BodySample>)> = None;
+            while let Some((t, bodies)) = reader.next_sample()? {
+                first_s.get_or_insert(t);
+                if nearest.as_ref().is_none_or(|(other, _)| (t - t_s).abs() < (other - t_s).abs()) {
+                    nearest = Some((t, bodies));
+                }
+                if t >= t_s {
+                    break;
+                }
+            }
+            match (first_s, nearest) {
+                (Some(first), Some((t, _))) if t_s < first || (t < t_s && reader.is_at_end()) => {
+                    Err(outside(t_s, first, t))
+                }
+                (_, Some((t, bodies))) => pictures.take_instant(scene, t, &bodies),
+                (_, None) => Ok(()),
+            }
+        }
+    }
+}
+
+/// Width and height of pictures.
+fn size(text: Option<&str>) -> Result<Option<[u32; 2]>, Failure> {
+    let Some(text) = text else { return Ok(None) };
+    let sides = text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+    let what = || Failure::Usage(format!("error: --size {text}: not of the form WxH, such as --size 1280x720"));
+    sides.map(Some).ok_or_else(what)
+}
+
+/// Shows one run: how it ended, and its report or why there is none.
+fn show(
+    run: &ShownRun,
+    args: &ViewArgs,
+    pictures: &mut Pictures,
+    interrupt: &Interrupt,
+) -> Result<(String, Result<Value, Failure>), Failure> {
+    match &run.motion {
+        Motion::Read(path) => {
+            pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Trajectory)?;
+            read(path, run, pictures)?;
+            Ok(("completed".to_owned(), Ok(Value::Null)))
+        }
+        Motion::Simulated => {
+            pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Simulation)?;
+            let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
+            let bar = Bar::new(run.loaded.scene.duration_s());
+            let report = simulation.run(&mut Showing { pictures, bar: &bar, interrupt });
+            bar.clear();
+            match report.map_err(|error| scene::failed(&run.loaded, error)) {
+                Ok(report) if interrupt.has_come() => {
+                    let (t, duration) = (report.simulated_s, report.duration_s);
+                    let said = format!("interrupted at t = {t} s of {duration} s");
+                    Ok((pictures::failed(&said), Err(Failure::Interrupted(said))))
+                }
+                Ok(report) => {
+                    note_degraded(&report);
+                    Ok((pictures::outcome(&report), Ok(pictures::report_in_page(&report))))
+                }
+                Err(failure) => Ok((pictures::failed(failure.message()), Err(failure))),
+            }
+        }
+    }
+}
+
+/// Says on stderr that a run has not kept its promise: what it shows is still worth looking at.
+fn note_degraded(report: &RunReport) {
+    if report.outcome == Outcome::Degraded {
+        let first = report.warnings.first().map_or("", String::as_str);
+        failure::note(&format!("note: {}: degraded: {first}", report.scene));
+    }
+}
+
+/// Shows a trajectory.
+fn read(path: &Path, run: &ShownRun, pictures: &mut Pictures) -> Result<(), Failure> {
+    let mut reader = TrajectoryReader::open(path, &run.loaded.scene)?;
+    while let Some((t, bodies)) = reader.next_sample()? {
+        pictures.sample(t, &bodies);
+        if pictures.progress(t) == Flow::Stop {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// The runs that the command line names.
+fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
+    let is_trajectory = |path: &&PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let trajectories: Vec<_> = args.files.iter().filter(is_trajectory).collect();
+    let scenes: Vec<_> = args.files.iter().filter(|path| !is_trajectory(path)).collect();
+    if let Some(other) = scenes.iter().find(|path| {
+        path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy") || ending.eq_ignore_ascii_case("json"))
+    }) {
+        let what = format!("error: {}: a trajectory is shown from a .csv file", other.display());
+        return Err(Failure::Usage(what));
+    }
+    let changes = scene::overrides(&args.changes)?;
+    let simulated = |path: &Path, changes: &[polhode_scene::Override], name: Option<String>| {
+        let mut loaded = load_with(path, changes)?;
+        let interval = interval_s.max(loaded.scene.duration_s() / MOST_FRAMES).min(loaded.scene.duration_s());
+        let scene = loaded.scene.clone().with_output_interval(interval);
+        loaded.scene = scene.map_err(|error| Failure::from(loaded.explain(error)))?;
+        let name = name.unwrap_or_else(|| loaded.scene.name().to_owned());
+        Ok::<_, Failure>(ShownRun { loaded, motion: Motion::Simulated, name })
+    };
+    match (&scenes[..], &trajectories[..]) {
+        ([], _) => Err(Failure::Usage(
+            "error: a trajectory has no shapes: name its scene too, as in `polhode view scene.toml trajectory.csv`"
+                .to_owned(),
+        )),
+        ([scene], []) if args.beside.is_empty() => Ok(vec![simulated(scene, &changes, None)?]),
+        ([scene], []) => {
+            let mut beside = changes.clone();
+            for text in &args.beside {
+                beside.push(scene::change("--beside", text)?);
+            }
+            let second = Some(args.beside.join(", "));
+            Ok(vec![simulated(scene, &changes, None)?, simulated(scene, &beside, second)?])
+        }
+        (_, _) if !args.beside.is_empty() => {
+            Err(Failure::Usage("error: --beside shows one scene twice: name one scene and no trajectory".to_owned()))
+        }
+        ([a, b], []) => {
+            let named = |path: &Path| Some(path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+            Ok(vec![simulated(a, &changes, named(a))?, simulated(b, &changes, named(b))?])
+        }
+        ([scene], [_] | [_, _]) => trajectories
+            .iter()
+            .map(|path| {
+                let loaded = load_with(scene, &changes)?;
+                let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                Ok(ShownRun { loaded, motion: Motion::Read((*path).clone()), name })
+            })
+            .collect(),
+        _ => Err(Failure::Usage("error: a page shows two runs at the most".to_owned())),
+    }
+}
+
+/// Where the pictures go.
+fn outputs(args: &ViewArgs) -> Result<Vec<PathBuf>, Failure> {
+    if args.output.is_empty() {
+        let ending = if args.still.is_some() { "png" } else { "html" };
+        let beside = args.files.first().map(|file| file.with_extension(ending));
+        return Ok(beside.into_iter().collect());
+    }
+    for path in &args.output {
+        let refused = match Kind::of(path) {
+            None => format!("unknown ending; accepted: {ENDINGS}"),
+            Some(kind) if args.still.is_some() && kind != Kind::Still => "--still draws a picture (.png)".to_owned(),
+            Some(_) => continue,
+        };
+        return Err(Failure::Usage(format!("error: {}: {refused}", path.display())));
+    }
+    Ok(args.output.clone())
+}
+
+/// Time between frames, s.
+fn interval(fps: Option<f64>, paths: &[PathBuf]) -> Result<f64, Failure> {
+    match fps {
+        None if paths.iter().all(|path| Kind::of(path).is_some_and(Kind::moves)) => Ok(1.0 / MOVING_PICTURE_FPS),
+        None => Ok(1.0 / DEFAULT_FPS),
+        Some(fps) if fps.is_finite() && fps > 0.0 => Ok(1.0 / fps),
+        Some(fps) => Err(Failure::Usage(format!("error: --fps {fps}: a positive number of frames a second is needed"))),
+    }
+}
+
+/// Shows a run and its progress, and stops it at Ctrl-C.
+struct Showing<'a> {
+    pictures: &'a mut Pictures,
+    bar: &'a Bar,
+    interrupt: &'a Interrupt,
+}
+
+impl Observer for Showing<'_> {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        self.pictures.sample(t, bodies);
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.pictures.event(event);
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.pictures.wants_frames()
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.pictures.frame(frame);
+    }
+
+    fn progress(&mut self, t: f64) -> Flow {
+        self.bar.advance(t);
+        if self.interrupt.has_come() { Flow::Stop } else { self.pictures.progress(t) }
+    }
+}
+
+impl From<TrajectoryError> for Failure {
+    fn from(failure: TrajectoryError) -> Self {
+        let message = format!("error: {failure}");
+        match failure {
+            TrajectoryError::Read { .. } => Self::InputOutput(message),
+            TrajectoryError::Content { .. } => Self::Usage(message),
+        }
+    }
+}

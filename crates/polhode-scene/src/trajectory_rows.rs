@@ -1,0 +1,81 @@
+//! The rows of a trajectory in a CSV file, read one by one, whatever its size.
+
+use crate::csv::{Fault, Records};
+use crate::output::COLUMNS;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+/// First of the columns that hold numbers.
+pub(crate) const FIRST_NUMBER: usize = 2;
+
+/// Number of columns that hold numbers.
+pub(crate) const NUMBERS: usize = COLUMNS.len() - FIRST_NUMBER;
+
+/// Why a row could not be read.
+#[derive(Debug)]
+pub(crate) enum RowError {
+    /// The file could not be read.
+    Read { path: PathBuf, source: std::io::Error },
+    /// The file is not a trajectory.
+    Content { path: PathBuf, line: u64, reason: String },
+}
+
+/// One row of a trajectory.
+#[derive(Debug)]
+pub(crate) struct Row {
+    /// Time and body as written.
+    pub(crate) key: [String; 2],
+    pub(crate) numbers: [f64; NUMBERS],
+}
+
+/// The rows of a trajectory.
+#[derive(Debug)]
+pub(crate) struct Rows {
+    path: PathBuf,
+    records: Records<BufReader<File>>,
+    fields: Vec<String>,
+}
+
+impl Rows {
+    /// Opens a file and reads its first line, which must name the columns.
+    pub(crate) fn open(path: &Path) -> Result<Self, RowError> {
+        let file = File::open(path).map_err(|source| RowError::Read { path: path.to_owned(), source })?;
+        let mut rows = Self { path: path.to_owned(), records: Records::new(BufReader::new(file)), fields: Vec::new() };
+        let is_header = rows.read()? && rows.fields == COLUMNS;
+        if is_header { Ok(rows) } else { Err(rows.content(format!("the first line must be {}", COLUMNS.join(",")))) }
+    }
+
+    fn read(&mut self) -> Result<bool, RowError> {
+        self.records.read(&mut self.fields).map_err(|fault| match fault {
+            Fault::Io(source) => RowError::Read { path: self.path.clone(), source },
+            Fault::Content(reason) => self.content(reason.to_owned()),
+        })
+    }
+
+    /// The next row; nothing at the end of the file.
+    pub(crate) fn next(&mut self) -> Result<Option<Row>, RowError> {
+        if !self.read()? {
+            return Ok(None);
+        }
+        if self.fields.len() != COLUMNS.len() {
+            return Err(self.content(format!("{} columns, {} are needed", self.fields.len(), COLUMNS.len())));
+        }
+        let mut numbers = [0.0; NUMBERS];
+        for (number, field) in numbers.iter_mut().zip(&self.fields[FIRST_NUMBER..]) {
+            *number = field.parse().map_err(|_| self.content(format!("`{field}` is not a number")))?;
+        }
+        let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
+        Ok(Some(Row { key, numbers }))
+    }
+
+    /// The line, from 1, at which the last row read ends.
+    pub(crate) fn line(&self) -> u64 {
+        self.records.line()
+    }
+
+    /// That the file is not a trajectory at the present line.
+    pub(crate) fn content(&self, reason: String) -> RowError {
+        RowError::Content { path: self.path.clone(), line: self.records.line().max(1), reason }
+    }
+}

@@ -1,0 +1,18 @@
+//! Moving pictures, frame by frame, so that one is in memory.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`pace`] | which frames, and how long each is shown |
+//! | [`gif`] | GIF: 256 colours, opened everywhere |
+//! | [`apng`] | animated PNG: every colour, larger |
+//! | [`webp`] | animated WebP without loss |
+
+pub mod apng;
+pub mod gif;
+pub mod pace;
+pub mod webp;
+
+pub use apng::write_apng;
+pub use gif::write_gif;
+pub use pace::Pace;
+pub use webp::write_webp;

@@ -1,0 +1,57 @@
+//! Which frames a moving picture has, and how long each is shown.
+
+use crate::camera::Camera;
+use crate::error::ViewError;
+use crate::raster::{Picture, PictureSize};
+use crate::recording::Recording;
+use crate::still::frame_from;
+use polhode::spatial::DVec3;
+
+/// Milliseconds that the last frame is shown before the picture begins anew.
+const LAST_MS: u32 = 1000;
+/// Milliseconds that a frame is shown at the least: browsers show shorter ones slowly.
+const LEAST_MS: u32 = 20;
+
+/// The frames of a moving picture in real time, seen by a camera that stands.
+#[derive(Debug)]
+pub struct Pace<'a> {
+    recording: &'a Recording,
+    bounds: [DVec3; 2],
+    camera: Camera,
+    size: PictureSize,
+}
+
+impl<'a> Pace<'a> {
+    /// All frames of a recording, in pictures of this size.
+    ///
+    /// # Errors
+    /// When it has none.
+    pub fn new(recording: &'a Recording, size: PictureSize) -> Result<Self, ViewError> {
+        if recording.times().is_empty() {
+            return Err(ViewError::NoFrames);
+        }
+        let bounds = recording.bounds();
+        Ok(Self { recording, bounds, camera: Camera::for_box(bounds, size.aspect()), size })
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> PictureSize {
+        self.size
+    }
+
+    /// Number of frames.
+    pub fn count(&self) -> usize {
+        self.recording.times().len()
+    }
+
+    /// The pictures in order, with how long each is shown, ms. The times add up to those of the recording.
+    pub fn pictures(&self) -> impl Iterator<Item = (Picture, u32)> + '_ {
+        let times = self.recording.times();
+        let ms = |t: f64| (1000.0 * t).round() as u32;
+        (0..times.len()).map(move |frame| {
+            let shown = times.get(frame + 1).map_or(LAST_MS, |&next| ms(next).saturating_sub(ms(times[frame])));
+            let picture = frame_from(self.recording, frame, self.camera, self.bounds, self.size);
+            (picture, shown.max(LEAST_MS))
+        })
+    }
+}

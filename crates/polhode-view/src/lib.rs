@@ -1,0 +1,46 @@
+//! Runs made visible: one HTML page with a viewer, stills, moving pictures and animated models.
+//!
+//! It shows what it is told and simulates nothing: a [`Scene`](polhode::Scene) gives the bodies, an
+//! [`Observer`](polhode::Observer) or a trajectory gives their motion. It reads no clock, has no global, prints nothing and
+//! writes to whatever is given to it. The same motion gives the same bytes.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`surface_mesh`], [`mod@tessellation`] | triangles, normals and sharp edges of every shape |
+//! | [`shown_scene`], [`mesh_library`] | what is shown: bodies, their parts, and meshes that they share |
+//! | [`quanta`], [`chunk`] | frames as integers, packed |
+//! | [`event_list`], [`series`] | events in words, and quantities over time |
+//! | [`page`] | the page writer, which streams while the run goes on |
+//! | [`recording`] | poses over time, for pictures and models |
+//! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
+//! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
+//! | [`glb`] | animated models as binary glTF |
+//! | [`error`] | [`ViewError`] |
+
+pub mod animation;
+pub mod camera;
+pub mod chunk;
+pub mod error;
+pub mod event_list;
+pub mod glb;
+pub mod light;
+pub mod mesh_library;
+pub mod page;
+pub mod quanta;
+pub mod raster;
+pub mod recording;
+pub mod series;
+pub mod shown_scene;
+pub mod still;
+pub mod surface_mesh;
+pub mod tessellation;
+
+mod colors;
+mod text;
+mod thinning;
+
+pub use error::ViewError;
+pub use mesh_library::MeshLibrary;
+pub use page::{FrameSource, Page, PageRun};
+pub use recording::Recording;
+pub use shown_scene::ShownScene;

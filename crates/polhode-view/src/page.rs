@@ -1,0 +1,349 @@
+//! The page writer: one HTML file, written while the run goes on.
+//!
+//! The page is self-contained: style, viewer and motion are inside. It holds one or two runs. A run is an
+//! [`Observer`]: its frames are packed into chunks ([`chunk`](crate::chunk)), of which one is in memory; quantities over time
+//! and events are kept until the end. Layout: the head, the elements of the viewer, the chunks of each run in order, what is
+//! shown as JSON, the report as JSON, the viewer.
+
+use crate::chunk::{Chunk, ChunkContact, ChunkDetails, NO_ISLAND};
+use crate::error::ViewError;
+use crate::event_list::EventList;
+use crate::mesh_library::MeshLibrary;
+use crate::quanta::Quanta;
+use crate::series::Series;
+use crate::shown_scene::{ShownBody, ShownScene};
+use crate::surface_mesh::SurfaceMesh;
+use crate::text;
+use crate::thinning::Thinning;
+use polhode::spatial::DVec3;
+use polhode::{BodySample, Event, Flow, Frame, MotionKind, Observer, Scene};
+use serde_json::{Value, json};
+use std::io::Write;
+
+const STYLE: &str = include_str!("../viewer/viewer.css");
+const ELEMENTS: &str = include_str!("../viewer/page.html");
+const VIEWER: &str = include_str!("../viewer/dist/viewer.js");
+
+/// The version of what the viewer reads.
+const VERSION: u32 = 1;
+/// Frames of a run at the most: more frequent samples are thinned out, but for the last one.
+pub const MOST_FRAMES: f64 = 10_000.0;
+
+/// Where the frames of a run come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrameSource {
+    /// A simulation: with contacts, islands and energies.
+    Simulation,
+    /// A trajectory: poses and velocities alone.
+    Trajectory,
+}
+
+/// A page that is being written.
+#[derive(Debug)]
+pub struct Page<W> {
+    out: W,
+    title: String,
+    description: String,
+    gravity: Value,
+    meshes: MeshLibrary,
+    runs: Vec<Value>,
+}
+
+impl<W: Write> Page<W> {
+    /// Writes what stands before the motion; `description` says what to look at, and may be empty.
+    ///
+    /// # Errors
+    /// Those of writing.
+    pub fn begin(mut out: W, title: &str, description: &str) -> Result<Self, ViewError> {
+        write!(
+            out,
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
+             <style>\n{STYLE}</style>\n</head>\n<body>\n{ELEMENTS}",
+            text::html(title)
+        )?;
+        let (title, description) = (title.to_owned(), description.to_owned());
+        Ok(Self { out, title, description, gravity: Value::Null, meshes: MeshLibrary::default(), runs: Vec::new() })
+    }
+
+    /// Begins a run of a scene under a name.
+    ///
+    /// # Errors
+    /// When the scene has no bodies.
+    pub fn begin_run(mut self, scene: &Scene, name: &str, source: FrameSource) -> Result<PageRun<W>, ViewError> {
+        if scene.bodies().is_empty() {
+            return Err(ViewError::NoBodies(scene.name().to_owned()));
+        }
+        let shown = ShownScene::new(scene, &mut self.meshes);
+        if self.runs.is_empty() {
+            self.gravity = json!(scene.gravity().to_array());
+        }
+        let quanta = Quanta::for_scene(scene, &shown);
+        Ok(PageRun {
+            chunk: Chunk::new(shown.moving.len(), quanta),
+            page: self,
+            name: name.to_owned(),
+            source,
+            quanta,
+            thinning: Thinning::new(scene.duration_s() / MOST_FRAMES),
+            shown,
+            put_off: None,
+            initial: Value::Null,
+            times: Vec::new(),
+            chunks: Vec::new(),
+            series: Series::default(),
+            events: EventList::default(),
+            fault: None,
+        })
+    }
+
+    /// Writes what stands after the motion, with the report of the run (or `null`); gives back what was written to.
+    ///
+    /// # Errors
+    /// When there is no run, and those of writing.
+    pub fn finish(mut self, report: &Value) -> Result<W, ViewError> {
+        if self.runs.is_empty() {
+            return Err(ViewError::NoFrames);
+        }
+        let show = json!({
+            "version": VERSION,
+            "title": self.title,
+            "description": self.description,
+            "gravity": self.gravity,
+            "meshes": self.meshes.meshes().iter().map(mesh_json).collect::<Vec<_>>(),
+            "runs": self.runs,
+        });
+        for (id, value) in [("polhode-show", &show), ("polhode-report", report)] {
+            let json = text::json_in_html(&value.to_string());
+            writeln!(self.out, "<script id=\"{id}\" type=\"application/json\">{json}</script>")?;
+        }
+        write!(self.out, "<script>\n{VIEWER}</script>\n</body>\n</html>\n")?;
+        self.out.flush()?;
+        Ok(self.out)
+    }
+}
+
+/// A run that is being written into a page.
+///
+/// The first fault stops the run at the end of its step; [`PageRun::end`] returns it.
+#[derive(Debug)]
+pub struct PageRun<W> {
+    page: Page<W>,
+    name: String,
+    source: FrameSource,
+    shown: ShownScene,
+    quanta: Quanta,
+    chunk: Chunk,
+    thinning: Thinning,
+    /// The last sample, when it has not been shown.
+    put_off: Option<(f64, Vec<BodySample>, Option<Frame>)>,
+    initial: Value,
+    times: Vec<f64>,
+    chunks: Vec<Value>,
+    series: Series,
+    events: EventList,
+    fault: Option<ViewError>,
+}
+
+impl<W: Write> PageRun<W> {
+    /// With frames at least this far apart, s.
+    pub fn with_least_interval(mut self, interval_s: f64) -> Self {
+        self.thinning = Thinning::new(interval_s.max(self.shown.duration_s / MOST_FRAMES));
+        self
+    }
+
+    /// Ends the run: `completed`, `degraded`, or `failed: ` with the reason.
+    ///
+    /// # Errors
+    /// The first fault: of writing, or a frame that is not one of the scene. A run without a frame is one too.
+    pub fn end(mut self, outcome: &str) -> Result<Page<W>, ViewError> {
+        if let Some((t, bodies, frame)) = self.put_off.take()
+            && self.fault.is_none()
+        {
+            self.fault = self.add(t, &bodies, frame.as_ref()).err();
+        }
+        if let Some(fault) = self.fault.take() {
+            return Err(fault);
+        }
+        if self.times.is_empty() {
+            return Err(ViewError::NoFrames);
+        }
+        self.write_chunk()?;
+        let duration_s = match self.source {
+            FrameSource::Simulation => self.shown.duration_s,
+            FrameSource::Trajectory => self.times.last().copied().unwrap_or_default(),
+        };
+        let run = json!({
+            "name": self.name,
+            "outcome": outcome,
+            "duration_s": duration_s,
+            "bodies": self.shown.bodies.iter().map(body_json).collect::<Vec<_>>(),
+            "initial": self.initial,
+            "frames": {
+                "count": self.times.len(),
+                "times": text::base64_f64(&self.times),
+                "position_quantum_m": self.quanta.position_m,
+                "velocity_quantum_m_s": self.quanta.velocity_m_s,
+                "spin_quantum_rad_s": self.quanta.spin_rad_s,
+                "moving": self.shown.moving,
+                "contacts": self.source == FrameSource::Simulation,
+                "chunks": self.chunks,
+            },
+            "series": self.series.json(),
+            "events": self.events.into_events(),
+        });
+        self.page.runs.push(run);
+        Ok(self.page)
+    }
+
+    /// Shows a sample, or puts it off to be the last.
+    fn see(&mut self, t: f64, bodies: &[BodySample], frame: Option<&Frame>) {
+        if self.fault.is_some() {
+            return;
+        }
+        if self.thinning.shows(t) {
+            self.put_off = None;
+            self.fault = self.add(t, bodies, frame).err();
+        } else {
+            self.put_off = Some((t, bodies.to_vec(), frame.cloned()));
+        }
+    }
+
+    fn add(&mut self, t: f64, bodies: &[BodySample], frame: Option<&Frame>) -> Result<(), ViewError> {
+        let needed = self.shown.bodies.len();
+        if bodies.len() < needed {
+            return Err(ViewError::BodyCount { found: bodies.len(), needed });
+        }
+        // Bodies that a program adds while the run goes on stand at the end, and are not shown.
+        let bodies = &bodies[..needed];
+        let not_finite = |sample: &BodySample| {
+            let velocity = sample.velocity;
+            !(t.is_finite() && sample.pose.is_finite() && velocity.linear.is_finite() && velocity.angular.is_finite())
+        };
+        if let Some(body) = bodies.iter().position(not_finite) {
+            return Err(ViewError::NotFinite { t_s: t, body: self.shown.bodies[body].name.clone() });
+        }
+        if self.times.is_empty() {
+            self.initial = bodies.iter().map(pose_json).collect();
+        }
+        self.times.push(t);
+        let details = frame.map(|frame| details(frame, &self.shown.moving, self.quanta));
+        if let Some(frame) = frame {
+            self.series.add(frame);
+        }
+        let moving: Vec<&BodySample> = self.shown.moving.iter().map(|&body| &bodies[body]).collect();
+        self.chunk.add(moving.into_iter(), details);
+        if self.chunk.is_full() { self.write_chunk() } else { Ok(()) }
+    }
+
+    fn write_chunk(&mut self) -> Result<(), ViewError> {
+        let count = self.chunk.frames();
+        if count == 0 {
+            return Ok(());
+        }
+        let packed = text::base64(&self.chunk.take()?);
+        let (run, number) = (self.page.runs.len(), self.chunks.len());
+        let id = format!("polhode-frames-{run}-{number}");
+        writeln!(self.page.out, "<script id=\"{id}\" type=\"application/octet-stream\">{packed}</script>")?;
+        self.chunks.push(json!({ "first": self.times.len() - count, "count": count }));
+        Ok(())
+    }
+}
+
+impl<W: Write> Observer for PageRun<W> {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        // What a simulation shows comes with its frame.
+        if self.source == FrameSource::Trajectory {
+            self.see(t, bodies, None);
+        }
+    }
+
+    fn event(&mut self, event: &Event) {
+        let bodies = &self.shown.bodies;
+        self.events.add(event, |body| bodies.get(body).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.source == FrameSource::Simulation
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.see(frame.t_s, &frame.bodies, Some(frame));
+    }
+
+    fn progress(&mut self, _t: f64) -> Flow {
+        if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+/// What a chunk holds of a frame besides poses and velocities.
+fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
+    let motion = |&body: &usize| match frame.motions.get(body) {
+        Some(MotionKind::Flight) => 1,
+        Some(MotionKind::Integrated) => 2,
+        Some(MotionKind::Rest) => 3,
+        Some(MotionKind::Given) | None => 0,
+    };
+    let mut island_of = vec![NO_ISLAND; frame.bodies.len()];
+    for (number, island) in frame.islands.iter().enumerate() {
+        let number = u16::try_from(number).unwrap_or(NO_ISLAND);
+        for body in &island.bodies {
+            if let Some(place) = island_of.get_mut(body.index()) {
+                *place = number;
+            }
+        }
+    }
+    let contacts = frame.contacts.iter().map(|contact| {
+        let bodies = [contact.body_a.index(), contact.body_b.index()];
+        let (separation, force) = (contact.separation_m, contact.normal_force_n);
+        ChunkContact::new(bodies, contact.point_m, contact.normal, separation, force, quanta)
+    });
+    ChunkDetails {
+        motions: moving.iter().map(motion).collect(),
+        islands: moving.iter().map(|&body| island_of[body]).collect(),
+        contacts: contacts.collect(),
+    }
+}
+
+fn pose_json(sample: &BodySample) -> Value {
+    let (p, [w, x, y, z]) = (sample.pose.translation, sample.pose.rotation.to_wxyz());
+    json!([p.x, p.y, p.z, w, x, y, z])
+}
+
+fn mesh_json(mesh: &SurfaceMesh) -> Value {
+    let numbers = |vectors: &[DVec3]| {
+        let flat: Vec<f64> = vectors.iter().flat_map(DVec3::to_array).collect();
+        text::base64_f32(flat.into_iter())
+    };
+    json!({
+        "positions": numbers(&mesh.positions),
+        "normals": numbers(&mesh.normals),
+        "indices": text::base64_u32(mesh.triangles.iter().flatten().copied()),
+        "edges": text::base64_u32(mesh.lines.iter().flatten().copied()),
+    })
+}
+
+fn body_json(body: &ShownBody) -> Value {
+    let parts = body.shape.parts.iter().map(|part| {
+        json!({
+            "mesh": part.mesh,
+            "position": part.position.to_array(),
+            "orientation": part.orientation.to_wxyz(),
+            "scale": part.scale.to_array(),
+        })
+    });
+    let half_spaces = body.shape.half_spaces.iter();
+    json!({
+        "name": body.name,
+        "moves": body.moves,
+        "mass_kg": body.mass_kg,
+        "center_of_mass": body.center_of_mass.to_array(),
+        "principal_inertia_kg_m2": body.principal_moments.map(|moments| moments.to_array()),
+        "principal_axes": body.principal_axes,
+        "parts": parts.collect::<Vec<_>>(),
+        "half_spaces": half_spaces
+            .map(|plane| json!({ "normal": plane.normal().to_array(), "offset_m": plane.offset() }))
+            .collect::<Vec<_>>(),
+        "box": body.bounds.map(|bounds| bounds.map(|corner| corner.to_array())),
+    })
+}

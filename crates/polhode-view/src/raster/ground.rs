@@ -1,0 +1,98 @@
+//! Planes with a grid, which fades into the background far away.
+
+use super::scene_triangles::Plane;
+use crate::colors::Color;
+use polhode::spatial::DVec3;
+
+/// Colour of the ground between the lines, linear light.
+const GROUND: Color = [0.60, 0.61, 0.63];
+/// Width of a line of the grid, as a fraction of the distance between lines.
+const LINE: f64 = 0.012;
+/// How much darker a line is.
+const LINE_LIGHT: f64 = 0.72;
+/// Distance between lines, as a fraction of the size of what is shown, before it is rounded.
+const SPACING: f64 = 0.25;
+/// Where the ground begins to fade and where it has faded, in sizes of what is shown.
+const FADING: [f64; 2] = [1.5, 6.0];
+/// Smallest spacing of the grid, m.
+const SMALLEST_SPACING_M: f64 = 1e-9;
+
+/// The ground of a picture.
+#[derive(Debug, Clone)]
+pub struct Ground {
+    planes: Vec<(Plane, [DVec3; 2])>,
+    center: DVec3,
+    size_m: f64,
+    spacing_m: f64,
+}
+
+/// What is seen of a plane.
+#[derive(Debug, Clone, Copy)]
+pub struct GroundPoint {
+    /// `1/z`, 1/m.
+    pub nearness: f64,
+    /// Where, m.
+    pub place: DVec3,
+    /// Unit normal of the plane.
+    pub normal: DVec3,
+    /// Colour.
+    pub color: Color,
+    /// How much of it is left, 0 to 1.
+    pub strength: f64,
+}
+
+impl Ground {
+    /// Planes under what lies in a box.
+    pub fn new(planes: &[Plane], bounds: [DVec3; 2]) -> Self {
+        let size_m = (bounds[1] - bounds[0]).length();
+        let axes = |plane: &Plane| {
+            let across = plane.normal.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
+            // For level ground x and y of the world.
+            let across = if across.x < 0.0 { -across } else { across };
+            [across, plane.normal.cross(across)]
+        };
+        Self {
+            planes: planes.iter().map(|plane| (*plane, axes(plane))).collect(),
+            center: 0.5 * (bounds[0] + bounds[1]),
+            size_m,
+            spacing_m: round_spacing(SPACING * size_m),
+        }
+    }
+
+    /// The nearest plane that a ray from the eye meets; the ray's component forwards is 1.
+    pub fn seen(&self, eye: DVec3, ray: DVec3) -> Option<GroundPoint> {
+        let mut nearest: Option<GroundPoint> = None;
+        for (plane, axes) in &self.planes {
+            let falls = -plane.normal.dot(ray);
+            let above = plane.normal.dot(eye) - plane.offset_m;
+            // From below, a half-space hides nothing.
+            if falls <= 0.0 || above <= 0.0 {
+                continue;
+            }
+            let nearness = falls / above;
+            if nearest.is_some_and(|other| other.nearness >= nearness) {
+                continue;
+            }
+            let place = eye + ray / nearness;
+            let below = self.center - plane.normal * (plane.normal.dot(self.center) - plane.offset_m);
+            let far = ((place - below).length() / self.size_m - FADING[0]) / (FADING[1] - FADING[0]);
+            let strength = 1.0 - far.clamp(0.0, 1.0);
+            let on_line = axes.iter().any(|axis| {
+                let at = axis.dot(place) / self.spacing_m;
+                (at - at.round()).abs() < 0.5 * LINE
+            });
+            let color = if on_line { GROUND.map(|c| c * LINE_LIGHT) } else { GROUND };
+            nearest = Some(GroundPoint { nearness, place, normal: plane.normal, color, strength });
+        }
+        nearest.filter(|point| point.strength > 0.0)
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, at most this.
+fn round_spacing(wanted: f64) -> f64 {
+    let mut spacing = SMALLEST_SPACING_M;
+    while 10.0 * spacing <= wanted && spacing.is_finite() {
+        spacing *= 10.0;
+    }
+    [5.0, 2.0].into_iter().map(|factor| factor * spacing).find(|&larger| larger <= wanted).unwrap_or(spacing)
+}

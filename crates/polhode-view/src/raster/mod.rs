@@ -1,0 +1,22 @@
+//! A software rasteriser: depth by a z-buffer, Lambert's light with shadow, anti-aliasing by samples.
+//!
+//! Every pixel is the mean of 3 x 3 samples. The picture is made in bands of rows, so that few samples are in memory.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`scene_triangles`] | triangles, lines and planes in the world |
+//! | [`projection`] | from the world to samples, with what is too near cut off |
+//! | [`depth_buffer`] | what is nearest at each sample of a band |
+//! | [`shadow_map`] | what the lamp sees |
+//! | [`ground`] | planes with a grid |
+//! | [`picture`] | the picture, and how it is made |
+
+pub mod depth_buffer;
+pub mod ground;
+pub mod picture;
+pub mod projection;
+pub mod scene_triangles;
+pub mod shadow_map;
+
+pub use picture::{Picture, PictureSize, draw};
+pub use scene_triangles::SceneTriangles;

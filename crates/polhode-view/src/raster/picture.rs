@@ -1,0 +1,197 @@
+//! Pictures, and how they are made.
+
+use super::depth_buffer::{DepthBuffer, FlatSegment, FlatTriangle, Seen};
+use super::ground::Ground;
+use super::projection::Projection;
+use super::scene_triangles::SceneTriangles;
+use super::shadow_map::ShadowMap;
+use crate::camera::Camera;
+use crate::colors::{self, Color};
+use crate::error::ViewError;
+use crate::light::Light;
+use polhode::spatial::DVec3;
+
+/// Samples of a pixel each way.
+const SAMPLES: u32 = 3;
+/// Rows of pixels of a band.
+const BAND: u32 = 16;
+/// Pixels each way at the most.
+const MOST_PIXELS: u32 = 8192;
+/// Width of a line, pixels.
+const LINE_WIDTH: f64 = 1.1;
+/// Light of a line, as a fraction of the colour of its body.
+const LINE_LIGHT: f64 = 0.22;
+/// Background at the top and at the bottom, linear light.
+const BACKGROUND: [Color; 2] = [[0.80, 0.84, 0.90], [0.93, 0.94, 0.95]];
+
+/// Width and height of a picture, pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PictureSize {
+    width: u32,
+    height: u32,
+}
+
+impl PictureSize {
+    /// Pixels across and down.
+    ///
+    /// # Errors
+    /// When one is zero or above 8192.
+    pub fn new(width: u32, height: u32) -> Result<Self, ViewError> {
+        let possible = 1..=MOST_PIXELS;
+        if possible.contains(&width) && possible.contains(&height) {
+            Ok(Self { width, height })
+        } else {
+            Err(ViewError::PictureSize { width, height, most: MOST_PIXELS })
+        }
+    }
+
+    /// Pixels across.
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(self) -> u32 {
+        self.height
+    }
+
+    /// Width over height.
+    pub fn aspect(self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+}
+
+/// A picture: red, green and blue (sRGB) of every pixel, row by row from the top left.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Width and height.
+    pub size: PictureSize,
+    /// Three bytes a pixel.
+    pub rgb: Vec<u8>,
+}
+
+/// Draws what a camera sees; `bounds` are corners of the box that the camera is about, which gives the ground its scale.
+pub fn draw(scene: &SceneTriangles, camera: Camera, light: &Light, bounds: [DVec3; 2], size: PictureSize) -> Picture {
+    let projection = Projection::new(camera, [size.width * SAMPLES, size.height * SAMPLES]);
+    let flat = Flattened::new(scene, &projection);
+    let view = View {
+        scene,
+        light,
+        shadow: ShadowMap::new(scene, light),
+        ground: Ground::new(&scene.planes, bounds),
+        projection,
+    };
+    let mut rgb = Vec::with_capacity(3 * size.width as usize * size.height as usize);
+    let mut top = 0;
+    while top < size.height {
+        let bottom = (top + BAND).min(size.height);
+        let rows = [top, bottom].map(|row| (row * SAMPLES) as usize);
+        let mut buffer = DepthBuffer::new((size.width * SAMPLES) as usize, rows);
+        flat.draw(&mut buffer, rows);
+        for y in top..bottom {
+            for x in 0..size.width {
+                rgb.extend(colors::srgb(view.pixel(&buffer, x, y)));
+            }
+        }
+        top = bottom;
+    }
+    Picture { size, rgb }
+}
+
+/// Triangles and lines in samples, with the rows that they are on.
+struct Flattened {
+    triangles: Vec<([f64; 2], FlatTriangle)>,
+    segments: Vec<([f64; 2], FlatSegment)>,
+}
+
+impl Flattened {
+    fn new(scene: &SceneTriangles, projection: &Projection) -> Self {
+        let camera = &projection.camera;
+        let mut flat = Self { triangles: Vec::new(), segments: Vec::new() };
+        for triangle in &scene.triangles {
+            for corners in projection.cut(triangle.corners.map(|corner| camera.seen(corner))) {
+                let normal = |weights: DVec3| {
+                    triangle.normals[0] * weights.x + triangle.normals[1] * weights.y + triangle.normals[2] * weights.z
+                };
+                let normals = corners.map(|(_, weights)| normal(weights));
+                let corners = corners.map(|(seen, _)| projection.project(seen));
+                let rows = corners.map(|corner| corner.y);
+                let rows = [rows[0].min(rows[1]).min(rows[2]), rows[0].max(rows[1]).max(rows[2])];
+                flat.triangles.push((rows, FlatTriangle { corners, normals, color: triangle.color }));
+            }
+        }
+        for segment in &scene.segments {
+            let Some(ends) = projection.cut_segment(segment.ends.map(|end| camera.seen(end))) else { continue };
+            let ends = ends.map(|end| projection.project(end));
+            let rows = [ends[0].y.min(ends[1].y), ends[0].y.max(ends[1].y)];
+            flat.segments.push((rows, FlatSegment { ends, color: segment.color }));
+        }
+        flat
+    }
+
+    fn draw(&self, buffer: &mut DepthBuffer, rows: [usize; 2]) {
+        let width = LINE_WIDTH * f64::from(SAMPLES);
+        let meets = |[low, high]: [f64; 2]| high + width >= rows[0] as f64 && low - width <= rows[1] as f64;
+        self.triangles.iter().filter(|(rows, _)| meets(*rows)).for_each(|(_, triangle)| buffer.draw_triangle(triangle));
+        for (_, segment) in self.segments.iter().filter(|(rows, _)| meets(*rows)) {
+            buffer.draw_segment(segment, width);
+        }
+    }
+}
+
+/// What gives samples their colours.
+struct View<'a> {
+    scene: &'a SceneTriangles,
+    light: &'a Light,
+    shadow: Option<ShadowMap>,
+    ground: Ground,
+    projection: Projection,
+}
+
+impl View<'_> {
+    /// The mean of the samples of a pixel.
+    fn pixel(&self, buffer: &DepthBuffer, x: u32, y: u32) -> Color {
+        let mut sum = [0.0; 3];
+        for v in y * SAMPLES..(y + 1) * SAMPLES {
+            for u in x * SAMPLES..(x + 1) * SAMPLES {
+                let color = self.sample(buffer.at(u as usize, v as usize), u, v);
+                sum = std::array::from_fn(|i| sum[i] + color[i]);
+            }
+        }
+        sum.map(|channel| channel / f64::from(SAMPLES * SAMPLES))
+    }
+
+    fn sample(&self, seen: &Seen, x: u32, y: u32) -> Color {
+        let camera = &self.projection.camera;
+        let ray = self.projection.ray(x, y);
+        let ground = self.ground.seen(camera.eye, ray).filter(|ground| ground.nearness > seen.nearness);
+        let behind = || {
+            let down = f64::from(y) / f64::from(self.projection.samples[1]);
+            mix(BACKGROUND[0], BACKGROUND[1], down)
+        };
+        if let Some(ground) = ground {
+            let light = self.light.on(ground.normal, self.lit(ground.place, ground.normal));
+            let beyond = if seen.nearness > 0.0 { self.surface(seen, camera.eye, ray) } else { behind() };
+            return mix(beyond, ground.color.map(|c| c * light), ground.strength);
+        }
+        if seen.nearness > 0.0 { self.surface(seen, camera.eye, ray) } else { behind() }
+    }
+
+    fn surface(&self, seen: &Seen, eye: DVec3, ray: DVec3) -> Color {
+        let color = self.scene.colors.get(usize::from(seen.color)).copied().unwrap_or([0.5; 3]);
+        let Some(normal) = seen.normal.try_normalize() else { return color.map(|c| c * LINE_LIGHT) };
+        // Of a surface with two sides the one that is seen.
+        let normal = if normal.dot(ray) > 0.0 { -normal } else { normal };
+        let light = self.light.on(normal, self.lit(eye + ray / seen.nearness, normal));
+        color.map(|c| c * light)
+    }
+
+    fn lit(&self, place: DVec3, normal: DVec3) -> f64 {
+        self.shadow.as_ref().map_or(1.0, |shadow| shadow.lit(place, normal))
+    }
+}
+
+/// From `a` (at 0) to `b` (at 1).
+fn mix(a: Color, b: Color, at: f64) -> Color {
+    std::array::from_fn(|i| a[i] + (b[i] - a[i]) * at)
+}

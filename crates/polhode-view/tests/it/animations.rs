@@ -1,0 +1,75 @@
+//! Moving pictures come back with their frames and times.
+
+use polhode::contact::Shape;
+use polhode::mesh::solid_box;
+use polhode::spatial::{DVec3, Mass};
+use polhode::{Body, Effects, Scene, Simulation};
+use polhode_view::Recording;
+use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
+use polhode_view::raster::PictureSize;
+use std::io::Cursor;
+
+const FRAMES: usize = 6;
+
+fn recording() -> Recording {
+    let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(1.0).unwrap()).unwrap())
+        .geometry(Shape::cuboid(DVec3::ONE).unwrap().into());
+    let scene = Scene::builder("fall").body(brick).duration_s(0.2).output_interval_s(0.04).build().unwrap();
+    let mut recording = Recording::new(&scene, 0.0).unwrap();
+    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recording).unwrap();
+    recording.end().unwrap();
+    recording
+}
+
+fn size() -> PictureSize {
+    PictureSize::new(64, 48).unwrap()
+}
+
+#[test]
+fn gif() {
+    let recording = recording();
+    let mut bytes = Vec::new();
+    write_gif(&Pace::new(&recording, size()).unwrap(), &mut bytes).unwrap();
+    let mut decoder = gif::DecodeOptions::new().read_info(Cursor::new(&bytes)).unwrap();
+    let mut delays = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        assert_eq!((frame.width, frame.height), (64, 48));
+        delays.push(frame.delay);
+    }
+    assert_eq!(delays, [4, 4, 4, 4, 4, 100]);
+}
+
+#[test]
+fn apng() {
+    let recording = recording();
+    let pace = Pace::new(&recording, size()).unwrap();
+    let mut bytes = Vec::new();
+    write_apng(&pace, &mut bytes).unwrap();
+    let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
+    assert_eq!(reader.info().animation_control().unwrap().num_frames as usize, FRAMES);
+    for (picture, shown_ms) in pace.pictures() {
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert!(pixels == picture.rgb);
+        assert_eq!(u32::from(reader.info().frame_control().unwrap().delay_num), shown_ms);
+    }
+}
+
+#[test]
+fn webp() {
+    let recording = recording();
+    let pace = Pace::new(&recording, size()).unwrap();
+    let mut bytes = Vec::new();
+    write_webp(&pace, &mut bytes).unwrap();
+    let mut again = Vec::new();
+    write_webp(&pace, &mut again).unwrap();
+    assert!(bytes == again);
+    let mut decoder = image_webp::WebPDecoder::new(Cursor::new(&bytes)).unwrap();
+    assert!(decoder.is_animated());
+    assert_eq!((decoder.dimensions(), decoder.num_frames() as usize), ((64, 48), FRAMES));
+    for (picture, shown_ms) in pace.pictures() {
+        let mut pixels = vec![0; decoder.output_buffer_size().unwrap()];
+        assert_eq!(decoder.read_frame(&mut pixels).unwrap(), shown_ms);
+        assert!(pixels == picture.rgb);
+    }
+}

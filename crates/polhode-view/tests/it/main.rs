@@ -1,0 +1,10 @@
+//! What is shown against what was simulated.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod animations;
+mod chunks;
+mod models;
+mod page;
+mod stills;
+mod tessellation;

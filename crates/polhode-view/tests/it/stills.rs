@@ -1,0 +1,145 @@
+//! Pictures: silhouettes, what hides what, light and shadow, and the same bytes every time.
+
+use polhode::contact::Shape;
+use polhode::mesh::{solid_box, solid_sphere};
+use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
+use polhode::{Body, BodySample, Scene};
+use polhode_view::Recording;
+use polhode_view::camera::Camera;
+use polhode_view::raster::{Picture, PictureSize};
+use polhode_view::still::{frame_from, still, write_png};
+use std::f64::consts::PI;
+
+const RADIUS: f64 = 0.5;
+
+fn ball(name: &str, place: DVec3) -> Body {
+    Body::movable(name, solid_sphere(RADIUS, Mass::new(1.0).unwrap()).unwrap())
+        .geometry(Shape::sphere(RADIUS).unwrap().into())
+        .pose(Pose::from_translation(place))
+}
+
+/// A scene at its start.
+fn recording(bodies: Vec<Body>) -> Recording {
+    let still = Velocity { linear: DVec3::ZERO, angular: DVec3::ZERO };
+    let samples: Vec<BodySample> =
+        bodies.iter().map(|body| BodySample { pose: *body.initial_pose(), velocity: still }).collect();
+    let scene = bodies.into_iter().fold(Scene::builder("still"), polhode::SceneBuilder::body).build().unwrap();
+    Recording::of_instant(&scene, 0.0, &samples).unwrap()
+}
+
+const BOUNDS: [DVec3; 2] = [DVec3::splat(-1.0), DVec3::ONE];
+
+fn size() -> PictureSize {
+    PictureSize::new(480, 360).unwrap()
+}
+
+fn pixel(picture: &Picture, x: u32, y: u32) -> [u8; 3] {
+    let at = 3 * (y * picture.size.width() + x) as usize;
+    picture.rgb[at..at + 3].try_into().unwrap()
+}
+
+fn brightness(rgb: [u8; 3]) -> u32 {
+    rgb.iter().map(|&channel| u32::from(channel)).sum()
+}
+
+/// Whether red, green or blue is the strongest.
+fn strongest(rgb: [u8; 3]) -> usize {
+    (0..3).max_by_key(|&i| rgb[i]).unwrap()
+}
+
+/// The outline of a ball is a circle of radius `f r / sqrt(d^2 - r^2)`.
+#[test]
+fn silhouette_of_a_ball() {
+    let from = DVec3::new(0.3, -1.0, 0.4);
+    let camera = Camera::at_box(BOUNDS, from, size().aspect());
+    let with = frame_from(&recording(vec![ball("ball", DVec3::ZERO)]), 0, camera, BOUNDS, size());
+    let without = frame_from(&recording(vec![Body::fixed("nothing")]), 0, camera, BOUNDS, size());
+    let differs = |x: u32, y: u32| pixel(&with, x, y) != pixel(&without, x, y);
+    let (width, height) = (size().width(), size().height());
+    let all = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let area = all.filter(|&(x, y)| differs(x, y)).count() as f64;
+    let focal = 0.5 * f64::from(height) / (0.5 * camera.field_of_view_rad).tan();
+    let distance = camera.eye.length();
+    let radius = focal * RADIUS / (distance * distance - RADIUS * RADIUS).sqrt();
+    let expected = PI * radius * radius;
+    // Pixels that are covered in part count whole: half a pixel along the outline.
+    assert!(radius > 50.0 && (area - expected - PI * radius).abs() < 0.01 * expected, "{area} {expected}");
+    for (x, y) in [(radius - 2.0, 0.0), (0.0, radius - 2.0), (1.0 - radius, 0.0), (0.0, 1.0 - radius)] {
+        let at = |beyond: f64| {
+            let out = beyond / radius;
+            ((240.0 + x * (1.0 + out)) as u32, (180.0 + y * (1.0 + out)) as u32)
+        };
+        let (inside, outside) = (at(0.0), at(5.0));
+        assert!(differs(inside.0, inside.1) && !differs(outside.0, outside.1), "{x} {y}");
+    }
+}
+
+/// Seen from the front, the ball in front hides the one behind it, whichever is drawn first.
+#[test]
+fn what_is_nearer_hides_what_is_farther() {
+    let camera = Camera::at_box(BOUNDS, -DVec3::Y, size().aspect());
+    let (near, far) = (DVec3::new(0.0, -0.6, 0.0), DVec3::new(0.0, 0.6, 0.0));
+    let picture = |places: [DVec3; 2]| {
+        let bodies = vec![ball("blue", places[0]), ball("orange", places[1])];
+        frame_from(&recording(bodies), 0, camera, BOUNDS, size())
+    };
+    // Away from the lines on the balls.
+    assert_eq!(strongest(pixel(&picture([near, far]), 255, 165)), 2);
+    assert_eq!(strongest(pixel(&picture([far, near]), 255, 165)), 0);
+}
+
+/// The lamp stands above: the top is brighter than the bottom, and the ball throws a shadow on the ground.
+#[test]
+fn light_and_shadow() {
+    let ground = || {
+        let plane = Shape::half_space(UnitVector::Z);
+        Body::fixed("ground").geometry(plane.into()).pose(Pose::from_translation(-DVec3::Z * RADIUS))
+    };
+    let camera = Camera::at_box(BOUNDS, DVec3::new(0.0, -1.0, 0.6), size().aspect());
+    let with = frame_from(&recording(vec![ground(), ball("ball", DVec3::ZERO)]), 0, camera, BOUNDS, size());
+    let without = frame_from(&recording(vec![ground()]), 0, camera, BOUNDS, size());
+    assert!(brightness(pixel(&with, 230, 150)) > brightness(pixel(&with, 230, 225)) + 60);
+    // The shadow falls away from the lamp, which is to the left and in front.
+    let seen = |place: DVec3| {
+        let seen = camera.seen(place);
+        let focal = 180.0 / (0.5 * camera.field_of_view_rad).tan();
+        ((240.0 + focal * seen.x / seen.z) as u32, (180.0 - focal * seen.y / seen.z) as u32)
+    };
+    let shadow = seen(DVec3::new(0.35, 0.45, -RADIUS));
+    let (dark, bright) = (pixel(&with, shadow.0, shadow.1), pixel(&without, shadow.0, shadow.1));
+    assert!(2 * brightness(dark) < 3 * brightness(bright) && brightness(dark) + 80 < brightness(bright), "{dark:?}");
+    let lit = seen(DVec3::new(-0.9, -0.6, -RADIUS));
+    assert_eq!(pixel(&with, lit.0, lit.1), pixel(&without, lit.0, lit.1));
+}
+
+/// A camera inside of what it looks at draws what is ahead of it.
+#[test]
+fn what_is_behind_the_camera_is_cut_off() {
+    let size_m = DVec3::splat(4.0);
+    let room = Body::movable("room", solid_box(size_m, Mass::new(1.0).unwrap()).unwrap())
+        .geometry(Shape::cuboid(size_m).unwrap().into());
+    let camera = Camera { eye: DVec3::ZERO, ..Camera::for_box(BOUNDS, size().aspect()) };
+    let picture = frame_from(&recording(vec![room]), 0, camera, BOUNDS, size());
+    assert!(picture.rgb.chunks_exact(3).all(|rgb| strongest(rgb.try_into().unwrap()) == 2));
+}
+
+#[test]
+fn the_same_bytes_every_time() {
+    let png = || {
+        let picture = still(&recording(vec![ball("a", DVec3::ZERO), ball("b", DVec3::X)]), 0, size());
+        let mut bytes = Vec::new();
+        write_png(&picture, &mut bytes).unwrap();
+        bytes
+    };
+    let first = png();
+    assert_eq!(first, png());
+    assert_eq!(first[..8], *b"\x89PNG\r\n\x1a\n");
+}
+
+#[test]
+fn sizes() {
+    assert!(PictureSize::new(0, 5).is_err() && PictureSize::new(5, 8193).is_err());
+    // One pixel, and a body of no size far away.
+    let dot = recording(vec![ball("ball", DVec3::new(1e9, -1e9, 1e9))]);
+    assert_eq!(still(&dot, 0, PictureSize::new(1, 1).unwrap()).rgb.len(), 3);
+}
