@@ -3,7 +3,8 @@
 //! A body has 13 numbers a frame: position (quanta), orientation (quaternion, 1/32767), velocity and angular velocity
 //! (quanta). Of each number the second differences over the frames of a chunk are stored, so that smooth motion leaves small
 //! numbers, zigzag (`(d << 1) ^ (d >> 31)`) and in four planes of bytes, so that gzip finds the zeros. After them stand,
-//! if asked for, how each body moves, its island, and the contacts of each frame. `viewer/` has the reader of this.
+//! if asked for, how each body moves, its island, the number of contacts of each frame, and the contacts in columns, which are in
+//! planes of bytes too: a contact differs little from that of the frame before. `viewer/` has the reader of this.
 
 use crate::quanta::Quanta;
 use flate2::{Compression, GzBuilder};
@@ -13,6 +14,8 @@ use std::io::{self, Write};
 
 /// Numbers of a body in a frame.
 pub const CHANNELS: usize = 13;
+/// Numbers of a contact: its two bodies, and eight numbers.
+const CONTACT_COLUMNS: usize = 10;
 /// What a component of a quaternion is multiplied by.
 pub const QUATERNION_STEPS: f64 = 32767.0;
 /// The island of a body that is in none.
@@ -57,6 +60,18 @@ impl ChunkContact {
         let [a, b, c] = normal.to_array().map(|number| shortened(number, NORMAL_BITS));
         let (separation, force) = (shortened(separation_m, SEPARATION_BITS), shortened(force_n, FORCE_BITS));
         Self { bodies: bodies.map(|body| body as u32), numbers: [x, y, z, a, b, c, separation, force] }
+    }
+}
+
+impl ChunkContact {
+    /// Its columns in a chunk: the bodies, and the bits of its numbers.
+    fn words(&self) -> [u32; CONTACT_COLUMNS] {
+        let ([a, b], numbers) = (self.bodies, self.numbers.map(f32::to_bits));
+        std::array::from_fn(|column| match column {
+            0 => a,
+            1 => b,
+            _ => numbers[column - 2],
+        })
     }
 }
 
@@ -194,9 +209,12 @@ impl Chunk {
             bytes.extend(self.details.iter().flat_map(|frame| frame.islands[body].to_le_bytes()));
         }
         bytes.extend(self.details.iter().flat_map(|frame| (frame.contacts.len() as u32).to_le_bytes()));
-        for contact in self.details.iter().flat_map(|frame| &frame.contacts) {
-            bytes.extend(contact.bodies.iter().flat_map(|body| body.to_le_bytes()));
-            bytes.extend(contact.numbers.iter().flat_map(|number| number.to_le_bytes()));
+        let contacts: Vec<[u32; CONTACT_COLUMNS]> =
+            self.details.iter().flat_map(|frame| &frame.contacts).map(ChunkContact::words).collect();
+        for plane in 0..4 {
+            for column in 0..CONTACT_COLUMNS {
+                bytes.extend(contacts.iter().map(|words| words[column].to_le_bytes()[plane]));
+            }
         }
     }
 }

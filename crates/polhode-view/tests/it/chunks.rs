@@ -123,8 +123,10 @@ fn details_come_back() {
     assert_eq!(rest[6..18], [255, 255, 255, 255, 255, 255, 7, 0, 7, 0, 7, 0]);
     assert_eq!(rest[18..30], [0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0]);
     assert_eq!(rest.len(), 30 + 3 * 40);
-    let float = |i: usize| f32::from_le_bytes(rest[i..i + 4].try_into().unwrap());
-    let numbers: Vec<f32> = (0..8).map(|i| float(38 + 4 * i)).collect();
+    // Three contacts in ten columns, the columns in four planes of bytes.
+    let word = |column: usize| u32::from_le_bytes([0, 1, 2, 3].map(|plane| rest[30 + (plane * 10 + column) * 3 + 2]));
+    assert_eq!([word(0), word(1)], [1, 0]);
+    let numbers: Vec<f32> = (2..10).map(|column| f32::from_bits(word(column))).collect();
     assert_eq!(numbers[..6], [0.5, -2.0, 0.0, 0.0, 0.0, 1.0]);
     let rounded = ChunkContact::new([1, 0], DVec3::splat(1.2345), DVec3::X, 0.0, 981.0, QUANTA);
     assert!((rounded.numbers[0] - 1.2345).abs() < 1e-3 && (rounded.numbers[7] / 981.0 - 1.0).abs() < 0.004);

@@ -87,11 +87,29 @@ function decodeContacts(bytes, shape, what) {
   const contact_start = new Uint32Array(frames + 1);
   for (let frame = 0; frame < frames; frame += 1) contact_start[frame + 1] = contact_start[frame] + counts[frame];
   checkLength(bytes, contacts_at + CONTACT_BYTES * contact_start[frames], true, what);
-  const records = bytes.slice(contacts_at).buffer;
+  const records = contactRecords(bytes, contacts_at, contact_start[frames]);
   return {
     kinds: bytes.slice(kinds_at, islands_at),
     islands: new Uint16Array(bytes.slice(islands_at, counts_at).buffer),
     contact_start,
     contacts: { indices: new Uint32Array(records), numbers: new Float32Array(records) },
   };
+}
+
+/**
+ * The contacts one after the other, ten words each. In the chunk they stand in columns, and the columns in four planes of
+ * bytes, the lowest first: byte p of column c of contact n is at (p * 10 + c) * count + n.
+ */
+function contactRecords(bytes, first, count) {
+  const records = new Uint8Array(CONTACT_BYTES * count);
+  let at = first;
+  for (let plane = 0; plane < 4; plane += 1) {
+    for (let column = 0; column < CONTACT_WORDS; column += 1) {
+      for (let contact = 0; contact < count; contact += 1) {
+        records[(contact * CONTACT_WORDS + column) * 4 + plane] = bytes[at];
+        at += 1;
+      }
+    }
+  }
+  return records.buffer;
 }

@@ -61,7 +61,19 @@ function contactBytes(run, first, frames, bodies) {
       );
     }
   }
-  return Buffer.concat([kinds, base64Bytes(islands), base64Bytes(counts), ...records]);
+  const contacts = inPlanes(Buffer.concat(records));
+  return Buffer.concat([kinds, base64Bytes(islands), base64Bytes(counts), contacts]);
+}
+
+/** Records of ten words as columns in planes of bytes. */
+function inPlanes(records) {
+  const count = records.length / 40;
+  const planes = Buffer.alloc(records.length);
+  for (let i = 0; i < records.length; i += 1) {
+    const [contact, column, plane] = [Math.floor(i / 40), Math.floor((i % 40) / 4), i % 4];
+    planes[(plane * 10 + column) * count + contact] = records[i];
+  }
+  return planes;
 }
 
 const base64Bytes = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength);
