@@ -1,4 +1,5 @@
-//! Whole runs of small scenes: what a change to a hot path of the facade costs. `cargo bench -p polhode --bench scenes`.
+//! Whole runs of small scenes, for the cost of changes to hot paths of the facade: `cargo bench -p polhode --bench
+//! scenes`.
 //!
 //! | name | hot path |
 //! |---|---|

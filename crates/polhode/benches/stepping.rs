@@ -1,4 +1,5 @@
-//! A simulation in the hand of a program, and islands whose events crowd: `cargo bench -p polhode --bench stepping`.
+//! A simulation that a program advances and reads, and islands with crowded events:
+//! `cargo bench -p polhode --bench stepping`.
 //!
 //! | name | hot path |
 //! |---|---|
@@ -44,7 +45,7 @@ fn ball(name: String, place: DVec3, material: Material) -> Made<Body> {
     Ok(Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(place)).material(material))
 }
 
-/// Boxes of which each is an island, for their speeds differ.
+/// Boxes that slide at different speeds, so that each is an island.
 fn sliding() -> Made<Scene> {
     let mut builder = Scene::builder("sliding").duration_s(1.0).body(floor());
     for k in 0..BOXES {
@@ -91,7 +92,7 @@ fn step_to_the_end(scene: &Scene) -> bool {
     true
 }
 
-/// One by one the places of bodies in the middle of a step.
+/// Reads the positions of the bodies one by one, in the middle of a step.
 fn bench_reading(criterion: &mut Criterion, scene: &Scene) -> Made<()> {
     let mut simulation = Simulation::new(scene, Effects::Planned)?;
     simulation.advance_to(0.505, &mut Unobserved)?;

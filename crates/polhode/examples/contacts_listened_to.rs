@@ -1,4 +1,4 @@
-//! Contacts: what touches now with what force, and an observer that hears of every impact.
+//! Contacts: the present contacts with their forces, and an observer that receives every impact.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;

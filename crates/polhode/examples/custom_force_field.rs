@@ -1,4 +1,5 @@
-//! A force field of one's own: a trap `V = k z^2/2` in which a body swings; its energy is part of the ledger.
+//! A force field that the program defines: a trap `V = k z^2/2` in which a body swings; its energy is part of the
+//! ledger.
 
 use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
 use polhode::dynamics::{BodyState, RigidBody};

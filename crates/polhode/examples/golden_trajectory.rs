@@ -1,4 +1,4 @@
-//! A golden trajectory for somebody else's CI: a hash of all bits of a run, the same on every platform and at every run.
+//! A golden trajectory for the CI of another project: a hash of all bits of a run, equal on every platform.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;

@@ -1,4 +1,5 @@
-//! A control loop: a thruster holds a drone at a height, by what it sees of the drone a hundred times a second.
+//! A control loop: a hundred times a second the program reads the state of a drone and sets the thrust that holds it at
+//! a height.
 
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass};

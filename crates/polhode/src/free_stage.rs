@@ -1,4 +1,4 @@
-//! Impulse and work of gravity and force fields over a step of an integrator that does not keep books itself.
+//! Impulse and work of gravity and force fields over a step of an integrator that does not compute them itself.
 //!
 //! Impulse and work are integrals over the step, computed by Simpson's rule from the states at both ends and in the
 //! middle. The middle state is that of the cubic Hermite polynomial through states and rates at the ends,

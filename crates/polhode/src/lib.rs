@@ -4,8 +4,8 @@
 //! Scene --> Plan --> Simulation --> samples, events --> RunReport (energies, ledger, certificate)
 //! ```
 //!
-//! A program describes bodies in a [`Scene`], makes a [`Simulation`] of it, and runs it to a [`RunReport`] or advances it
-//! in steps of its own. SI units, f64, right-handed frames, z up (docs/NOTATION.md, with a glossary).
+//! A program describes bodies in a [`Scene`], makes a [`Simulation`] of it, and runs it to a [`RunReport`] or advances
+//! it in steps of its own. SI units, f64, right-handed frames, z up (docs/NOTATION.md, with a glossary).
 //!
 //! # Examples
 //!

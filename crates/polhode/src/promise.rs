@@ -7,11 +7,12 @@
 //! | `stepped` | no promise: depends on the step | no promise | no promise |
 //! | `thesis` | no promise | projects nothing | |
 //!
-//! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m,
-//! and, where bodies meet, their approach within four ulp of the time; tolerance: that of the method; drift: the
-//! tolerance, at least ten times its default; E: the largest energy of the run, at least that of lifting all bodies by
-//! their size, J. A run that exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a
-//! run of any tier with a problem that was not solved to its tolerance.
+//! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
+//! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
+//! run, at least that of lifting all bodies by their size, J. The time of an impact is known to four units in its last
+//! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
+//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
+//! problem that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};

@@ -22,6 +22,7 @@ const DRIFT_FACTOR: f64 = 10.0;
 
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
+
 /// Promised limit of penetration in the tier `accurate` at the default tolerance and tighter ones, relative to the size
 /// of the smaller body. Closing contacts are located far more accurately, whatever the tolerance.
 const PENETRATION_RELATIVE: f64 = 1e-12;

@@ -41,8 +41,8 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
     let mut strongest: Option<(f64, usize, usize, Wrench)> = None;
     for_each_wrench(world, t, states, |force, body, wrench| {
         let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
-        let way = wrench.force.length() * inverse_mass * core.settings.step_s * core.settings.step_s;
-        let sizes = way / world.bodies[body].size;
+        let travel = wrench.force.length() * inverse_mass * core.settings.step_s * core.settings.step_s;
+        let sizes = travel / world.bodies[body].size;
         if sizes > SIZES_PER_STEP && strongest.is_none_or(|(largest, ..)| sizes > largest) {
             strongest = Some((sizes, force, body, wrench));
         }

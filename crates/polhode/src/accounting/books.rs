@@ -160,8 +160,8 @@ impl Books {
         Balance { energy_j: kinetic + potential, momentum }
     }
 
-    /// Books an impact: the change of energy (J) by its impulses in relative velocities, the impulses that fixed and kinematic
-    /// bodies gave, and the work of prescribed motions (J) by them.
+    /// Books an impact: the change of energy (J) by its impulses in relative velocities, the impulses that fixed and
+    /// kinematic bodies gave, and the work of prescribed motions (J) by them.
     pub(crate) fn impact(&mut self, energy_change_j: f64, support: Momentum, work_j: f64) {
         self.ledger.impact.add(-energy_change_j);
         self.ledger.external.add(work_j);

@@ -1,7 +1,7 @@
 //! Accounting: the record of a run from which its report is made.
 //!
-//! The ledger, the certificate, the warnings and the events of a run, whatever tier advances it. Events and samples reach
-//! the observer from here alone, in order of time.
+//! It holds the ledger, the certificate, the warnings and the events, for runs of every tier. All events and samples
+//! pass through it to the observer, in order of time.
 
 pub(crate) mod books;
 pub(crate) mod measures;

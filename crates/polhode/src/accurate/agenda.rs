@@ -1,8 +1,8 @@
-//! The agenda of the run: the times of the ends of the islands' steps, the impacts of pairs, the renewal of the boxes
-//! of bodies in flight, and the beginnings of prescribed motions.
+//! The agenda of the run: the times at which the steps of islands end, pairs collide, the boxes of bodies in flight are
+//! renewed, and the motions of kinematic bodies are not smooth.
 //!
-//! Entries stand in order of time, those of one time in order of their kind and bodies, so that the order in which they were
-//! put in does not matter.
+//! Entries are ordered by time, and entries of one time by kind and bodies, so that the order of insertion does not
+//! matter.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -10,17 +10,17 @@ use std::collections::BTreeSet;
 /// What is due.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Due {
-    /// The step of the island of this first body ends, at a change of its contacts or as planned.
+    /// The step of the island with this first body ends, at a change of its contacts or as planned.
     Island(usize),
-    /// Two bodies meet.
+    /// Two bodies collide.
     Impact(usize, usize),
-    /// The boxes of bodies in flight end.
+    /// The boxes of bodies in flight cease to be valid.
     FlightBoxes,
     /// The motion of a kinematic body is not smooth.
     Corner(usize),
 }
 
-/// A time that is ordered as numbers are, NaN last.
+/// A time with a total order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Time(f64);
 

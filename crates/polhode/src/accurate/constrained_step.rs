@@ -38,7 +38,8 @@ impl ConstrainedStep {
         pairs
     }
 
-    /// States of the island's bodies and of kinematic bodies at a time within the step, written over `states` (of all bodies).
+    /// States of the island's bodies and of kinematic bodies at a time within the step, written over `states` (of all
+    /// bodies).
     pub(super) fn states_at(&self, world: &World, t: f64, states: &mut [BodyState]) {
         world.prescribe(t, states);
         let mut flat = vec![0.0; self.end_state.len()];
@@ -57,7 +58,7 @@ impl ConstrainedStep {
         self.state(&flat, self.bodies.binary_search(&body).ok()?, t)
     }
 
-    /// What the outside has given from the start of the step to `t`.
+    /// Momentum and energy from external agents from the start of the step to `t`.
     pub(super) fn received_until(&self, t: f64) -> Received {
         let mut flat = vec![0.0; self.end_state.len()];
         self.dense.evaluate(t, &mut flat);
@@ -95,12 +96,12 @@ pub(super) fn unpack(flat: &[f64]) -> impl Iterator<Item = BodyState> + '_ {
 pub(super) struct StepEndStates {
     /// States of its bodies.
     pub(super) states: Vec<BodyState>,
-    /// What gravity, fields and fixed bodies gave to it over the step.
+    /// Momentum and energy that external agents gave to it over the step.
     pub(super) received: Received,
 }
 
-/// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the motion
-/// of a kinematic body that they touch is not smooth.
+/// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the
+/// motion of a kinematic body that they touch is not smooth.
 fn horizon(core: &Core, held: &[ContactId], t: f64) -> f64 {
     let end = core.horizon(t);
     core.world.prescribed_corner_between(held, t, end).unwrap_or(end)

@@ -1,10 +1,10 @@
 //! A step of an island with a fixed active set: integrated once, before events are located on it.
 //!
 //! By DOP853 each island takes the longest step that its own error estimate accepts; by the classical method of order 4
-//! (`stage_method.rs`) every step is the longest allowed. The attitude of a body that only forces through
-//! its centre of mass act on is that of free rotation, unless an integrator is asked for by name. A step that an event cuts
-//! short is repeated from its start with the shorter step, not interpolated, so that states at events are as accurate as
-//! states at step ends.
+//! (`stage_method.rs`) every step is the longest allowed. If all forces on a body act through its centre of mass, its
+//! attitude is that of free rotation, unless the scene names an integrator. A step that an event cuts short is repeated
+//! from its start with the shorter step, not interpolated, so that states at events are as accurate as states at step
+//! ends.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
 use super::engine::Engine;
@@ -27,12 +27,12 @@ use polhode_spatial::DVec3;
 /// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
 
-/// Rounding of the directions of contact forces, of which one stage may differ from another: that of the normals, a few
+/// Rounding error of the directions of contact forces, which differs from stage to stage: that of the normals, a few
 /// rounding units.
 const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// Rounding of the poses that fields are evaluated at (relative, 2^-53 to 2^-50): one rounding unit. A larger one would let
-/// steps grow until their own error, which takes energy, is as large as it.
+/// Rounding of the poses at which fields are evaluated (relative, 2^-53 to 2^-50): one rounding unit. With a larger
+/// value steps would grow until their own error, which changes the energy, is as large as this allowance.
 const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 /// The steps of bodies with their held contacts from `t` (s).
@@ -57,7 +57,7 @@ impl Steps for IslandSteps<'_> {
         SMALLEST_STEP_RELATIVE * self.core.settings.step_s
     }
 
-    /// What would be left over of the limit for another step is added to this one.
+    /// If the remainder after this step would be too short for another one, the step extends to the limit.
     fn first_length(&self, proposed_s: f64) -> f64 {
         if is_instant(self.limit_s - proposed_s, self.core.settings.step_s) { self.limit_s } else { proposed_s }
     }
@@ -125,7 +125,7 @@ impl Engine {
         });
         self.restore_scratch(core, scratch, bodies);
         let Ok((step, error)) = attempted else { return Attempt::Failed };
-        // Numbers whose error is not estimated may be infinite although all estimated errors are allowed.
+        // Components without an error estimate may be infinite although all estimated errors are small enough.
         let is_refused = error.is_some_and(|error| error > 1.0 || error.is_nan());
         if !is_refused && step.0.end_state().iter().any(|number| !number.is_finite()) {
             return Attempt::Failed;
@@ -133,7 +133,7 @@ impl Engine {
         Attempt::Made { step, error }
     }
 
-    /// The step of an accepted attempt, with its error in units of what is allowed.
+    /// The step of an accepted attempt, with its error relative to the allowed error.
     fn accepted_step(
         &mut self,
         core: &mut Core,
@@ -161,19 +161,20 @@ impl Engine {
         }
     }
 
-    /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it: the record of the step
-    /// before, not chained, as long as the body is where that leads.
+    /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it. The flight record of
+    /// an earlier step is used as long as the body has the attitude that it gives: a new record at every step would add
+    /// its rounding.
     fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
         let is_held = held.iter().any(|id| id.a == body || id.b == body);
         if is_held || core.settings.asked_integrator.is_some() || !core.world.is_pushed_only(body) {
             return None;
         }
         let state = self.states[body];
-        let leads_here = |spin: &Flight| {
+        let gives_this_attitude = |spin: &Flight| {
             polhode_spatial::Motion::pose(spin, t).rotation == state.pose.rotation
                 && spin.start().angular_momentum == state.angular_momentum
         };
-        if let Some(spin) = self.spins.get(&body).filter(|spin| leads_here(spin)) {
+        if let Some(spin) = self.spins.get(&body).filter(|spin| gives_this_attitude(spin)) {
             return Some(*spin);
         }
         let rigid = core.world.bodies[body].rigid.as_ref()?;
@@ -194,7 +195,8 @@ impl Engine {
         Ok((step, error))
     }
 
-    /// Largest error of an attempt over the quantities of the bodies, in units of what a step may err: NaN when one is.
+    /// Largest error of an attempt over the quantities of the bodies, relative to the allowed error; NaN when one error
+    /// is NaN.
     fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
         let mut largest = LargestError::default();
         let bodies = system.bodies();
@@ -210,7 +212,7 @@ impl Engine {
             let allowance = allowance(core, body, &self.states[body], rates, end, loads.of(body));
             let cancelling = system.cancelling()[index];
             let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
-            let rounding = rounding(core, body, (cancelling, of_places(ends)), h);
+            let rounding = rounding(core, body, (cancelling, field_rounding(ends)), h);
             largest.include_body(integrator, offset, allowance.at_least(rounding));
         }
         largest.get()
@@ -237,9 +239,10 @@ impl Engine {
 }
 
 /// The error allowed in a step for each quantity of a body: the tolerance, of which a step may use [`STEP_SHARE`],
-/// times the size of what the quantity measures. Length is the body's size, speed the largest of its own speed at
-/// both ends of the step and what gravity, its accelerations at the start (`rates`) and the forces at the end give
-/// over its size. The larger of two errors counts, not their mean: more bodies do not make a step more lenient.
+/// times the scale of the quantity. The scale of length is the body's size. The scale of speed is the largest of the
+/// body's speeds at both ends of the step and of the speeds that gravity, its accelerations at the start (`rates`) and
+/// the forces at the end give it over its size. The largest error counts, not the mean, so that further bodies do not
+/// loosen the error control.
 fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[f64], load: Wrench) -> ErrorAllowance {
     let world: &World = &core.world;
     let tolerance = STEP_SHARE * core.settings.tolerance;
@@ -257,7 +260,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
         velocity.angular.length() * length,
         (size(rates, LINEAR_VELOCITY) * length).sqrt(),
         per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
-        // Where a force sets in within the step, what moves at its end is of the order of the error.
+        // If a force sets in within the step, the speed at its end may be of the order of the error.
         (load.force.length() * inverse_mass * length).sqrt(),
         per_moment(load.torque.length()).sqrt() * length,
         size(end, LINEAR_VELOCITY),
@@ -273,9 +276,9 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
     }
 }
 
-/// What rounding leaves in a step of `h` (s), for each quantity of a body: of contact forces whose magnitudes add up to
-/// `cancelling` (N, N m), and of fields that the rounding of places changes by `fields` (N, N m). Shorter steps do not make
-/// it less.
+/// Rounding error of a step of `h` (s), for each quantity of a body: that of contact forces whose magnitudes add up to
+/// `force` (N) and `moment` (N m), and that of fields, which the rounding of poses changes by `fields` (N, N m).
+/// Shorter steps do not reduce it.
 fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> ErrorAllowance {
     let Some(rigid) = &core.world.bodies[body].rigid else { return ErrorAllowance::default() };
     let inverse_moment = 1.0 / rigid.moments().min_element();
@@ -289,12 +292,12 @@ fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64
     }
 }
 
-/// What the rounding of its pose changes in the force (N) and moment (N m) of fields on a body, from its states and
-/// loads at both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. Measured as the change of
-/// the load over the step per rounding unit by which the pose has changed, of place or attitude by the larger number of
-/// units, so that it is not too large where the load depends on one of them alone. For a body that has not moved the
-/// result is zero.
-fn of_places([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
+/// The change of the force (N) and moment (N m) of fields on a body by the rounding of its pose, from its states and
+/// loads at both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. It is the change of the
+/// load over the step, divided by the number of rounding units by which the pose has changed. Of position and attitude
+/// the larger number counts, so that the result is not too large if the load depends on one of them alone. For a body
+/// that has not moved the result is zero.
+fn field_rounding([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
     let (from, to) = (&start.pose, &end.pose);
     let unit = POSE_ROUNDING * from.translation.abs().max(to.translation.abs()).max_element();
     let way = (to.translation - from.translation).length();

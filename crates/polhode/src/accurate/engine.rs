@@ -35,7 +35,7 @@ pub(super) enum Mode {
     Prescribed,
     /// Free flight, by its flight record.
     Flight(Box<Flight>),
-    /// Constrained motion: with held contacts, or under forces, integrated by DOP853.
+    /// Constrained motion, with held contacts or under forces: integrated by DOP853, or by RK4 if the scene names it.
     Constrained,
     /// By the integrator of free motion.
     Stepped,
@@ -151,7 +151,10 @@ impl Engine {
             Due::Corner(body) => self.pass_corner(core, body, t),
             Due::Impact(a, b) => self.resolve_event(core, t, &[a, b]).map(|()| Reached::Event),
             Due::Island(first)
-                if self.islands.get(&first).is_some_and(|island| island.changes || comes_to_stand(core, island, t)) =>
+                if self
+                    .islands
+                    .get(&first)
+                    .is_some_and(|island| island.changes || kinematic_member_stops(core, island, t)) =>
             {
                 self.resolve_event(core, t, &[first]).map(|()| Reached::Event)
             }
@@ -261,7 +264,7 @@ impl Engine {
         Some(first)
     }
 
-    /// The islands that wait at the end of the run.
+    /// The islands that have no step yet.
     pub(super) fn waiting_islands(&self) -> Vec<usize> {
         let waits = |island: &Island| matches!(island.step, Step::Waiting(_));
         self.islands.iter().filter(|(_, island)| waits(island)).map(|(&first, _)| first).collect()
@@ -408,7 +411,7 @@ impl Engine {
 
 /// Whether a kinematic body that an island touches stops at `t`, the end of the island's step: then the island may come
 /// to rest.
-pub(super) fn comes_to_stand(core: &Core, island: &Island, t: f64) -> bool {
+pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
     let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
     members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
 }

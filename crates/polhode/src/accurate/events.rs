@@ -375,7 +375,7 @@ impl Engine {
         }
     }
 
-    /// Continues the islands that wait at the end of the run.
+    /// Begins steps of the islands that have none, because the run has ended.
     ///
     /// # Errors
     /// When no step is possible.

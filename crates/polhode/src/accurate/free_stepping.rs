@@ -1,13 +1,13 @@
 //! Steps of bodies without contacts by the integrator that the scene names.
 //!
 //! The integrator moves the bodies of an island by steps of the length given, and keeps its own variables from step to
-//! step; after an event it starts anew from the states. The states within its step are the method's own. Where such bodies
-//! may collide, their motion over the step is made of polynomials through eight of those states each, as many as the
-//! turning of the bodies needs.
+//! step; after an event it starts anew from the states. The states within a step are evaluated by the method itself. If
+//! such bodies may collide, the search for impacts needs their motion over the step. It is then represented by
+//! polynomials, each through eight states; the number of polynomials follows from the angle by which the bodies turn.
 //!
-//! Where the plan has chosen splitting under error control, the scene names no step and nothing may collide, the steps
-//! follow the motion: a step that the integrator need not divide, and that errs by next to nothing, is followed by one twice as long, one that it has to divide
-//! into many by one half as long.
+//! The length of the steps adapts to the motion if the plan has chosen splitting under error control, the scene names
+//! no step, and no bodies may collide. The next step is twice as long after a step that the integrator has not divided
+//! and whose error is negligible, and half as long after a step that it has divided into many parts.
 
 use super::constrained_step::{end_of, step_limit};
 use crate::SimulationError;
@@ -30,20 +30,22 @@ use std::sync::Arc;
 /// Turn of a body within one polynomial, rad: the interpolation of its quaternion then errs by some 1e-14.
 const TURN_OF_POLYNOMIAL: f64 = 0.5;
 
-/// Splittings within a step that the plan has chosen them for, at the most: more cost more than DOP853 does.
+/// Most splittings of one step when the plan has chosen splitting: more would cost more than DOP853.
 const MOST_SPLITTINGS: u32 = 64;
 
-/// Polynomials of a step at the most: beyond, an impact found late shows in the certificate.
+/// Most polynomials of one step. If a body turns too fast for them, an impact may be found late; the certificate then
+/// shows the penetration.
 const MOST_POLYNOMIALS: f64 = 4096.0;
 
-/// Parts of a step of an error-controlled splitting that it was not divided for: its estimate takes two.
+/// Number of parts of a step that error-controlled splitting has not divided: its error estimate alone needs two.
 const UNDIVIDED: u32 = 2;
 
-/// A step whose error, in units of what is allowed, is below this is followed by a longer one (dimensionless, 1e-9 to 1e-3):
-/// twice as long it errs 32 times as much, which over a run must stay far below what a fixed step leaves.
+/// A step whose error is below this fraction of the allowed error is followed by a longer one (dimensionless, 1e-9 to
+/// 1e-3). The error of a step twice as long is 32 times as large, and over a run it must stay far below that of a fixed
+/// step.
 const NEGLIGIBLE_ERROR: f64 = 1e-3;
 
-/// Parts of a step from which on a shorter step serves better: twice as many as a step twice as long may take at order 4.
+/// Number of parts from which on the next step is shorter: twice as many as a step twice as long may take at order 4.
 const MUCH_DIVIDED: u32 = 8;
 
 /// A step of bodies by an integrator of free motion.
@@ -66,7 +68,7 @@ pub(super) struct FreeStep {
     motions: Vec<Option<Piecewise>>,
     /// States at the present.
     present: Vec<BodyState>,
-    /// Length of the next step where steps follow the motion, s.
+    /// Length of the next step, if the length adapts to the motion, s.
     own_step_s: f64,
 }
 
@@ -161,7 +163,7 @@ impl FreeStep {
     }
 
     fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        let mut h = if follows_motion(core) { self.own_step_s } else { step_limit(core, &[], self.t) };
+        let mut h = if adapts_step(core) { self.own_step_s } else { step_limit(core, &[], self.t) };
         self.from = self.integrator.time();
         let motion = Self::motion(&self.rigid, &self.fields, &core.world);
         loop {
@@ -170,7 +172,7 @@ impl FreeStep {
                 Ok(()) => break,
                 // Only a failed step of the length that the scene allows shows that forces are too strong for
                 // splitting.
-                Err(_) if follows_motion(core) && h > core.settings.step_s => h = (0.5 * h).max(core.settings.step_s),
+                Err(_) if adapts_step(core) && h > core.settings.step_s => h = (0.5 * h).max(core.settings.step_s),
                 Err(source) => return Err(SimulationError::Integration { t: self.t, source }),
             }
         }
@@ -196,7 +198,7 @@ impl FreeStep {
         let speeds = self.bodies.iter().zip(&self.rigid).zip(&self.start).filter(|((body, _), _)| collides(**body));
         let turning = speeds.map(|((_, rigid), state)| rigid.velocity(state).angular.length()).fold(0.0, f64::max);
         let (t, end) = (self.t, self.end);
-        // Not a number counts as one.
+        // If the count is not a number, one polynomial is made.
         let count = (((end - t) * turning / TURN_OF_POLYNOMIAL).ceil().clamp(1.0, MOST_POLYNOMIALS) as u32).max(1);
         let mut sample = |t: f64| self.states_at(world, t);
         let time = |k: u32| if k == count { end } else { t + (end - t) * (f64::from(k) / f64::from(count)) };
@@ -268,7 +270,7 @@ struct Restricted {
     fields: Arc<[Box<dyn Field>]>,
     /// Mass properties of all movable bodies.
     all: Arc<[RigidBody]>,
-    /// Places of the bodies among those that move.
+    /// Slots of the bodies: their places among the movable ones.
     slots: Vec<usize>,
 }
 
@@ -290,7 +292,7 @@ impl Field for Restricted {
     }
 
     fn add_wrenches(&self, t: f64, _bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
-        // Bodies of other islands stand anywhere: no field of this island depends on them.
+        // No field of this island depends on bodies of other islands, so their states are arbitrary.
         let mut all_states = vec![BodyState::default(); self.all.len()];
         let mut all_wrenches = vec![Wrench::default(); self.all.len()];
         for (&slot, state) in self.slots.iter().zip(states) {
@@ -310,8 +312,8 @@ impl Field for Restricted {
     }
 }
 
-/// Whether steps follow the motion.
-fn follows_motion(core: &Core) -> bool {
+/// Whether the length of the steps adapts to the motion.
+fn adapts_step(core: &Core) -> bool {
     core.settings.splits_by_choice() && !core.settings.step_is_asked && !core.world.may_collide_at_all()
 }
 
@@ -358,8 +360,8 @@ impl Motion for Piecewise {
     }
 }
 
-/// States at `t` of bodies that an integrator of free motion moves, and what the outside gave to them since their step
-/// began; `states` are those of all bodies.
+/// States at `t` of bodies that an integrator of free motion moves, and the momentum and energy that external agents
+/// gave to them since their step began; `states` are those of all bodies.
 ///
 /// # Errors
 /// When the integrator cannot evaluate them.

@@ -24,7 +24,7 @@ pub(super) struct Instant {
     pub(super) woken: BTreeSet<usize>,
     /// When the bounces that are ended at this instant would have ended, by body, s.
     pub(super) rest_times: BTreeMap<usize, f64>,
-    /// Largest speed of any of the bodies so far, or what gravity gives over a body's size, m/s.
+    /// Largest speed of any of the bodies so far, at least that of a fall over a body's size, m/s.
     pub(super) speed_scale: f64,
 }
 

@@ -1,8 +1,9 @@
 //! Islands: bodies that move together until the next event.
 //!
-//! An island is a connected part of the bodies that held contacts join, or forces that make the motion of one depend on
-//! another, or one integrator's variables. It advances by its own steps, with its own contacts and events; a body in
-//! flight or at rest is in none. Bodies of different islands interact only through the search for their impact.
+//! Bodies are in one island if they are connected by held contacts, or by forces that couple their motions. One
+//! integrator advances them, with common variables. An island advances by its own steps, with its own contacts and
+//! events; a body in flight or at rest is in none. Bodies of different islands interact only through the search for
+//! their impact.
 
 use super::constrained_step::ConstrainedStep;
 use super::crowd_step::CrowdStep;
@@ -25,7 +26,7 @@ pub(super) struct Island {
     pub(super) due: f64,
     /// Whether the contacts change then.
     pub(super) changes: bool,
-    /// Whether the forces of the contacts could not be found.
+    /// Whether contact forces, or a step under them, could not be found: time steps then advance the island.
     pub(super) is_unsolved: bool,
     /// Contacts that break then: their forces reach zero.
     pub(super) departing: BTreeSet<ContactId>,
@@ -34,13 +35,14 @@ pub(super) struct Island {
 /// A step of an island.
 #[derive(Debug)]
 pub(super) enum Step {
-    /// By DOP853, with contact forces at every stage.
+    /// By DOP853 or RK4, with contact forces at every stage.
     Constrained(ConstrainedStep),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
     /// By one time step of a stretch of crowded events.
     Crowd(Box<CrowdStep>),
-    /// None yet: at the end of the run no step may be needed, and prescribed quantities may be undefined beyond it.
+    /// No step, at this time (s). Either the run ends here: a step may not be needed, and prescribed quantities may be
+    /// undefined beyond the end. Or error control accepts no step, and time steps will advance the island.
     Waiting(f64),
 }
 

@@ -21,7 +21,7 @@ pub(super) struct NearPairs {
     pub(super) watches: BTreeMap<(usize, usize), Watch>,
     /// Partners of each body, ascending.
     pub(super) partners: Vec<Vec<usize>>,
-    /// When the boxes of flights and of kinematic bodies end, s.
+    /// Time up to which the boxes of flights and of kinematic bodies are valid, s.
     pub(super) flight_end: f64,
 }
 
@@ -53,7 +53,7 @@ impl NearPairs {
     /// The pairs of such data.
     ///
     /// # Errors
-    /// When they are of bodies that there are not.
+    /// When they name a body that does not exist.
     pub(super) fn restored(core: &Core, saved: &content::NearPairs) -> Result<Self, SnapshotError> {
         let bodies = core.world.bodies.len();
         let is_list = |(body, list): (usize, &Vec<usize>)| {
@@ -73,7 +73,7 @@ impl NearPairs {
         Ok(Self { boxes, watches, partners: saved.partners.clone(), flight_end: saved.flight_end })
     }
 
-    /// The impacts found: when (s) and of whom.
+    /// The impacts found: time (s) and pair.
     pub(super) fn impacts(&self) -> impl Iterator<Item = (f64, (usize, usize))> {
         self.watches.iter().map(|(&pair, watch)| (watch.impact, pair))
     }

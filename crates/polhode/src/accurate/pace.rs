@@ -29,32 +29,32 @@ const ADVANCE_RELATIVE: f64 = 1e-4;
 /// Most steps without an advance of time: several times as many as approach an event.
 const MOST_STEPS: u64 = 256;
 
+/// [`MOST_STEPS`] for bodies that have passed a stretch of crowded events: their events are expected to crowd again,
+/// and a lower limit detects this earlier.
+const MOST_STEPS_AGAIN: u64 = 128;
+
 /// Number of steps for the mean step length. At a contact whose point moves around ever faster, as when a ball settles
 /// in a ring, every step advances, but the run would never end.
 const MEAN_OF_STEPS: u64 = 2048;
 
-/// The same of bodies that have been through a stretch of crowded events.
+/// [`MEAN_OF_STEPS`] for bodies that have passed a stretch of crowded events.
 const MEAN_OF_STEPS_AGAIN: u64 = 256;
 
 /// Mean step length below which events count as crowded, as a fraction of the longest step. One revolution of a contact
 /// point takes some ten steps.
 const MEAN_RELATIVE: f64 = 1e-4;
 
-/// Whether a time is too short to be a step, s.
-pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
-    dt <= INSTANT_RELATIVE * longest_step_s
-}
-
-/// The same for bodies that have passed a stretch of crowded events: their events are expected to crowd again, and a
-/// lower limit detects this earlier.
-const MOST_STEPS_AGAIN: u64 = 128;
-
 /// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary
 /// pile.
 const MOST_EVENTS: u64 = 256;
 
-/// The same of bodies that have been through a stretch of crowded events.
+/// [`MOST_EVENTS`] for bodies that have passed a stretch of crowded events.
 const MOST_EVENTS_AGAIN: u64 = 32;
+
+/// Whether a time (s) is too short to be a step.
+pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
+    dt <= INSTANT_RELATIVE * longest_step_s
+}
 
 /// Time no longer advances.
 #[derive(Debug, Clone, Copy, PartialEq)]

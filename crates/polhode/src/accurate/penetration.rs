@@ -21,8 +21,8 @@ use std::convert::Infallible;
 /// penetration (1e-12, `promise.rs`).
 pub(super) const PENETRATION_RELATIVE: f64 = 2.5e-13;
 
-/// Bodies that overlap by this many such depths more than each of their contacts penetrate at another point: three
-/// quarters of the promised limit.
+/// If two bodies overlap deeper than each of their contacts, by more than this many such depths, they penetrate at a
+/// point that no contact shows: three quarters of the promised limit.
 const UNDETECTED_DEPTHS: f64 = 3.0;
 
 /// Penetration of a pair in contact besides its held contacts.

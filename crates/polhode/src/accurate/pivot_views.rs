@@ -1,8 +1,8 @@
 //! Forces of pivots at one instant.
 //!
-//! By rows it is the force of constraint. Of a body of which turning alone is left it follows from Newton's law for its centre
-//! of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with `a_cm = alpha x r + w x (w x r)`, r from the pivot to the centre of
-//! mass.
+//! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
+//! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
+//! `a_cm = alpha x r + w x (w x r)`, r from the pivot to the centre of mass.
 
 use super::engine::Engine;
 use super::hold::Forces;

@@ -54,8 +54,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Restores the poses `start` if the bodies now overlap neighbours more than there and all contacts `touching`
-    /// touch there. Returns whether it did.
+    /// Restores the poses `start` under two conditions: in them the bodies overlap their neighbours less than now, and
+    /// all contacts `touching` still touch. Returns whether it did.
     fn restore_poses_if_pushed(
         &mut self,
         core: &Core,

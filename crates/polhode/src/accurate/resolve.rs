@@ -23,11 +23,12 @@ use std::collections::BTreeSet;
 /// separating. It is about a thousand rounding units.
 const SUSTAINED_RELATIVE: f64 = 1e-12;
 
-/// The same, as a fraction of the largest speed of the run: the rounding error of velocities that cancelled.
+/// The same, as a fraction of the largest speed that the bodies of the instant have had: the rounding error of
+/// velocities that cancelled.
 const SUSTAINED_SCENE_RELATIVE: f64 = 1e-14;
 
-/// Bodies in equilibrium slower than this fraction of the largest speed of the run are at rest: rounding and the
-/// projection of velocities leave such speeds after the last impact.
+/// Bodies in equilibrium slower than this fraction of the largest speed that the bodies of the instant have had are at
+/// rest: rounding and the projection of velocities leave such speeds after the last impact.
 const STOPPED_RELATIVE: f64 = 1e-13;
 
 /// Bounces up to this many times the touch distance in height are not resolved one by one: during such a bounce the

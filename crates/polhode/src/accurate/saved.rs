@@ -1,8 +1,8 @@
 //! Conversion of a run to plain data and back.
 //!
-//! Kept are the states at the starts of the steps, how each body moves, the islands with the length of their steps,
-//! contacts and the pairs that may meet. Steps with contact forces are repeated from their starts, which gives their
-//! bits; the agenda follows from the islands and pairs.
+//! The data hold the states at the starts of the steps, how each body moves, the islands with the lengths of their
+//! steps, the contacts, and the pairs that may meet. Steps with contact forces are repeated from their starts and have
+//! the same bits; the agenda is computed from the islands and pairs.
 
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
@@ -44,7 +44,7 @@ impl Engine {
         }
     }
 
-    /// The run of such data; the time and the accounts are those of it already.
+    /// The run from such data. `core` already has the time and the accounts of the snapshot.
     ///
     /// # Errors
     /// When the data are not of this scene or contradict themselves.
@@ -102,7 +102,7 @@ impl Engine {
             content::Step::Free(step) => Step::Free(Box::new(FreeStep::restored(core, &bodies, t, step)?)),
             content::Step::Constrained(h) => {
                 let step = self.repeated_step(core, &bodies, &held, (t, *h));
-                Step::Constrained(step.ok_or(SnapshotError::Invalid("a step cannot be made again from its start"))?)
+                Step::Constrained(step.ok_or(SnapshotError::Invalid("a step cannot be repeated from its start"))?)
             }
         };
         Ok(Island {
@@ -117,7 +117,7 @@ impl Engine {
         })
     }
 
-    /// Checks that bodies can make an island: that they move, in none of the islands before.
+    /// Checks that bodies can form an island: forces move them, and none is in an island already restored.
     fn check_island(&self, world: &World, bodies: &[usize]) -> Result<(), SnapshotError> {
         let moves = |body: usize| {
             let track = self.tracks.get(body);
@@ -127,7 +127,11 @@ impl Engine {
         };
         let is_island =
             !bodies.is_empty() && bodies.is_sorted_by(|x, y| x < y) && bodies.iter().all(|&body| moves(body));
-        if is_island { Ok(()) } else { Err(SnapshotError::Invalid("an island is not one of bodies that move")) }
+        if is_island {
+            Ok(())
+        } else {
+            Err(SnapshotError::Invalid("an island has no bodies, or not only bodies that forces move"))
+        }
     }
 }
 
@@ -174,7 +178,7 @@ fn save_island(island: &Island) -> content::Island {
 fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<BTreeMap<usize, Flight>, SnapshotError> {
     let spin = |(body, spin): &(usize, content::Flight)| {
         let rigid = world.bodies.get(*body).and_then(|body| body.rigid.as_ref());
-        let rigid = rigid.ok_or(SnapshotError::Invalid("a body that turns is none that moves"))?;
+        let rigid = rigid.ok_or(SnapshotError::Invalid("a free rotation is of a body that no force can move"))?;
         Ok((*body, restored_flight(rigid, spin)?))
     };
     saved.iter().map(spin).collect()
@@ -208,7 +212,7 @@ fn save_track(track: &Track) -> content::Track {
 
 fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>, SnapshotError> {
     if saved.len() != world.bodies.len() {
-        return Err(SnapshotError::Invalid("it does not say of each body how it moves"));
+        return Err(SnapshotError::Invalid("it does not say how each body moves"));
     }
     let track = |(body, track): (usize, &content::Track)| {
         let mode = match (&track.mode, &world.bodies[body].rigid) {
@@ -221,7 +225,7 @@ fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>
                 Mode::Crowded(Crowd { until, step_s, number })
             }
             (content::Mode::Rest, Some(_)) => Mode::Rest,
-            _ => return Err(SnapshotError::Invalid("a body that never moves moves, or the other way round")),
+            _ => return Err(SnapshotError::Invalid("the way a body moves is not one that its scene allows")),
         };
         Ok(Track {
             mode,

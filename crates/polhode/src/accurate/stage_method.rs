@@ -2,13 +2,14 @@
 //!
 //! | method | order | error | within a step |
 //! |---|---|---|---|
-//! | DOP853 | 8 | estimated, held below the tolerance by the choice of the step | its own dense output |
-//! | classical (`integrator = "rk4"`) | 4 | not estimated: known by the step, which is fixed | polynomials through shorter steps from the same start |
+//! | DOP853 | 8 | estimated; the step is chosen so that it stays below the tolerance | its own dense output |
+//! | classical (`integrator = "rk4"`) | 4 | not estimated; the step is fixed | polynomials through shorter steps from the same start |
 //!
-//! The classical method is the thesis's own (3.3, "Simulating Motion when in Free Fall", with the forces of 3.4 at each of
-//! the four stages; the tier `thesis` keeps them over a step instead). Its states within a step are those of steps of the
-//! classical method that end there, as events repeat them, interpolated at eight times: what an event is located on is what
-//! happens there. Source of the methods: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.1 and II.5.
+//! The classical method is that of the thesis (3.3, "Simulating Motion when in Free Fall"), here with the contact
+//! forces of 3.4 at each of the four stages; the tier `thesis` keeps them constant over a step. A step that an event
+//! cuts short is repeated with the shorter length. The states within a step are therefore those of shorter steps from
+//! the same start, at eight times, and a polynomial interpolates them: an event is located on the states that the
+//! repeated step will have. Source of the methods: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.1 and II.5.
 
 use super::system::ContactSystem;
 use crate::settings::Settings;

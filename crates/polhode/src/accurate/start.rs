@@ -90,7 +90,7 @@ impl Engine {
         }
     }
 
-    /// Pairs whose boxes meet, within the overlap that counts as touch.
+    /// Pairs whose boxes, enlarged by the touch distance, overlap.
     fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
         let mut boxes = Boxes::new(&core.settings, self.states.len());
         for (body, state) in self.states.iter().enumerate() {

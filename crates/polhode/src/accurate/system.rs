@@ -6,10 +6,12 @@
 //! on the result, not here.
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum f n / m`, `L' = sum r x f n`, with f from `G f = -b` at the stage's state.
-//! A pivot is three more rows `a_Q = 0`, with a force at its point. With force fields, and of a body of which turning alone is
-//! left, g and L' are those of [`polhode_dynamics::FreeMotion`]. Twenty more numbers follow the
-//! bodies, for the ledgers: impulse and moment about the ledger's point of fixed bodies, of the weights and of the
-//! fields; what drag took, and the work of forces from outside and of kinematic bodies.
+//! A pivot adds three rows `a_Q = 0`, with a force at its point. Under force fields, and for a body whose motion is
+//! reduced to rotation about its pivot, g and L' are those of [`polhode_dynamics::FreeMotion`].
+//!
+//! Twenty more numbers follow those of the bodies, for the ledgers: the impulses of fixed bodies, of the weights and of
+//! the fields, each with its moment about the ledger's point; the energy lost to drag and dampers; and the work of
+//! external forces and kinematic bodies.
 
 use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
@@ -24,18 +26,18 @@ use polhode_dynamics::{BodyState, RigidBody, System};
 use polhode_response::{LeastNormForces, ResponseError, least_norm_forces};
 use polhode_spatial::{DQuat, DVec3};
 
-/// Numbers after those of the bodies: what the outside gives.
+/// Number of components after those of the bodies: momentum and energy from external agents.
 const TAIL: usize = 20;
 
-/// Mass of the heaviest body of an island over that of its lightest from which contacts share their normals (1e3 to 1e6):
-/// below it the rounding of normals moves the light body by less than 1e-12 of what the contacts hold.
+/// Ratio of the largest mass of an island to the smallest above which contacts share their normals (1e3 to 1e6). Below
+/// it the rounding of normals moves the light body by less than 1e-12 of what the contacts hold.
 const DISPARATE_MASSES: f64 = 1e4;
 
-/// Normals whose components differ by less are one direction (2e-16 to 1e-14): what the rounding of the attitudes of bodies
-/// that stand flush makes of it.
+/// Normals whose components differ by less count as equal (2e-16 to 1e-14): the rounding of the attitudes of bodies
+/// whose faces lie flush on each other makes such a difference.
 const SAME_NORMAL: f64 = 8.0 * f64::EPSILON;
 
-/// What gravity and fixed bodies gave, from the end of a flat state.
+/// Momentum and energy from external agents since the start of the step, from the last numbers of a flat state.
 pub(super) fn received(flat: &[f64]) -> Received {
     let Some(tail) = flat.last_chunk::<TAIL>() else { return Received::default() };
     let vector = |first: usize| DVec3::new(tail[first], tail[first + 1], tail[first + 2]);
@@ -59,11 +61,11 @@ pub(super) struct ContactSystem<'a> {
     about: DVec3,
     /// States of all bodies; those of `bodies` and of kinematic bodies are overwritten at every stage.
     states: &'a mut [BodyState],
-    /// Those of the held contacts whose features define a contact at the stage. One that has lost its features (edges
-    /// that have turned parallel) bears no force; the location of contact changes ends the step where that begins.
+    /// The held contacts whose features define a contact at the stage. A contact whose features no longer do (edges
+    /// that have become parallel) bears no force; the location of contact changes ends the step where that begins.
     contacts: Vec<(ContactId, ContactKinematics)>,
-    /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m): the
-    /// largest of all stages so far. What they cancel to is known to their rounding only.
+    /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
+    /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
@@ -119,7 +121,7 @@ impl<'a> ContactSystem<'a> {
         &self.cancelling
     }
 
-    /// Takes the forces of a stage into the largest sums of magnitudes.
+    /// Updates the largest sums of magnitudes with the forces of a stage.
     fn note_magnitudes(&mut self, HeldForces { forces, pivots, .. }: &HeldForces) {
         let mut sums = vec![[0.0; 2]; self.bodies.len()];
         for ((id, k), force) in self.contacts.iter().zip(forces) {
@@ -194,7 +196,7 @@ impl<'a> ContactSystem<'a> {
         add(&mut rate[ANGULAR_MOMENTUM..], moment);
     }
 
-    /// Rates of what the outside gives.
+    /// Rates of the momentum and energy from external agents.
     fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
         let contacts = self.contacts.iter().zip(&held.forces).map(|((id, k), &force)| (*id, &k.geometry, force));
@@ -285,9 +287,9 @@ fn masses_differ(world: &World, bodies: &[usize]) -> bool {
 /// where there is one.
 ///
 /// Under a heavy body that stands flush, forces of its weight W go through a light one from contact to contact. Normals
-/// that differ by the rounding u of attitudes leave `u W` of them across, a wedge that is not there: it moved a box of
-/// 1 kg under 1e9 kg on a slope by 2e-7 m in a second. Attitudes in double precision cannot resolve this; the
-/// information that the faces are flush does.
+/// that differ by the rounding u of attitudes leave a lateral force of `u W` on the light body, as a wedge would: it
+/// moved a box of 1 kg under 1e9 kg on a slope by 2e-7 m in a second. Attitudes in double precision cannot resolve
+/// this; the information that the faces are flush does.
 fn share_normals(world: &World, contacts: &mut [(ContactId, ContactKinematics)]) {
     let is_supported = |id: &ContactId| !world.bodies[id.a].moves() || !world.bodies[id.b].moves();
     let mut directions: Vec<DVec3> = Vec::new();

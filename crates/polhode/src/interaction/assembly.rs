@@ -56,8 +56,8 @@ impl Coordinates {
     }
 }
 
-/// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each pivot, in
-/// the order of the bodies.
+/// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each
+/// pivot, in the order of the bodies.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
@@ -157,8 +157,9 @@ impl Assembly {
         out
     }
 
-    /// Constant terms of the relative accelerations of the contacts at `t` (s): `b = J a_free + bias + sum +-n.(a + alpha x r)`,
-    /// the sum over those members of a contact whose motion is prescribed.
+    /// Constant terms of the relative accelerations of the contacts at `t` (s):
+    /// `b = J a_free + bias + sum +-n.(a + alpha x r)`, the sum over those members of a contact whose motion is
+    /// prescribed.
     ///
     /// # Errors
     /// When `free` has the wrong length.
@@ -181,7 +182,7 @@ impl Assembly {
         Ok(b)
     }
 
-    /// Splits a vector of generalised columns into (body, linear, angular).
+    /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).
     pub(crate) fn split<'a>(&'a self, columns: &'a [f64]) -> impl Iterator<Item = (usize, DVec3, DVec3)> + 'a {
         self.bodies
             .iter()
@@ -261,8 +262,8 @@ fn push_inverse_mass(out: &mut Vec<f64>, world: &World, states: &[BodyState], bo
     }
 }
 
-/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a displacement
-/// (m, rad) or a velocity (m/s, rad/s).
+/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a
+/// displacement (m, rad) or a velocity (m/s, rad/s).
 pub(crate) fn largest_change(world: &World, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let change =
         |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * world.bodies[body].size;

@@ -2,8 +2,7 @@
 //!
 //! | constraint | row block | signed event functions |
 //! |---|---|---|
-//! | contact | unilateral (a cone where there is friction) | separation; margin of its features; margin to contact
-//! break |
+//! | contact | unilateral (with friction: a cone) | separation; margin of its features; margin to contact break |
 //! | pivot | bilateral, three rows | none: it never breaks |
 //!
 //! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
@@ -54,9 +53,9 @@ impl ConstraintId {
 /// Signed event functions of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ContactEvent {
-    /// From apart to closed: the separation, m.
+    /// The contact closes: the separation, m.
     Closing,
-    /// From on its features to beside them: the margin, m.
+    /// The contact point leaves its features: the margin, m.
     Leaving,
 }
 

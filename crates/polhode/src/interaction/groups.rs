@@ -1,7 +1,7 @@
 //! Groups: bodies connected by contacts, or by forces between them.
 //!
 //! Immovable bodies transmit no motion between contacts, so they do not connect bodies. Groups and their members are
-//! ordered by body number, so that results do not depend on the order of detection.
+//! ordered by the indices of bodies, so that results do not depend on the order of detection.
 
 use crate::world::World;
 use polhode_spatial::DisjointSets;

@@ -43,7 +43,7 @@ pub(crate) struct Removed {
     pub(crate) fallbacks: u64,
 }
 
-/// A contact at present.
+/// A contact with its geometry, at the present poses or carried from earlier ones.
 #[derive(Debug, Clone, Copy)]
 struct Overlap {
     id: ContactId,

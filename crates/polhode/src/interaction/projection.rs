@@ -49,9 +49,9 @@ const PARTIAL_RELATIVE: f64 = 5e-11;
 /// Separations below this fraction of the pair's size are negligible: removing them is not worth a large displacement.
 const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
 
-/// A projection of negligible separations that moves bodies by more than this many times the largest of them (dimensionless)
-/// must be effective, or it is partial too: a buckled row of bodies between walls that is too long by a rounding error would
-/// straighten a little at every step without becoming shorter.
+/// A projection of negligible separations that moves bodies by more than this many times the largest of them
+/// (dimensionless) must be effective, or it is partial too: a buckled row of bodies between walls that is too long by a
+/// rounding error would straighten a little at every step without becoming shorter.
 const MODERATE_AMPLIFICATION: f64 = 1e3;
 
 /// An effective projection leaves at most this fraction of the largest separation (dimensionless).
@@ -60,7 +60,8 @@ const EFFECTIVE_REMAINDER: f64 = 0.1;
 /// Result of a projection.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Projection {
-    /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all points.
+    /// Largest displacement of a body, m: of its origin, plus its rotation times its size, which bounds that of all
+    /// points.
     pub(crate) moved_m: f64,
     /// The constraint with the largest violation before the projection; none when there was none.
     pub(crate) farthest: Option<ConstraintId>,

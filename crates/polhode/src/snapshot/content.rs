@@ -249,8 +249,8 @@ pub(crate) enum Rotation {
     Steady,
 }
 
-/// The counts of steps and events by which stalls and crowded events of a body, or of the slowest body of an island, are
-/// detected (`accurate/pace.rs`).
+/// The counts of steps and events by which stalls and crowded events of a body, or of the slowest body of an island,
+/// are detected (`accurate/pace.rs`).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Pace {
     /// When the present step began: at an event or at the end of a step, s.

@@ -67,18 +67,18 @@ impl IslandSearch {
 fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let (own, state) = (&world.bodies[body], &states[body]);
     let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
-    let mut way = world.touch_distance(states, body, body);
+    let mut travel = world.touch_distance(states, body, body);
     if own.moves() {
         let velocity = world.velocity(body, state);
         let speed = velocity.linear.length() + velocity.angular.length() * own.size;
-        way += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
+        travel += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
     }
     let swept = match world.trajectory(body) {
         Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
         None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
     };
     // A motion without bounds gets an unbounded box.
-    swept.and_then(|aabb| aabb.inflated(way)).unwrap_or(Aabb::UNBOUNDED)
+    swept.and_then(|aabb| aabb.inflated(travel)).unwrap_or(Aabb::UNBOUNDED)
 }
 
 /// The islands: connected components of the movable bodies by pairs and couplings, ordered by their first bodies. A

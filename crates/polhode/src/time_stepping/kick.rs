@@ -1,8 +1,9 @@
 //! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
 //!
-//! Fields that depend on velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so
-//! that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the momenta, so
-//! that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and after.
+//! Fields that depend on velocities are evaluated twice, at the velocity before the kick and at that with half the
+//! kick, so that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the
+//! momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and
+//! after.
 
 use crate::accounting::books::{Books, Received};
 use crate::states_of::{set_states, states_of};

@@ -24,12 +24,13 @@
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
+use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{apply_without_gain, support};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
-use polhode_contact::ContactKinematics;
+use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 use polhode_spatial::CompensatedSum;
@@ -245,8 +246,7 @@ impl SolvedGroup {
         &'a self,
         rows: &'a [Row],
         near: &'a [NearContact],
-    ) -> impl Iterator<Item = (crate::collision::contact_set::ContactId, &'a polhode_contact::ContactGeometry, f64)> + Clone
-    {
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
         self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
             let row = &rows[index];
             (near[row.contact].id, &row.kinematics.geometry, p)

@@ -166,7 +166,7 @@ fn strange_pivots_end_in_an_error_or_a_finite_motion() {
     }
 }
 
-/// A method put in after the scene was built is checked as one that was there: no run of steps of no length.
+/// A method that is replaced after the scene was built is checked too: a step of length zero is refused.
 #[test]
 fn method_put_in_later_is_checked() {
     let scene = scene(spring(100.0, 0.1, 0.0, DVec3::ZERO)).build().unwrap();

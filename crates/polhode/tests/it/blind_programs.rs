@@ -1,5 +1,5 @@
-//! Programs that a stranger writes from the names alone: the same bits however a run is kept and cut, in every tier, and
-//! what a program sees of a simulation, against sums by hand.
+//! Programs that use the public interface as its names suggest: the same bits however a run is divided into steps or
+//! restored from snapshots, in every tier; and queries of a program, compared with sums by hand.
 
 use crate::pivot_rows::seesaw;
 use crate::support::{accurate, ball, brick, elastic, floor};
@@ -99,7 +99,7 @@ fn said(report: &RunReport) -> String {
     format!("{:?}", RunReport { steps: 0, ..report.clone() })
 }
 
-/// What a program sees of the present, all digits.
+/// All queries of a program at the present, with all digits.
 fn seen(simulation: &Simulation) -> String {
     let views = (simulation.contacts(), simulation.pivots(), simulation.islands(), simulation.frame());
     format!("{views:?} {:?} {:?} {:?}", simulation.energy(), simulation.momentum(), simulation.plan())
@@ -155,8 +155,8 @@ fn add(simulation: &mut Simulation) -> BodyId {
     simulation.add_body(ball("added", 1.0, 0.1, DVec3::Z * 4.0, DVec3::Z * -3.0)).unwrap()
 }
 
-/// A simulation that is kept at a random time as bytes goes on as one that is not: what is seen of it, its samples, events
-/// and report have the same bits, in each tier, whether a program has acted on it or not.
+/// A simulation restored from bytes that were taken at a random time continues as the original: its queries, samples,
+/// events and report have the same bits, in each tier, with and without actions of a program.
 #[test]
 fn kept_simulations_go_on_with_the_same_bits() {
     for (number, scene) in TIERS.into_iter().flat_map(scenes).enumerate() {
@@ -184,8 +184,8 @@ fn kept_simulations_go_on_with_the_same_bits() {
     }
 }
 
-/// A run that is cut within stretches of crowded events, and goes on from a snapshot taken there, has the bits of one that
-/// was never stopped.
+/// A run that is cut within stretches of crowded events, and goes on from a snapshot taken there, has the bits of one
+/// that was never stopped.
 #[test]
 fn kept_in_crowded_stretches() {
     let scene = seesaw().duration_s(1.0).build().unwrap();
@@ -211,7 +211,8 @@ fn kept_in_crowded_stretches() {
     assert!(told(&whole) == told(&record));
 }
 
-/// Energies and momenta are the sums over bodies that anyone would write, before and after an impulse beside the centre.
+/// Energies and momenta are the sums over bodies that anyone would write, before and after an impulse beside the
+/// centre.
 #[test]
 fn energies_and_momenta_are_sums_over_bodies() {
     let bodies = [("a", 2.0, 0.1, DVec3::Z), ("b", 3.0, 0.2, DVec3::new(3.0, 0.0, 2.0))];
@@ -279,8 +280,8 @@ fn contacts_bear_the_weight() {
     }
 }
 
-/// Two stacks on one floor are two islands: at rest before and after the first step, pushed, and with a brick taken from
-/// under one of them, whose other brick then flies and is in none.
+/// Two stacks on one floor are two islands: at rest before and after the first step, pushed, and with a brick taken
+/// from under one of them, whose other brick then flies and is in none.
 #[test]
 fn stacks_are_islands() {
     for tier in [Tier::Accurate, Tier::Stepped] {

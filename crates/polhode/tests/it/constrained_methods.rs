@@ -1,4 +1,4 @@
-//! RK4 and DOP853 move what constraints hold, with the forces of constraint at every stage.
+//! RK4 and DOP853 integrate constrained motion, with the forces of constraint at every stage.
 
 use crate::checks::{assert_closes, by, numerical_relative};
 use crate::support::{accurate, brick, diamond, floor, run};
@@ -32,8 +32,8 @@ fn ring(method: Method) -> Scene {
     Scene::builder("ring").method(method).duration_s(0.4).body(floor()).body(body).build().unwrap()
 }
 
-/// The error of RK4 over a smooth motion on a held contact falls with the fourth power of its step, and DOP853 goes where it
-/// leads.
+/// The error of RK4 over a smooth motion on a held contact falls with the fourth power of its step, and DOP853 goes
+/// where it leads.
 #[test]
 fn rk4_moves_a_held_contact_at_order_four() {
     let reference = run(&ring(precise()), Effects::Planned).0;
@@ -84,7 +84,8 @@ fn rk4_locates_changes_of_contacts() {
     assert!(errors[0].1 / errors[2].1 > 100.0, "{errors:?}");
 }
 
-/// Where accelerations are constant RK4 is exact: a box slides down a slope as its closed form says, and a diamond rests.
+/// Where accelerations are constant RK4 is exact: a box slides down a slope as its closed form says, and a diamond
+/// rests.
 #[test]
 fn rk4_is_exact_under_constant_forces() {
     let angle = 0.3_f64;
@@ -107,7 +108,8 @@ fn rk4_is_exact_under_constant_forces() {
     }
 }
 
-/// A stack topples and slides apart by RK4 as by DOP853, and a run that is stopped on the way goes on with the same bits.
+/// A stack topples and slides apart by RK4 as by DOP853, and a run that is stopped on the way goes on with the same
+/// bits.
 #[test]
 fn rk4_topples_a_stack() {
     let scene = |method| {
@@ -137,7 +139,7 @@ fn rk4_topples_a_stack() {
     assert_eq!(one.bodies, run(&scene, Effects::Planned).0.bodies);
 }
 
-/// The plan says which method moves what contacts hold.
+/// The plan names the method that integrates constrained motion.
 #[test]
 fn the_plan_names_the_method_of_constrained_motion() {
     let plan = Simulation::new(&ring(by(Integrator::Rk4, 0.01)), Effects::Planned).unwrap().plan().clone();

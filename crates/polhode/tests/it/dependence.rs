@@ -55,7 +55,8 @@ fn height_half_a_second_after(says: Dependence) -> f64 {
     simulation.body(id).pose.translation.z - 0.5
 }
 
-/// A field that says that it depends on time is asked at every step: the box rises with g, from the step after the change on.
+/// A field that says that it depends on time is asked at every step: the box rises with g, from the step after the
+/// change on.
 #[test]
 fn field_that_says_time_moves_what_rests_when_its_value_changes() {
     let height = height_half_a_second_after(Dependence::PosesAndTime);
@@ -67,8 +68,8 @@ fn field_that_says_time_moves_what_rests_when_its_value_changes() {
     );
 }
 
-/// A field that says that it depends on poses alone promises the same force at the same poses: what rests under it is left at
-/// rest, and a value that changes behind the simulation's back is not seen.
+/// A field that says that it depends on poses alone promises the same force at the same poses: what rests under it is
+/// left at rest, and a value that changes behind the simulation's back is not seen.
 #[test]
 fn field_that_says_poses_alone_leaves_at_rest_what_rests() {
     assert_eq!(height_half_a_second_after(Dependence::Poses), 0.0);

@@ -54,8 +54,9 @@ impl Orbit {
     }
 }
 
-/// A Kepler orbit about a point follows the closed form, whatever the eccentricity and wherever on it the run begins, also
-/// far from the centre, where all that is measured at the start is slow; energy and angular momentum about the centre stay.
+/// A Kepler orbit about a point follows the closed form, whatever the eccentricity and wherever on it the run begins,
+/// also far from the centre, where all that is measured at the start is slow; energy and angular momentum about the
+/// centre stay.
 #[test]
 fn orbit_about_a_point_is_keplers_ellipse() {
     let center = DVec3::new(0.3, -0.2, 0.5);
@@ -90,8 +91,8 @@ fn orbit_about_a_point_is_keplers_ellipse() {
     }
 }
 
-/// Two bodies under their own gravity: the ellipse of their distance, the straight line of their centre of mass, and the
-/// momentum of both together, which stays.
+/// Two bodies under their own gravity: the ellipse of their distance, the straight line of their centre of mass, and
+/// the momentum of both together, which stays.
 #[test]
 fn two_bodies_turn_about_their_centre_of_mass() {
     let (m1, m2, constant) = (2.0, 3.2, 1.7);
@@ -149,8 +150,8 @@ fn spring_without_rest_length_is_a_harmonic_oscillator() {
     assert_closes(&report);
 }
 
-/// Wall, spring, mass, spring, mass, spring, wall: a sum of the two normal modes, one wall a point of the world, the other
-/// one of a fixed body.
+/// Wall, spring, mass, spring, mass, spring, wall: a sum of the two normal modes, one wall a point of the world, the
+/// other one of a fixed body.
 #[test]
 fn two_masses_between_walls_move_in_normal_modes() {
     let (mass, stiffness, length) = (1.3, 21.0, 1.0);
@@ -177,8 +178,8 @@ fn two_masses_between_walls_move_in_normal_modes() {
     assert_closes(&report);
 }
 
-/// Two springs without rest length from points (q, -q) of a body to points (A, -A) of the world: its centre oscillates at
-/// `2 k/m` and, apart from that, it turns as a pendulum with `I theta'' = -2 k q A sin theta`.
+/// Two springs without rest length from points (q, -q) of a body to points (A, -A) of the world: its centre oscillates
+/// at `2 k/m` and, apart from that, it turns as a pendulum with `I theta'' = -2 k q A sin theta`.
 #[test]
 fn springs_beside_the_centre_turn_a_body_as_a_pendulum() {
     let (mass, stiffness, q, far, amplitude) = (1.7, 12.0, 0.3, 1.4, 2.6);
@@ -329,7 +330,8 @@ fn constant_force_moves_a_body_at_rest() {
     assert!(worst < 1e-12, "{worst:e}");
 }
 
-/// A force that turns with a body that spins at `w` about its axis drives a cycloid: `v = F/(m w) (sin w t, 1 - cos w t)`.
+/// A force that turns with a body that spins at `w` about its axis drives a cycloid:
+/// `v = F/(m w) (sin w t, 1 - cos w t)`.
 #[test]
 fn force_of_the_body_turns_with_it() {
     let w = 3.1;
@@ -382,7 +384,7 @@ fn signals_drive_by_their_integrals() {
     assert!((found - DVec3::Y * (area / MASS)).length() < 1e-10, "{found} {area}");
 }
 
-/// A pulse far shorter than the step is not passed over: `m v` is its area.
+/// Steps do not miss a pulse far shorter than a step: `m v` is its area.
 #[test]
 fn short_pulse_is_not_stepped_over() {
     let pulse = Signal::table(vec![(0.0502, 0.0), (0.0503, 5.0), (0.0504, 0.0)]).unwrap();
@@ -415,8 +417,8 @@ fn pushed_body_turns_freely() {
     }
 }
 
-/// A comet that begins far from its sun, where splitting is cheap, and comes so near that it is not: DOP853 goes on, the
-/// report says so, and the motion and the impulse of the sun are those of DOP853 from the start.
+/// A comet that begins far from its sun, where splitting is cheap, and comes so near that it is not: DOP853 goes on,
+/// the report says so, and the motion and the impulse of the sun are those of DOP853 from the start.
 #[test]
 fn comet_leaves_splitting_near_its_sun() {
     let comet = |method: Method| {

@@ -232,7 +232,8 @@ fn resting_box_wakes_when_its_spring_partner_is_struck() {
     assert_closes(&report);
 }
 
-/// A ball on a spring strikes a wall: the times of all impacts are those of the oscillation cut by the wall, with e = 1.
+/// A ball on a spring strikes a wall: the times of all impacts are those of the oscillation cut by the wall, with e =
+/// 1.
 #[test]
 fn oscillator_strikes_a_wall_at_its_times() {
     let (mass, stiffness, radius, start, wall) = (0.5, 60.0, 0.05, 0.4, -0.23);
@@ -269,8 +270,8 @@ fn oscillator_strikes_a_wall_at_its_times() {
     assert_closes(&report);
 }
 
-/// A bullet meets a thin plate that hangs on springs in the middle of a step: it does not tunnel, and the plate had moved
-/// where the springs had brought it.
+/// A bullet meets a thin plate that hangs on springs in the middle of a step: it does not tunnel, and the plate had
+/// moved where the springs had brought it.
 #[test]
 fn bullet_meets_a_sprung_plate() {
     let (mass, stiffness, thickness, speed, amplitude) = (2.0, 900.0, 1e-3, 2000.0, 0.03);
@@ -306,8 +307,8 @@ fn bullet_meets_a_sprung_plate() {
     assert_closes(&report);
 }
 
-/// A stick that spins many turns a step and is drawn towards a wall by a spring strikes it with its end when the end gets
-/// there, and never overlaps it: under error control, and by fixed steps with an exact drift.
+/// A stick that spins many turns a step and is drawn towards a wall by a spring strikes it with its end when the end
+/// gets there, and never overlaps it: under error control, and by fixed steps with an exact drift.
 #[test]
 fn fast_spinning_stick_on_a_spring_strikes_with_its_end() {
     let spin = 3000.0;

@@ -30,8 +30,8 @@ fn bouncing_ball_comes_to_rest_at_its_exact_time() {
     }
 }
 
-/// Of a body that bounces a few micrometres high, half a metre from the origin, the position rounds by 1e-11 of that height
-/// (impacts found to the rounding of positions took the apex at e = 0.5 1.1e-11 off, that at e = 0.4 1.1e-9).
+/// Of a body that bounces a few micrometres high, half a metre from the origin, the position rounds by 1e-11 of that
+/// height (impacts found to the rounding of positions took the apex at e = 0.5 1.1e-11 off, that at e = 0.4 1.1e-9).
 #[test]
 fn low_bounces_do_not_feel_the_rounding_of_positions() {
     let (gravity, radius) = (9.81, 0.5);
@@ -51,8 +51,9 @@ fn low_bounces_do_not_feel_the_rounding_of_positions() {
     }
 }
 
-/// A run whose time does not advance any more, and that is not to go on by time steps, ends and says when and where. Here a ball rattles between two plates, and steps
-/// as long as some hours make 0.2 s of it look like no time.
+/// If time no longer advances and the settings exclude time steps, the run ends with an error that names time and
+/// place. Here a ball bounces between two plates. The longest step is some hours, relative to which 0.2 s counts as no
+/// advance.
 #[test]
 fn a_run_that_makes_no_progress_says_where() {
     let down = UnitVector::new(-DVec3::Z).unwrap();
@@ -72,8 +73,9 @@ fn a_run_that_makes_no_progress_says_where() {
     assert!(error.to_string().contains("no progress"), "{error}");
 }
 
-/// A plank stands with one end on another one and its other end comes down at 100 m/s: within an eighth of a step it would
-/// be through, where the way out is shorter on the far side. What counts is that the two were apart before.
+/// A plank stands with one end on another one, and its other end falls at 100 m/s: within an eighth of a step it would
+/// pass through, and the nearest surface would be the far side. The penetration is found because the two were apart
+/// before.
 #[test]
 fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
     let (length, thickness, tilt, spin) = (10.0, 0.02, 0.008, 10.0);
@@ -95,8 +97,8 @@ fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
     }
 }
 
-/// A box slides over the floor of a room at 1000 m/s; the wall is of the same body that holds it, and in an eighth of a step
-/// the box goes farther than both are thick.
+/// A box slides over the floor of a room at 1000 m/s; the wall is of the same body that holds it, and in an eighth of a
+/// step the box goes farther than both are thick.
 #[test]
 fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
     let slab =
@@ -114,10 +116,10 @@ fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
     }
 }
 
-/// A ball in a corner is struck so slowly by a heavy one that it comes back to floor and wall before it has left touch. These
-/// bounces are summed up, and to end them pushes it against the other ball again: that is struck at the same instant, as long
-/// as anything approaches (left approaching, the balls met again two hundred times within a millisecond, each time by an
-/// overlap).
+/// A heavy ball strikes a ball in a corner so slowly that this one returns to floor and wall before it has left the
+/// touch distance. These bounces are ended at once, which drives it against the heavy ball again. That impact is
+/// resolved at the same instant, until no contact approaches (without it, the balls collided two hundred times within a
+/// millisecond, each time with an overlap).
 #[test]
 fn bounces_that_end_leave_nothing_approaching() {
     for (e, heavy, speed) in [(0.1, 100.0, 2e-6), (0.05, 30.0, 1e-6), (0.2, 1000.0, 3e-6)] {

@@ -93,8 +93,8 @@ fn representations_of_rk4_agree() {
     assert_eq!(errors.len(), 12, "each is a method of its own: {errors:?}");
 }
 
-/// A brick falls tumbling onto a floor by every integrator: it strikes when the exact one does, to the error of its order,
-/// and never overlaps the floor; the same with a spring, whose fast turns are many a step.
+/// A brick falls tumbling onto a floor by every integrator: it strikes when the exact one does, to the error of its
+/// order, and never overlaps the floor; the same with a spring, whose fast turns are many a step.
 #[test]
 fn stepped_bodies_strike_the_floor() {
     let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), DVec3::Z * 0.8);
@@ -118,7 +118,8 @@ fn stepped_bodies_strike_the_floor() {
             let (integrator, step) = (method.integrator, method.step_s);
             let (report, recorder) = try_run(&scene(method), 100_000).unwrap();
             assert_closes(&report);
-            // The path of a method of order p departs from its own velocities, which decide what is struck, by its error.
+            // The path of a method of order p departs from its own velocities, which decide what is struck, by its
+            // error.
             let order = integrator.map_or(8.0, |integrator| f64::from(integrator.order()));
             let allowed = 0.5 * f64::powf(spin * step.unwrap_or(0.0), order + 1.0) + 1e-12;
             let depth = report.certificate.max_penetration_m;
@@ -232,8 +233,9 @@ fn thesis_takes_any_integrator() {
     }
 }
 
-/// The plan chooses by the forces: closed form without any, splitting under error control for conservative ones that are
-/// weak over a step, DOP853 for stiff ones and for those that take energy; and the certificate says what the steps erred.
+/// The plan chooses by the forces: closed form without any, splitting under error control for conservative ones that
+/// are weak over a step, DOP853 for stiff ones and for those that take energy; and the certificate says what the steps
+/// erred.
 #[test]
 fn plan_chooses_by_the_forces() {
     let held = |force: Option<Force>| {

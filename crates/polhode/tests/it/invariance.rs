@@ -1,4 +1,4 @@
-//! Physics does not know where the origin is, which way the axes point, or how long a metre is.
+//! Results do not depend on the origin, on the directions of the axes, or on the scale of length.
 
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
@@ -54,8 +54,8 @@ fn tilted_landing_follows_a_turned_and_moved_world() {
     assert!((moved.0 - home.0).length() < 1e-8 && (moved.1 - home.1).length() < 1e-8, "{moved:?} {home:?}");
 }
 
-/// Leaving out rest, and asking for every effect, give the same bits, while a box falls, rattles and comes to rest. It is
-/// turned about no axis of its own, so that its motion is in no plane.
+/// Leaving out rest, and asking for every effect, give the same bits, while a box falls, rattles and comes to rest. It
+/// is turned about no axis of its own, so that its motion is in no plane.
 #[test]
 fn all_effects_give_the_same_bits_as_the_plan() {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.1, 0.4, 0.2)), DVec3::Z);

@@ -45,15 +45,17 @@ fn times_of(recorder: &Recorder, kind: EventKind) -> Vec<f64> {
     recorder.events.iter().filter(|event| event.kind == kind).map(|event| event.t).collect()
 }
 
-/// Largest distance of a body's places in two runs with the same times of samples, the second one's moved at `seen` (m/s).
+/// Largest distance of a body's places in two runs with the same times of samples, the second one's moved at `seen`
+/// (m/s).
 fn apart(one: &Recorder, other: &Recorder, body: usize, seen: DVec3) -> f64 {
     let place = |recorder: &Recorder, k: usize| recorder.samples[k][body].pose.translation;
     let rows = one.times.iter().enumerate();
     rows.map(|(k, &t)| (place(one, k) - place(other, k) - seen * t).length()).fold(0.0, f64::max)
 }
 
-/// A ball in a lift whose acceleration stays above -g stays in contact, whatever its material; the force is `m (g + a)`, the
-/// work of the lift is the change of the ball's energy, and its impulse that of the ball's momentum and weight.
+/// A ball in a lift whose acceleration stays above -g stays in contact, whatever its material; the force is
+/// `m (g + a)`, the work of the lift is the change of the ball's energy, and its impulse that of the ball's momentum
+/// and weight.
 #[test]
 fn ball_in_a_lift_bears_its_weight_and_its_acceleration() {
     let (amplitude, rate, phase, mass) = (0.1, TAU, 0.3, 1.7);
@@ -82,8 +84,8 @@ fn ball_in_a_lift_bears_its_weight_and_its_acceleration() {
     }
 }
 
-/// A shaker whose acceleration exceeds g throws a ball off when `a = -g`; it flies, and comes down on the shaker at the root
-/// of a closed form, which strikes it as a wall of its speed does.
+/// A shaker whose acceleration exceeds g throws a ball off when `a = -g`; it flies, and comes down on the shaker at the
+/// root of a closed form, which strikes it as a wall of its speed does.
 #[test]
 fn shaker_throws_a_ball_off_when_it_accelerates_down_by_more_than_gravity() {
     let (amplitude, frequency, mass, e) = (0.05, 4.0, 0.6, 0.4);
@@ -113,8 +115,9 @@ fn shaker_throws_a_ball_off_when_it_accelerates_down_by_more_than_gravity() {
     assert!(report.ledger.numerical.value().abs() < 1e-10 * report.ledger.scale_j);
 }
 
-/// A wall of velocity V gives a ball of velocity v the velocity `V + e (V - v)`, the impulse `m (1+e)(V - v)` and the work of
-/// that impulse along its way; what the impact takes is `m (1 - e^2)(V - v)^2/2`. A half-space is such a wall too.
+/// A wall of velocity V gives a ball of velocity v the velocity `V + e (V - v)`, the impulse `m (1+e)(V - v)` and the
+/// work of that impulse along its way; what the impact takes is `m (1 - e^2)(V - v)^2/2`. A half-space is such a wall
+/// too.
 #[test]
 fn moving_wall_strikes_a_ball() {
     let (mass, e, wall_speed, speed) = (1.3, 0.6, 2.0, -0.5);
@@ -165,8 +168,8 @@ fn surfaces_that_move_along_themselves_move_nothing() {
     }
 }
 
-/// A ball follows a lift through the samples of a table, where its acceleration has corners, and rests when it has come to
-/// stand.
+/// A ball follows a lift through the samples of a table, where its acceleration has corners, and rests when it has come
+/// to stand.
 #[test]
 fn ball_follows_a_lift_with_corners() {
     let lift = lifted(&[0.2, 0.6, 1.2, 1.7], &[0.0, 0.05, 0.02, 0.1]);
@@ -184,7 +187,8 @@ fn ball_follows_a_lift_with_corners() {
     assert_closes(&report);
 }
 
-/// A stack on a platform sleeps until the platform begins to move, wakes then, follows it, and sleeps again when it stands.
+/// A stack on a platform rests until the platform begins to move, wakes then, follows it, and rests again when it
+/// stops.
 #[test]
 fn stack_follows_a_platform_that_starts_late() {
     let platform = lifted(&[1.0, 1.5], &[0.0, 0.1]);
@@ -215,8 +219,8 @@ fn stack_follows_a_platform_that_starts_late() {
     assert_eq!(run(&scene, Effects::All).0.bodies, report.bodies);
 }
 
-/// What happens on a fixed floor happens, seen from a frame that moves steadily, on one that moves steadily: bounces, their
-/// sum, and sliding. The losses are the same, and what the floor's motion adds to the energy is its work.
+/// What happens on a fixed floor happens, seen from a frame that moves steadily, on one that moves steadily: bounces,
+/// their sum, and sliding. The losses are the same, and what the floor's motion adds to the energy is its work.
 #[test]
 fn motion_does_not_depend_on_the_velocity_of_the_observer() {
     let runs = [DVec3::ZERO, DVec3::new(0.4, -0.3, 0.7)].map(|seen| {
@@ -265,8 +269,8 @@ fn tilting_half_space_is_a_wide_slab() {
     assert!(on_plane.ledger.numerical.value().abs() < 1e-10 * on_plane.ledger.scale_j);
 }
 
-/// A plough that comes from far away meets a ball in flight when it should, after thousands of renewals of its box, and a
-/// box at rest, which it pushes along without a bounce.
+/// A plough that comes from far away meets a ball in flight when it should, after thousands of renewals of its box, and
+/// a box at rest, which it pushes along without a bounce.
 #[test]
 fn plough_from_far_away() {
     let (speed, far) = (7.0, 350.0);
@@ -348,8 +352,8 @@ fn thesis_follows_a_lift() {
     assert!(errors[1] < 0.7 * errors[0] && errors[1] < 1e-2, "{errors:?}");
 }
 
-/// A shaker that exceeds g for two milliseconds throws a ball off when `a = -g`, also by steps of ten milliseconds that have
-/// the ball pressed on again at their ends.
+/// A shaker that exceeds g for two milliseconds throws a ball off when `a = -g`, also by steps of ten milliseconds that
+/// have the ball pressed on again at their ends.
 #[test]
 fn short_pulls_are_not_missed() {
     let (amplitude, frequency) = (0.01, 5.0);
@@ -399,8 +403,8 @@ fn ball_bounces_on_a_shaker_by_the_map() {
     assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
 }
 
-/// A press that comes down on a ball on the floor asks for what no force can do: the run ends with an error that names both,
-/// when they meet, and neither hangs nor lets the press through.
+/// A press descends on a ball on the floor, which no force can prevent from being crushed: the run ends when they meet,
+/// with an error that names both; it neither hangs nor lets the press pass through.
 #[test]
 fn press_on_a_body_without_a_way_out() {
     let press = Body::kinematic("press", steady(DVec3::Z * -0.5, DVec3::ZERO))
@@ -415,7 +419,8 @@ fn press_on_a_body_without_a_way_out() {
     assert!((t - met).abs() < 1e-2 && *overlap_m < 1e-2 * RADIUS, "{refused}");
 }
 
-/// A pusher that stands by a box on the floor wakes it when it begins to move, drives it, and lets it go when it slows down.
+/// A pusher that stands by a box on the floor wakes it when it begins to move, drives it, and lets it go when it slows
+/// down.
 #[test]
 fn pusher_that_touches_from_the_start() {
     let table = MotionTable {
@@ -440,7 +445,8 @@ fn pusher_that_touches_from_the_start() {
     assert_closes(&report);
 }
 
-/// Balls in a closed box that is shaken and rocked stay in it, never penetrate its walls, and have what the box gives them.
+/// Balls in a closed box that is shaken and rocked stay in it, never penetrate its walls, and have what the box gives
+/// them.
 #[test]
 fn balls_in_a_shaken_box() {
     let wall = |size: DVec3, place: DVec3| Shape::cuboid(size).unwrap().translated(place).unwrap();
@@ -494,8 +500,8 @@ fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
     Body::kinematic("slab", motion).geometry(Geometry::Shape(shape))
 }
 
-/// Bodies that fall on slabs that move in many ways come to no harm: the ledgers close, nothing is lost but in impacts,
-/// nothing penetrates.
+/// Bodies fall on slabs that move in many ways: the ledgers close, energy is lost only in impacts, and no body
+/// penetrates another.
 #[test]
 fn bodies_fall_on_moving_slabs() {
     for seed in 0..16 {

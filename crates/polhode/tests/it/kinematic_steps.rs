@@ -21,8 +21,8 @@ fn steady(linear: DVec3) -> PrescribedMotion {
     PrescribedMotion::constant_velocity(Velocity::new(linear, DVec3::ZERO)).unwrap()
 }
 
-/// A box on a conveyor without friction stays where it is, and the conveyor does no work; each pose of the conveyor is the
-/// prescribed one to the last bit.
+/// A box on a conveyor without friction stays where it is, and the conveyor does no work; each pose of the conveyor is
+/// the prescribed one to the last bit.
 #[test]
 fn box_on_a_conveyor_without_friction_stays() {
     let belt = slab(steady(DVec3::X * 0.8));
@@ -37,7 +37,8 @@ fn box_on_a_conveyor_without_friction_stays() {
     assert!(report.ledger.external.value().abs() < 1e-13 * report.ledger.scale_j, "{:?}", report.ledger);
 }
 
-/// A lift of constant speed bears a ball: it stays on the lift to rounding, and the work of the lift is the ball's gain.
+/// A lift of constant speed bears a ball: it stays on the lift to rounding, and the work of the lift is the ball's
+/// gain.
 #[test]
 fn lift_does_the_work_of_raising_a_ball() {
     let scene = Scene::builder("lift").duration_s(1.0).output_interval_s(0.1).body(slab(steady(DVec3::Z * 0.5)));
@@ -48,8 +49,8 @@ fn lift_does_the_work_of_raising_a_ball() {
     assert!(report.ledger.impact.value().abs() < 1e-10, "{:?}", report.ledger);
 }
 
-/// A ball that bounces on a table which goes up and down: the error of `stepped` against `accurate` falls with the second
-/// order of the step, in the place of the ball, in the work of the table and in what the impacts take.
+/// A ball that bounces on a table which goes up and down: the error of `stepped` against `accurate` falls with the
+/// second order of the step, in the place of the ball, in the work of the table and in what the impacts take.
 #[test]
 fn bounces_on_a_shaken_table_converge() {
     let shaken = PrescribedMotion::sine(DVec3::Z * 0.03, DVec3::ZERO, 3.0, 0.0).unwrap();
@@ -72,7 +73,8 @@ fn bounces_on_a_shaken_table_converge() {
     }
 }
 
-/// A ball that rests on a table which goes up and down more gently than gravity stays on it, to second order in the step.
+/// A ball that rests on a table which goes up and down more gently than gravity stays on it, to second order in the
+/// step.
 #[test]
 fn ball_on_a_gentle_table_stays_on_it() {
     let (amplitude, rate) = (0.02, std::f64::consts::TAU);
@@ -110,8 +112,8 @@ fn shaken_bin(count: u32) -> SceneBuilder {
     scene
 }
 
-/// Balls in a shaken bin go through stretches of crowded events in the tier `accurate`, whose report names them; nothing
-/// leaves the bin, and the ledgers close with the work of the bin in them.
+/// Balls in a shaken bin go through stretches of crowded events in the tier `accurate`, whose report names them;
+/// nothing leaves the bin, and the ledgers close with the work of the bin in them.
 #[test]
 fn pile_in_a_shaken_bin_goes_through_crowding() {
     let (report, recorder) = run_by(&shaken_bin(16), accurate());
@@ -127,7 +129,8 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
     }
 }
 
-/// The same pile by fixed steps; a run that is cut at any time, and restored from a snapshot, goes on with the same bits.
+/// The same pile by fixed steps; a run that is cut at any time, and restored from a snapshot, goes on with the same
+/// bits.
 #[test]
 fn pile_in_a_shaken_bin_by_fixed_steps() {
     let scene = shaken_bin(6);

@@ -1,5 +1,5 @@
-//! Chains of rings of straight pieces. Their links touch in the bends of their ridges, where no contact of a single edge or
-//! vertex holds them, and swing from one such place to another.
+//! Chains of rings of straight pieces. Their links touch in the bends of their ridges, where no contact of a single
+//! edge or vertex holds them, and swing from one such place to another.
 
 use crate::support::run;
 use polhode::mesh::primitives::{Refinement, Torus};
@@ -8,7 +8,7 @@ use polhode::spatial::{DVec3, Density, Pose, Rotation};
 use polhode::{Body, Effects, Geometry, Recorder, Scene};
 use std::f64::consts::FRAC_PI_2;
 
-/// What a run is judged by: 1e-12 of the size of a ring, m.
+/// The promised limit of penetration: 1e-12 of the size of a ring, m.
 const JUDGED: f64 = 2.0 * (RING[0] + RING[1]) * 1e-12;
 
 /// Multiples of it are spread evenly over the unit interval.
@@ -21,8 +21,8 @@ fn ring() -> SolidMesh {
     Torus::new(RING[0], RING[1]).unwrap().mesh(Refinement::COARSEST).unwrap()
 }
 
-/// Links with some play, every other one turned by a quarter about the direction in which the next one lies; the first is
-/// held.
+/// Links with some play, every other one turned by a quarter about the direction in which the next one lies; the first
+/// is held.
 fn chain(links: u32, towards: DVec3, duration_s: f64) -> Scene {
     turned_chain(&vec![0.0; links as usize], towards, duration_s)
 }
@@ -54,8 +54,8 @@ fn deepest(recorder: &Recorder) -> f64 {
     overlaps.fold(0.0, f64::max)
 }
 
-/// A chain that falls taut without restitution comes to rest at once: its links hang in the bends of each other, twice the
-/// inner radius apart.
+/// A chain that falls taut without restitution comes to rest at once: its links hang in the bends of each other, twice
+/// the inner radius apart.
 #[test]
 fn a_chain_that_has_fallen_taut_rests() {
     let (report, recorder) = run(&chain(6, DVec3::NEG_Y, 1.0), Effects::Planned);
@@ -67,12 +67,13 @@ fn a_chain_that_has_fallen_taut_rests() {
     assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
 }
 
-/// The links of a chain that swings slide and roll from bend to bend, and none comes to overlap another where it is not held.
+/// The links of a chain that swings slide and roll from bend to bend, and none comes to overlap another where it is not
+/// held.
 #[test]
 fn the_links_of_a_swinging_chain_do_not_overlap() {
     let (report, recorder) = run(&chain(3, DVec3::X, 1.2), Effects::Planned);
     assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
-    // Without friction a chain loses energy at impacts alone, and the books know how much.
+    // Without friction a chain loses energy in impacts alone, and the ledger holds how much.
     assert!(report.ledger.closure_relative() < 1e-11, "{:?}", report.ledger);
     assert!(report.ledger.numerical.value().abs() < 1e-8 * report.ledger.scale_j, "{:?}", report.ledger);
 }
@@ -88,8 +89,9 @@ fn links_that_swing_out_of_their_plane_do_not_overlap() {
     }
 }
 
-/// However the bends meet, what penetrates beside the held contacts is found before it is deeper than a run is judged by: in
-/// five of these chains it was not, where an overlap had to be sixty-four times the depth of penetration to be looked into.
+/// For all relative turns of the links, a penetration besides the held contacts is found before it exceeds the promised
+/// limit. In five of these chains it was not found when an overlap was examined only from sixty-four times that depth
+/// on.
 #[test]
 fn chains_turned_every_way_overlap_by_no_more_than_judged() {
     for chain in [0, 7, 14, 21, 24, 28, 37, 38_u32] {
@@ -97,7 +99,7 @@ fn chains_turned_every_way_overlap_by_no_more_than_judged() {
         let spread = |k: u32| (f64::from(7 * chain + k) * GOLDEN).fract() - 0.5;
         let angles: Vec<f64> = (0..4 + chain % 3).map(|k| if k == 0 { 0.0 } else { spread(k) }).collect();
         let (report, recorder) = run(&turned_chain(&angles, DVec3::X, 0.8), Effects::Planned);
-        // The certificate knows of contacts, the separation also of overlaps that none shows.
+        // The certificate measures contacts; the separation also contains overlaps that no contact shows.
         let deepest = report.certificate.max_penetration_m.max(deepest(&recorder));
         assert!(deepest < JUDGED, "{angles:?}: {deepest:e} m");
     }

@@ -51,7 +51,8 @@ fn applied_force_is_booked_as_its_impulse() {
     assert_closes(&report);
 }
 
-/// A spring between two bodies gives nothing to both together, neither along nor about, also fastened off their centres.
+/// A spring between two bodies gives nothing to both together, neither along nor about, also fastened off their
+/// centres.
 #[test]
 fn spring_between_bodies_gives_no_momentum() {
     let scene = Scene::builder("pair")

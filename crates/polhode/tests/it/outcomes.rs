@@ -16,8 +16,8 @@ fn ball_on_ring(tolerance: f64) -> SceneBuilder {
         .body(ball("ball", 1.0, 0.5, DVec3::new(0.05, 0.0, 1.0), DVec3::ZERO).material(elastic(0.2)))
 }
 
-/// With a tolerance of a hundredth, projections give a ball that settles in a ring more of its energy than that: the run is
-/// degraded, by a warning that comes first and names bodies and time, and what was skipped is counted.
+/// At a tolerance of 0.01, projections change the energy of a ball that settles in a ring by more than this fraction.
+/// The run is degraded, the first warning names the bodies and the time, and fallbacks are counted.
 #[test]
 fn ball_in_a_ring_whose_projections_take_too_much_degrades_its_run() {
     let (report, _) = run_whatever(&ball_on_ring(1e-2).build().unwrap(), Effects::Planned);
@@ -47,7 +47,7 @@ impl Observer for StopAt {
     }
 }
 
-/// A run that is stopped has its outcome; stopped after its promise was broken it is degraded all the same.
+/// A run that the observer stops has the outcome `Stopped`; if it has exceeded a promised limit before, it is degraded.
 #[test]
 fn stopped_run_is_degraded_by_what_it_has_done() {
     let end = |tolerance: f64, stop_s: f64| {
@@ -60,8 +60,8 @@ fn stopped_run_is_degraded_by_what_it_has_done() {
     assert_eq!(end(1e-2, 1.5), Outcome::Degraded);
 }
 
-/// The tier `thesis` promises nothing of penetration: a ball that penetrates by what it falls in one step is a completed run,
-/// whose certificate says how deep.
+/// The tier `thesis` promises no limit of penetration: a run in which a ball penetrates by the distance it falls in one
+/// step is completed, and its certificate holds the depth.
 #[test]
 fn thesis_promises_nothing_of_penetration() {
     let scene = Scene::builder("thesis")
@@ -77,7 +77,8 @@ fn thesis_promises_nothing_of_penetration() {
     assert!(certificate.max_penetration_m > 1e-3 && certificate.max_penetration_of_limit == 0.0, "{certificate:?}");
 }
 
-/// Bodies that overlap within touch at the start are moved out: by as much as the certificate says, which is no broken promise.
+/// Bodies that overlap at the start by less than counts as touch are moved apart. The certificate holds the
+/// displacement, and the run is not degraded.
 #[test]
 fn overlap_within_touch_at_the_start_is_not_degraded() {
     let overlap_m = 0.9e-9;
@@ -94,8 +95,8 @@ fn overlap_within_touch_at_the_start_is_not_degraded() {
     assert!(report.warnings[0].contains("moved apart"));
 }
 
-/// Ordinary contact keeps its promise with room to spare, and says how closely: a box that falls on its edge and comes to rest,
-/// by tolerances from the tightest to the loosest, at any scale.
+/// Ordinary contact keeps its promise with room to spare, and says how closely: a box that falls on its edge and comes
+/// to rest, by tolerances from the tightest to the loosest, at any scale.
 #[test]
 fn falling_box_keeps_its_promise() {
     for tolerance in [1e-12, 1e-11, 1e-9, 1e-6, 1e-3] {

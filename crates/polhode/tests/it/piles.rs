@@ -1,5 +1,5 @@
-//! Piles in bins: many contacts at once, of nearly parallel edges and of faces that depend on each other nearly, and rows of
-//! balls that fit exactly between walls.
+//! Piles in bins: many contacts at once, of nearly parallel edges and of faces whose contacts are nearly linearly
+//! dependent, and rows of balls that fit exactly between walls.
 
 use crate::support::{ball, brick, floor, run};
 use polhode::contact::Shape;
@@ -65,9 +65,9 @@ fn bin(dice: &Dice) -> Scene {
     scene.build().unwrap()
 }
 
-/// Whatever the dice do, they keep what the method promises (projections moved them by up to thirty times what they may,
-/// where contacts depend on each other nearly and where nearly parallel edges seemed to penetrate; and contacts left their
-/// features between two looks of a step).
+/// Dice that fall keep the promised limits. Before, projections displaced them by up to thirty times the limit, where
+/// contacts were nearly linearly dependent and where nearly parallel edges seemed to penetrate; and contacts left their
+/// features between two checks of a step.
 #[test]
 fn dice_that_fall_into_a_bin_keep_their_promise() {
     for (case, dice) in DICE.iter().enumerate() {
@@ -124,11 +124,11 @@ const BALLS: [[[f64; 3]; 12]; 3] = [
     ],
 ];
 
-/// Balls of radius 0.2 m that fall into a bin as wide as three of them, exactly: rows that lie straight between two walls
-/// can neither give way nor be squeezed, and the less a row is bent the larger are the forces that hold it so. Impulses of
-/// roundings stop nothing and give no energy (one such answer sent a ball off at 1e7 m/s, and the run ended with motions that
-/// are not finite), rows whose own terms vanish are not squeezed by a rounding of the others, and overlap is moved out by no
-/// more than a row can go aside.
+/// Balls of radius 0.2 m that fall into a bin as wide as three of them, exactly: rows that lie straight between two
+/// walls can neither yield nor be compressed, and the straighter a row, the larger its contact forces. Impulses that
+/// are rounding errors add no energy (one such solution gave a ball 1e7 m/s, and the run ended with states that are not
+/// finite). Rounding errors of other contacts do not compress a row, and the removal of penetration displaces a row no
+/// further sideways than its contacts allow.
 #[test]
 fn balls_that_fit_exactly_between_walls_keep_their_promise() {
     for (case, places) in BALLS.iter().enumerate() {

@@ -141,8 +141,8 @@ fn the_pivot_bears_what_the_centre_of_percussion_says() {
     }
 }
 
-/// A rod swings against a post: its rate reverses and is e times as large, the impulse is `(1 + e) w I/d`; a post that moves by
-/// itself gives it `(1 + e) v/d`.
+/// A rod swings against a post: its rate reverses and is e times as large, the impulse is `(1 + e) w I/d`; a post that
+/// moves by itself gives it `(1 + e) v/d`.
 #[test]
 fn a_rod_rebounds_from_a_post() {
     let (w, e, depth, radius, moment) = (1.3, 0.4, 0.6, 0.1, swing_moment());
@@ -172,8 +172,8 @@ fn a_rod_rebounds_from_a_post() {
     assert_closes(&report);
 }
 
-/// A plank on a pivot and a post, with a ball on it: `N s = (m a + M x) g`, the pivot bears the rest, pulling where the post
-/// stands inside; nothing moves.
+/// A plank on a pivot and a post, with a ball on it: `N s = (m a + M x) g`, the pivot bears the rest, pulling where the
+/// post stands inside; nothing moves.
 #[test]
 fn a_plank_rests_on_a_pivot_and_a_post() {
     let (size, mass, weight, radius) = (DVec3::new(2.0, 0.3, 0.1), 3.0, 1.2, 0.1);
@@ -210,8 +210,9 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
     }
 }
 
-/// A rod on a pivot falls over and pushes a box along a smooth floor. While they touch, `(I w^2 + M v^2)/2` is what the weight
-/// has given, with v the speed of the edge that pushes. Rows, the reduced frame and RK4 agree, also on when they part.
+/// A rod on a pivot falls over and pushes a box along a smooth floor. While they touch, `(I w^2 + M v^2)/2` is what the
+/// weight has given, with v the speed of the edge that pushes. Rows, the reduced frame and RK4 agree, also on when they
+/// part.
 #[test]
 fn a_falling_rod_pushes_a_box() {
     let (tilt, mass, moment) = (0.3_f64, 2.0, swing_moment());
@@ -334,7 +335,7 @@ pub(crate) fn seesaw() -> SceneBuilder {
     scene
 }
 
-/// Where events crowd time steps carry a seesaw on, its pivot stays, and the ledgers close.
+/// At crowded events time steps advance a seesaw, its pivot stays in place, and the ledgers close.
 #[test]
 fn a_seesaw_goes_through_crowded_events() {
     let (report, recorder) = run(&seesaw().build().unwrap(), Effects::Planned);

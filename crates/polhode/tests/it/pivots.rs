@@ -26,8 +26,8 @@ fn about_y(angle: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Y * angle)
 }
 
-/// The period of a pendulum by the complete elliptic integral, up to almost upright, reduced and by rows; the velocity reported is that of the
-/// centre of mass at every sample.
+/// The period of a pendulum by the complete elliptic integral, up to almost upright, reduced and by rows; the velocity
+/// reported is that of the centre of mass at every sample.
 #[test]
 fn pendulum_swings_with_its_elliptic_period() {
     let d = 0.37;
@@ -108,8 +108,8 @@ fn symmetric_top_precesses_steadily() {
     assert_closes(&report);
 }
 
-/// A pivot off the principal axes: energy and the angular momentum about the vertical stay, and splitting by small steps
-/// finds the same motion.
+/// A pivot off the principal axes: energy and the angular momentum about the vertical stay, and splitting by small
+/// steps finds the same motion.
 #[test]
 fn pivot_off_the_principal_axes_keeps_energy_and_vertical_momentum() {
     let at = DVec3::new(0.03, 0.08, 0.31);
@@ -135,7 +135,8 @@ fn pivot_off_the_principal_axes_keeps_energy_and_vertical_momentum() {
     assert!(apart < 1e-9, "{apart:e}");
 }
 
-/// A gyroscope held at its centre of mass feels no gravity: it flies by its record, as the same body free in space does.
+/// A gyroscope held at its centre of mass feels no gravity: it flies by its record, as the same body free in space
+/// does.
 #[test]
 fn balanced_gyroscope_turns_as_a_free_body() {
     let spin = Velocity::new(DVec3::ZERO, DVec3::new(3.0, 0.2, 40.0));

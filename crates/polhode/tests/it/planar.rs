@@ -11,8 +11,8 @@ fn turned() -> Rotation {
     Rotation::from_rotation_vector(DVec3::new(0.4, -0.3, 0.8))
 }
 
-/// A box over a floor in a world turned by `world`, tipped about its own y axis by `tip`, after a turn about its z axis by
-/// `twist`.
+/// A box over a floor in a world turned by `world`, tipped about its own y axis by `tip`, after a turn about its z axis
+/// by `twist`.
 fn landing(world: Rotation, twist: f64, tip: f64, velocity: Velocity) -> SceneBuilder {
     let up = UnitVector::new(world.rotate(DVec3::Z)).unwrap();
     let own = Rotation::from_rotation_vector(DVec3::Z * twist) * Rotation::from_rotation_vector(DVec3::Y * tip);
@@ -75,8 +75,8 @@ fn motion_out_of_the_plane_by_a_trace_is_in_space() {
     assert!(!is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, spinning).build().unwrap(), Effects::Planned).0));
 }
 
-/// What is fixed counts too: a step of the floor that is not symmetric in the plane of the box takes the box out of it, and
-/// the plan sees that.
+/// Fixed bodies count too: a step in the floor that is not symmetric in the plane of the box moves the box out of it,
+/// and the plan chooses motion in space.
 #[test]
 fn fixed_body_beside_the_plane_spoils_it() {
     for (y, planar) in [(0.0, true), (1e-7, false)] {
@@ -135,8 +135,8 @@ fn pyramid() -> ConvexPolyhedron {
 }
 
 /// A pyramid that falls on the tip of another, tips over it and comes to lie along one of its edges with the corner of
-/// its base, in the plane of motion. Two edges meet at that corner, images of each other, and either may be named as the
-/// one that is nearest: neither may let the corner through.
+/// its base, in the plane of motion. Two edges meet at that corner, images of each other, and either may be named as
+/// the one that is nearest: neither may let the corner through.
 #[test]
 fn a_corner_in_the_plane_of_motion_lands_as_in_space() {
     let properties = polhode::mesh::solid_box(DVec3::ONE, polhode::spatial::Mass::new(1.0).unwrap()).unwrap();

@@ -9,7 +9,7 @@ use polhode::{Body, Geometry, Scene, SceneError};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A pose like no other.
+/// A pose without symmetry.
 fn initial() -> Pose {
     Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, -1.1, 0.7)), DVec3::new(2.0, -3.0, 0.5))
 }
@@ -111,8 +111,8 @@ fn two_samples() {
     }
 }
 
-/// A table goes through its samples; before the first and after the last one the body stands still. What it does not give
-/// stays as in the initial pose.
+/// A table goes through its samples; before the first and after the last one the body stands still. What it does not
+/// give stays as in the initial pose.
 #[test]
 fn table_goes_through_its_samples() {
     let full = table();
@@ -346,7 +346,8 @@ proptest! {
         check_bounds(&trajectory, start, start + libm::pow(10.0, exponent), &parts)?;
     }
 
-    /// Bounds of an oscillation are never exceeded, over a small part of a period and over many, also after many periods.
+    /// Bounds of an oscillation are never exceeded, over a small part of a period and over many, also after many
+    /// periods.
     #[test]
     fn bounds_of_oscillations_are_never_exceeded(
         (amplitude, rotation) in (vector(2.0), vector(2.0)), frequency in 0.1..50.0f64, phase in -9.0..9.0f64,
@@ -499,8 +500,8 @@ fn build(body: Body) -> Result<Scene, SceneError> {
     Scene::builder("kinematic").body(body).build()
 }
 
-/// A kinematic body has neither velocity nor pivot nor mass of its own, may have any shape that a fixed one may have, and
-/// stands in no one's way but that of bodies that forces move.
+/// A kinematic body has neither velocity nor pivot nor mass of its own, may have any shape that a fixed one may have,
+/// and stands in no one's way but that of bodies that forces move.
 #[test]
 fn kinematic_bodies() {
     let body = || Body::kinematic("table", shaker());
@@ -545,7 +546,7 @@ fn tables_and_initial_poses() {
     assert!(matches!(build(body().pose(nowhere)).unwrap_err(), SceneError::NotFinite { .. }));
 }
 
-/// A spring cannot follow a kinematic body yet: that is said, not passed over.
+/// A spring cannot be fastened to a kinematic body yet: the scene is refused with an error that says so.
 #[test]
 fn springs_on_kinematic_bodies() {
     let spring = Force::Spring {

@@ -1,5 +1,5 @@
-//! A simulation in the hand of a program: how it is cut into steps changes nothing, what it does to bodies is what mechanics
-//! says, and stands in the ledgers.
+//! A simulation that a program advances: the division into steps changes no bit, and the program's actions on bodies
+//! have the effects of mechanics and are booked in the ledgers.
 
 use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::spatial::{DVec3, Pose, Velocity};
@@ -43,8 +43,8 @@ fn closes(simulation: &mut Simulation) {
     assert!(report.ledger.momentum.closure_relative() < 1e-12, "{:?}", report.ledger.momentum);
 }
 
-/// Steps one by one, a run as a whole, and a run that a program cuts at many times have the same samples and events, bit
-/// for bit: a present within a step cuts nothing.
+/// Steps one by one, a run as a whole, and a run that a program cuts at many times have the same samples and events,
+/// bit for bit: a present within a step cuts nothing.
 #[test]
 fn the_motion_is_the_same_however_it_is_cut() {
     for scene in [pile().build().unwrap(), diamond(2, Sides::Touch).duration_s(0.3).build().unwrap()] {
@@ -82,8 +82,8 @@ fn times_in_the_past_are_refused() {
     }
 }
 
-/// A body that has nothing to do with the others changes no bit of their motion, wherever it stands among them and whatever
-/// happens to it.
+/// A body that has nothing to do with the others changes no bit of their motion, wherever it stands among them and
+/// whatever happens to it.
 #[test]
 fn an_unrelated_body_changes_no_bit() {
     let mut alone = Recorder::default();
@@ -128,7 +128,8 @@ fn the_order_of_islands_changes_no_bit() {
     assert_eq!(run([0, 1]), run([1, 0]));
 }
 
-/// A thruster that holds a ball up against its weight keeps it where it is; its work is nothing; without it the ball falls.
+/// A thruster that holds a ball up against its weight keeps it where it is; its work is nothing; without it the ball
+/// falls.
 #[test]
 fn a_force_that_is_set_holds_until_it_is_set_again() {
     let scene = Scene::builder("hover").duration_s(2.0).body(ball("ball", 2.0, 0.1, DVec3::Z, DVec3::ZERO));
@@ -212,7 +213,8 @@ fn a_pose_is_set_where_there_is_room() {
     closes(&mut simulation);
 }
 
-/// A brick added on a stack rests there, and what lay on a brick that is removed falls; handles stay those of their bodies.
+/// A brick added on a stack rests there, and what lay on a brick that is removed falls; handles stay those of their
+/// bodies.
 #[test]
 fn bodies_come_and_go() {
     let size = DVec3::splat(0.2);

@@ -1,4 +1,4 @@
-//! Bad input to a simulation in the hand: a typed error, and the simulation as it was, to the last byte of its snapshot.
+//! Bad input from a program gives a typed error and leaves the simulation as it was, to the last byte of its snapshot.
 
 use crate::support::{ball, brick, elastic, floor};
 use polhode::contact::Shape;
@@ -40,7 +40,7 @@ fn running(tier: Tier) -> (Simulation, BodyId) {
     (simulation, gone)
 }
 
-/// The error of what is done to a simulation, which is as it was.
+/// The error of a call, after which the simulation must be as it was.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(
     simulation: &mut Simulation,
@@ -246,8 +246,9 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// Every byte of a small snapshot turned over: as it stands that is refused, and with a checksum that fits it is refused with
-/// the simulation as it was, or it is a state that a run can go on from or end at with an error; it never panics.
+/// Every byte of a small snapshot is inverted in turn. Without a new checksum the snapshot is refused. With a valid
+/// checksum it is refused and the simulation is as it was, or it is restored, and the run continues or ends with an
+/// error; it never panics.
 #[test]
 fn every_byte_of_a_snapshot_turned_over() {
     for tier in TIERS {

@@ -46,9 +46,9 @@ fn ball_that_has_met_the_inside_of_a_ring_goes_through() {
     assert!(end.z < -1.0 && end.x < 0.0 && (end.x - 2.0 * end.y).abs() < 1e-12, "{end}");
 }
 
-/// Bodies on the axis of a ring meet it all along a circle: they come to rest on it, straight up, also when they stand off
-/// the axis by as little as rounding leaves. A ball of radius r on the middle line of radius R of a tube of radius a rests
-/// at a height of `sqrt((r + a)^2 - R^2)`, an equal ring at `2 a`.
+/// Bodies on the axis of a ring meet it all along a circle: they come to rest on it, straight up, also when they stand
+/// off the axis by as little as rounding leaves. A ball of radius r on the middle line of radius R of a tube of radius
+/// a rests at a height of `sqrt((r + a)^2 - R^2)`, an equal ring at `2 a`.
 #[test]
 fn bodies_on_the_axis_of_a_ring_rest_on_it() {
     let ring = || Shape::torus(0.4, 0.1).unwrap();
@@ -119,8 +119,9 @@ fn cylinder(at: DVec3, turn: DVec3, spin: DVec3) -> Body {
         .velocity(Velocity::new(DVec3::ZERO, spin))
 }
 
-/// Cones and cylinders that fall into a valley come to lie flush on one side and slide: the run ends, no energy comes from
-/// nowhere, nothing penetrates. In the valley of a mesh they move as in that of two half-spaces until they touch both.
+/// Cones and cylinders that fall into a valley come to lie flush on one side and slide: the run ends, no energy comes
+/// from nowhere, nothing penetrates. In the valley of a mesh they move as in that of two half-spaces until they touch
+/// both.
 #[test]
 fn discs_that_slide_flush_in_a_valley_do_not_stop_time() {
     let level = DVec3::ZERO;
@@ -152,7 +153,7 @@ fn ring(name: &str, at: DVec3, turn: DVec3) -> Body {
 }
 
 /// A ring that has struck a box without restitution leaves it as slowly as both curve: its next impact is found,
-/// and a place of contact that jumps along the ring throws nobody.
+/// and a contact point that jumps along the ring gives no body a velocity.
 #[test]
 fn a_ring_that_has_met_a_box_without_restitution_parts() {
     let turn = Rotation::from_rotation_vector(DVec3::new(-0.44, -0.18, -0.77));
@@ -165,14 +166,14 @@ fn a_ring_that_has_met_a_box_without_restitution_parts() {
     assert!(report.energy.final_j <= report.energy.initial_j);
 }
 
-/// A ring that falls about a cone touches its side at two places, on either half of the ring: each is followed by a name of
-/// its own, the run ends, and nothing penetrates.
+/// A ring that falls about a cone touches its side at two places, on either half of the ring: each is followed by a
+/// name of its own, the run ends, and nothing penetrates.
 #[test]
 fn a_ring_about_a_cone_is_followed_at_both_of_its_places() {
     let lower = cone(DVec3::Z * 0.7, DVec3::new(-0.09, 0.42, 0.25), DVec3::ZERO);
     let upper = ring("ring", DVec3::new(0.091, -0.076, 1.9), DVec3::new(-0.51, 0.64, -0.08));
     let scene = Scene::builder("ring about a cone").duration_s(1.5).body(floor()).body(lower).body(upper);
-    // Places that are not held drift by some times what is promised, 6.5e-13 m, and the run is degraded.
+    // Contacts that are not held drift by a few times the promised limit, 6.5e-13 m, and the run is degraded.
     let (report, _) = run_whatever(&scene.build().unwrap(), Effects::Planned);
     assert!(report.certificate.max_penetration_m < 1e-11, "{:?}", report.certificate);
     assert!(report.energy.final_j <= report.energy.initial_j);
@@ -191,7 +192,7 @@ fn rings_that_have_met_without_restitution_part() {
         let lower = ring("lower", DVec3::Z * 0.8, DVec3::new(0.3, -0.6, 0.2));
         let upper = ring("upper", at, turn);
         let scene = Scene::builder("rings").duration_s(0.8).body(floor()).body(lower).body(upper).build().unwrap();
-        // The first penetrates the floor by four times what is promised, 8e-13 m, and the run is degraded.
+        // The first ring penetrates the floor by four times the promised limit, 8e-13 m, and the run is degraded.
         let (report, _) = run_whatever(&scene, Effects::Planned);
         assert!(report.certificate.max_penetration_m < 1e-11, "{at}: {:?}", report.certificate);
         assert!(report.energy.final_j <= report.energy.initial_j, "{at}");
@@ -210,8 +211,8 @@ fn ring_on_a_cone(at: DVec3, turn: DVec3, duration_s: f64) -> RunReport {
     run(&scene.build().unwrap(), Effects::Planned).0
 }
 
-/// A tilted ring on a cone rolls on two places, which merge and part again (near a merge the place between them that is nearest
-/// to neither side was taken for one of them, and the run ended without progress).
+/// A tilted ring on a cone rolls on two places, which merge and part again (near a merge the place between them that is
+/// nearest to neither side was taken for one of them, and the run ended without progress).
 #[test]
 fn a_ring_on_a_cone_is_followed_where_its_two_places_merge() {
     let report = ring_on_a_cone(DVec3::new(0.001, 0.0, 0.55), DVec3::new(0.1, 0.03, 0.0), 0.3);
@@ -219,8 +220,9 @@ fn a_ring_on_a_cone_is_followed_where_its_two_places_merge() {
     assert!(report.ledger.numerical.value().abs() < 1e-9, "{:?}", report.ledger);
 }
 
-/// An almost level ring touches a cone almost all around, and the place of its contact runs faster than time advances: what
-/// is found wrong with such an instant is tolerated for a moment (for a whole step the ring, in flight, penetrated by 0.35 mm).
+/// An almost level ring touches a cone almost all around, and its contact point moves faster than steps can follow:
+/// violations at such an instant are tolerated for a short time (when they were tolerated for a whole step, the ring,
+/// in flight, penetrated by 0.35 mm).
 #[test]
 fn a_tolerated_violation_is_checked_again_soon() {
     let report = ring_on_a_cone(DVec3::new(1e-5, 0.0, 0.55), DVec3::new(1e-3, 3e-4, 0.0), 0.2);
@@ -228,8 +230,8 @@ fn a_tolerated_violation_is_checked_again_soon() {
     assert!(report.ledger.numerical.value().abs() < 1e-9, "{:?}", report.ledger);
 }
 
-/// A cylinder that has fallen into a ring leans on it almost at rest and speeds up (the largest speed in a short window was
-/// taken to bound the time beyond it too: an impact came 2.4 us late, 4.2e-10 m deep).
+/// A cylinder that has fallen into a ring leans on it almost at rest and speeds up (the largest speed in a short window
+/// was taken to bound the time beyond it too: an impact came 2.4 us late, 4.2e-10 m deep).
 #[test]
 fn a_cylinder_in_a_ring_is_not_met_late() {
     let properties = Cylinder::new(0.15, 0.6).unwrap().solid(Mass::new(1.0).unwrap()).unwrap();
@@ -247,8 +249,8 @@ fn a_cylinder_in_a_ring_is_not_met_late() {
     assert!(report.certificate.max_penetration_m < 1e-11, "{:?}", report.certificate);
 }
 
-/// A chain of rings that hang in each other from a ring that stands still, started with some play: it falls, pulls taut and
-/// swings; no link penetrates another, none comes off, and energy closes.
+/// A chain of rings that hang in each other from a ring that stands still, started with some play: it falls, pulls taut
+/// and swings; no link penetrates another, none leaves the chain, and the energy ledger closes.
 #[test]
 fn a_chain_of_rings_hangs_together() {
     let (shape, primitive) = (Shape::torus(0.3, 0.05).unwrap(), Torus::new(0.3, 0.05).unwrap());

@@ -12,7 +12,7 @@ use polhode::{
     Unobserved,
 };
 
-/// Everything that a run has told from some sample and event on, and its report, with all digits.
+/// The samples and events of a run from given ones on, and its report, with all digits.
 fn told(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut Simulation) -> String {
     let report = simulation.run(&mut Unobserved).unwrap();
     format!(
@@ -23,7 +23,7 @@ fn told(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut
     )
 }
 
-/// Goes to the end of the run by steps; how many.
+/// Advances to the end of the run by steps, and returns their number.
 fn finish(simulation: &mut Simulation, recorder: &mut Recorder, duration_s: f64) -> usize {
     let mut steps = 0;
     while simulation.time() < duration_s {
@@ -78,7 +78,7 @@ fn check(scene: &Scene, effects: Effects) {
         finish(&mut one.0, &mut one.1, duration);
         finish(&mut other.0, &mut other.1, duration);
         assert!(told(&one.1, (0, 0), &mut one.0) == told(&other.1, (0, 0), &mut other.0), "{name} stopped at {t} s");
-        // Back in time, in a simulation that has a past of its own.
+        // Restored in a simulation that has already run further.
         other.0.restore(&Snapshot::from_bytes(&bytes).unwrap()).unwrap();
         let mut again = Recorder::default();
         finish(&mut other.0, &mut again, duration);
@@ -151,8 +151,8 @@ fn bouncing_bodies_go_on_with_the_same_bits() {
     }
 }
 
-/// Drag through the centre of mass turns nothing: the attitude is that of a free rotation, whose record is kept from step to
-/// step beside the integrated motion.
+/// Drag through the centre of mass exerts no torque: the attitude is that of free rotation, and a snapshot holds its
+/// record besides the integrated motion.
 #[test]
 fn bodies_in_air_go_on_with_the_same_bits() {
     for rotational in [0.0, 0.02] {
@@ -312,7 +312,7 @@ fn snapshots_of_other_scenes_and_effects_are_refused_and_change_nothing() {
     assert_eq!(simulation.snapshot().to_bytes(), untouched.snapshot().to_bytes());
 }
 
-/// FNV-1a, by which a forger would sign.
+/// FNV-1a, the checksum of snapshots.
 fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     let mut hash = 0xcbf2_9ce4_8422_2325u64;
     for &byte in bytes[..20].iter().chain(&bytes[28..]) {
@@ -322,7 +322,7 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// Content that no run has written, under a checksum that fits, is refused or restored, and never a panic.
+/// Content that no run has written, with a valid checksum, is refused or restored, and never causes a panic.
 #[test]
 fn forged_content_does_not_panic() {
     let scenes =

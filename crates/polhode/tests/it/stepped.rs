@@ -26,7 +26,8 @@ fn run(scene: &SceneBuilder, step_s: f64) -> (RunReport, Recorder) {
     run_by(scene, stepped(step_s))
 }
 
-/// Energy never rises from one sample to the next, for bodies of mass one without spin whose potential is that of gravity.
+/// Energy never rises from one sample to the next, for bodies of mass one without spin whose potential is that of
+/// gravity.
 fn assert_energy_never_rises(recorder: &Recorder, bodies: std::ops::Range<usize>) {
     let energy = |row: &Vec<polhode::BodySample>| -> f64 {
         let of = |body: &polhode::BodySample| G * body.pose.translation.z + 0.5 * body.velocity.linear.length_squared();
@@ -68,8 +69,8 @@ fn stack_stands_exactly() {
     assert!(report.certificate.max_penetration_m <= 1e-14);
 }
 
-/// A body that meets nothing follows its flight record: a tumbling plate is where the accurate tier has it, whatever the
-/// step.
+/// A body that meets nothing follows its flight record: a tumbling plate is where the accurate tier has it, whatever
+/// the step.
 #[test]
 fn free_flight_has_no_error_from_the_step() {
     let spin = Velocity::new(DVec3::new(1.0, 0.5, 6.0), DVec3::new(4.0, 7.0, -2.0));
@@ -108,8 +109,8 @@ fn force_fields_are_of_second_order() {
     }
 }
 
-/// A ball that slides down a fixed ball without friction: a contact that lasts while its normal turns. The error falls by
-/// four when the step is halved, until the ball lets go.
+/// A ball that slides down a fixed ball without friction: a contact that lasts while its normal turns. The error falls
+/// by four when the step is halved, until the ball lets go.
 #[test]
 fn contact_that_turns_is_of_second_order() {
     let (angle, sum) = (0.3_f64, 1.1);
@@ -194,8 +195,8 @@ fn cradle_loses_no_energy_beyond_its_restitution() {
     }
 }
 
-/// A ball of a tonne on one of a gram, on a floor: both stay to the last bit; and one that falls on the other is stopped
-/// without gaining energy.
+/// A ball of a tonne on one of a gram, on a floor: both stay to the last bit; and one that falls on the other is
+/// stopped without gaining energy.
 #[test]
 fn mass_ratio_of_a_million() {
     let stack = |height: f64, e: f64| {
@@ -247,7 +248,8 @@ fn scattered(seed: u64) -> impl Fn(usize) -> (DVec3, DVec3) {
     }
 }
 
-/// Boxes and balls fall into a bin: the run comes to its end, no energy is gained, the books close, and nothing overlaps.
+/// Boxes and balls fall into a bin: the run comes to its end, no energy is gained, the books close, and nothing
+/// overlaps.
 #[test]
 fn piles_come_to_the_end_without_a_gain_of_energy() {
     for (seed, restitution) in [(1, 0.0), (2, 0.3), (3, 0.6), (4, 1.0)] {
@@ -270,8 +272,8 @@ fn in_order(scene: &SceneBuilder, order: impl Fn(&mut Vec<Body>)) -> SceneBuilde
     bodies.into_iter().fold(start, SceneBuilder::body)
 }
 
-/// The mirror image of a fall is the fall of the mirror image, and neither the order of the bodies nor a body that has nothing
-/// to do with them changes anything.
+/// The mirror image of a fall is the fall of the mirror image, and neither the order of the bodies nor a body that has
+/// nothing to do with them changes anything.
 #[test]
 fn falls_keep_their_symmetries() {
     let scene = |count, mirror| bin(0.3, scattered(5), count, mirror).duration_s(0.8).output_interval_s(0.1);

@@ -1,4 +1,4 @@
-//! Forces that are stiff to the last digits of a place, and forces that grow without bound.
+//! Forces so stiff that the rounding of a position changes them, and forces that grow without bound.
 
 use crate::checks::{heavy_brick, particle};
 use crate::support::{accurate, floor, run};
@@ -8,9 +8,9 @@ use polhode::{Effects, Scene, SceneBuilder, Simulation, SimulationError, Unobser
 
 const CENTER: DVec3 = DVec3::new(0.0, 0.0, 2.0);
 
-/// A box of 1 kg above the floor on a spring of 1e12 N/m: its weight moves it by 1e-11 m, a hundred thousand rounding units
-/// of its height, each of which changes the force by 1e-4 N. That noise in the estimate of the error is no error of the
-/// integration: the period of 6.3 us takes a few steps, where it took a hundred.
+/// A box of 1 kg above the floor on a spring of 1e12 N/m: its weight moves it by 1e-11 m, a hundred thousand rounding
+/// units of its height, each of which changes the force by 1e-4 N. That noise in the estimate of the error is no error
+/// of the integration: the period of 6.3 us takes a few steps, where it took a hundred.
 #[test]
 fn rounding_of_a_place_in_a_stiff_spring_asks_for_no_steps() {
     let (stiffness, duration) = (1e12_f64, 1e-3);

@@ -7,8 +7,11 @@
 //! | kind | pose at t |
 //! |---|---|
 //! | constant velocity v, w | `p = p0 + v t`, `R = exp(w t) R0`: w is constant in the world |
-//! | sine | `p = p0 + A s`, `R = exp(B s) R0` with `s = sin(2 pi f t + phase)`: the initial pose is the centre of the oscillation; the pose at t = 0 differs from it by `s = sin(phase)` |
-//! | table | a curve through samples, with continuous velocity and acceleration ([`MotionTable`]); before the first and after the last sample the body stands still |
+//! | sine | `p = p0 + A s`, `R = exp(B s) R0` with `s = sin(2 pi f t + phase)` |
+//! | table | a curve through samples, with continuous velocity and acceleration ([`MotionTable`]) |
+//!
+//! The initial pose of a sine is the centre of the oscillation; the pose at t = 0 differs from it by `s = sin(phase)`.
+//! Before the first and after the last sample of a table the body stands still.
 //!
 //! A constant velocity moves the body itself. A conveyor belt, whose surface moves while its shape stays in place, acts
 //! on bodies by friction alone; without friction it is a fixed body.
