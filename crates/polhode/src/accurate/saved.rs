@@ -70,12 +70,19 @@ impl Engine {
             let island = engine.restored_island(core, island)?;
             engine.insert_island(island);
         }
-        engine.rebuild_agenda();
+        engine.rebuild_agenda(core);
         Ok(engine)
     }
 
-    /// Fills the agenda from the islands and pairs.
-    fn rebuild_agenda(&mut self) {
+    /// Fills the agenda from the islands, the pairs and the prescribed motions. Before the first instant has been resolved
+    /// it is empty.
+    fn rebuild_agenda(&mut self, core: &Core) {
+        if self.begun {
+            for &body in core.world.prescribed() {
+                // A corner at the time of the snapshot may be due still. One that has been passed changes nothing.
+                self.expect_corner(core, body, core.t.next_down());
+            }
+        }
         for (&first, island) in &self.islands {
             self.agenda.add(island.due, Due::Island(first));
         }
