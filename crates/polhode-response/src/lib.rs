@@ -13,6 +13,7 @@
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
+//! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
@@ -64,6 +65,7 @@
 
 pub mod certificate;
 pub mod complementarity;
+pub mod coulomb;
 pub mod delassus;
 mod dense;
 pub mod error;
@@ -78,8 +80,10 @@ pub mod problem;
 pub mod report;
 pub mod row_block;
 pub mod settings;
+pub mod sliding;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
+pub use coulomb::{ContactLaw, CoulombContact, CoulombSolution, solve_coulomb};
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
@@ -93,5 +97,6 @@ pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use row_block::{RowBlock, RowEntries};
 pub use settings::{FallbackPolicy, SolverSettings};
+pub use sliding::{SlidingRow, least_norm_sliding_forces};
 
 pub use polhode_spatial as spatial;

@@ -199,7 +199,7 @@ pub(crate) struct Findings {
 fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let mut list = motion_decisions(world, settings, findings);
     list.extend(contact_decisions(&world.scene, effects, findings));
-    list.push(decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction"));
+    list.push(friction_decision(&world.scene));
     list.push(joint_decision(world));
     let loaded = world.loaded_count();
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
@@ -308,6 +308,16 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
         ),
         rest,
     ]
+}
+
+/// The decision about friction.
+fn friction_decision(scene: &Scene) -> EffectDecision {
+    let largest = scene.colliding().largest_friction;
+    if largest > 0.0 {
+        let fact = format!("largest coefficient of static friction of a pair: {largest}");
+        return decision(Effect::Friction, true, fact, "nothing: contacts stick or slide, by exact cones");
+    }
+    decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction")
 }
 
 fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecision {

@@ -22,6 +22,10 @@ impl Materials {
                 return Err((path, Refusal::Type { found: "an empty name".to_owned(), accepted }));
             }
             let material = Material::new(name, entry.friction.unwrap_or(0.0), entry.restitution.unwrap_or(0.0))
+                .and_then(|material| match entry.static_friction {
+                    Some(static_friction) => material.with_static_friction(static_friction),
+                    None => Ok(material),
+                })
                 .map_err(|error| fault(error, &path))?;
             materials.insert(name.clone(), material);
         }
@@ -42,7 +46,12 @@ impl Materials {
         for (index, name) in entry.materials.0.iter().enumerate() {
             self.get(name, &path.key("materials").index(index))?;
         }
-        PairRule::new(entry.materials.0.clone(), entry.friction, entry.restitution).map_err(|error| fault(error, path))
+        PairRule::new(entry.materials.0.clone(), entry.friction, entry.restitution)
+            .and_then(|rule| match entry.static_friction {
+                Some(static_friction) => rule.with_static_friction(static_friction),
+                None => Ok(rule),
+            })
+            .map_err(|error| fault(error, path))
     }
 }
 
@@ -50,7 +59,7 @@ impl Materials {
 fn fault(error: SceneError, path: &KeyPath) -> Fault {
     let key = match &error {
         SceneError::Restitution { .. } => "restitution",
-        // Friction above zero is what is not yet available.
+        SceneError::StaticFriction { .. } => "static_friction",
         _ => "friction",
     };
     (path.key(key), error.into())

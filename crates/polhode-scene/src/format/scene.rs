@@ -57,9 +57,13 @@ pub struct OutputEntry {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialEntry {
-    /// Coefficient of friction; 0 when absent. Two materials: the geometric mean. Only 0 is available yet.
-    #[schemars(range(min = 0, max = 0))]
+    /// Coefficient of kinetic friction; 0 when absent. Two materials: the geometric mean.
+    #[schemars(range(min = 0))]
     pub friction: Option<f64>,
+    /// Coefficient of static friction, at least that of kinetic friction; the same when absent. Two materials: the
+    /// geometric mean.
+    #[schemars(range(min = 0))]
+    pub static_friction: Option<f64>,
     /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
@@ -71,9 +75,12 @@ pub struct MaterialEntry {
 pub struct PairEntry {
     /// Names of the two materials, in any order.
     pub materials: Exactly<String, 2>,
-    /// Coefficient of friction. Only 0 is available yet.
-    #[schemars(range(min = 0, max = 0))]
+    /// Coefficient of kinetic friction.
+    #[schemars(range(min = 0))]
     pub friction: Option<f64>,
+    /// Coefficient of static friction, at least that of kinetic friction; the same when absent.
+    #[schemars(range(min = 0))]
+    pub static_friction: Option<f64>,
     /// Coefficient of restitution in [0, 1].
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,

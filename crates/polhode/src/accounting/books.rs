@@ -26,6 +26,8 @@ pub(crate) struct Received {
     pub(crate) fields: Momentum,
     /// Lost to drag and dampers, J.
     pub(crate) damping_j: f64,
+    /// Lost to friction, J.
+    pub(crate) friction_j: f64,
     /// Work of forces from outside the scene and of prescribed motions, J.
     pub(crate) external_j: f64,
 }
@@ -36,6 +38,7 @@ impl std::ops::AddAssign for Received {
         self.support = self.support + other.support;
         self.fields = self.fields + other.fields;
         self.damping_j += other.damping_j;
+        self.friction_j += other.friction_j;
         self.external_j += other.external_j;
     }
 }
@@ -103,8 +106,9 @@ impl Books {
     /// Books a smooth motion: changes that external agents do not explain are the error of the integrator.
     pub(crate) fn smooth_stage(&mut self, before: Balance, after: Balance, received: Received) {
         self.ledger.damping.add(received.damping_j);
+        self.ledger.friction.add(received.friction_j);
         self.ledger.external.add(received.external_j);
-        let explained = received.external_j - received.damping_j;
+        let explained = received.external_j - received.damping_j - received.friction_j;
         self.ledger.numerical.add(before.energy_j - after.energy_j + explained);
         let momentum = &mut self.ledger.momentum;
         momentum.gravity.add(received.gravity);

@@ -4,6 +4,7 @@
 use super::pace::is_instant;
 use super::system::received;
 use crate::accounting::books::Received;
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::world::World;
@@ -15,8 +16,8 @@ use polhode_dynamics::{BodyState, DenseStep, Flight, IntegratedMotion};
 pub(super) struct ConstrainedStep {
     /// Movable bodies, ascending.
     pub(super) bodies: Vec<usize>,
-    /// Contacts held over the step, ascending.
-    pub(super) held: Vec<ContactId>,
+    /// Contacts that are active over the step.
+    pub(super) active: ActiveContacts,
     pub(super) t: f64,
     /// End of the step, s: `t + h`, or exactly the horizon.
     pub(super) end: f64,
@@ -33,7 +34,7 @@ pub(super) struct ConstrainedStep {
 impl ConstrainedStep {
     /// The pairs with held contacts, ascending.
     pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
-        let mut pairs: Vec<_> = self.held.iter().map(|id| (id.a, id.b)).collect();
+        let mut pairs: Vec<_> = self.active.held.iter().map(|id| (id.a, id.b)).collect();
         pairs.dedup();
         pairs
     }
@@ -62,7 +63,7 @@ impl ConstrainedStep {
     pub(super) fn received_until(&self, t: f64) -> Received {
         let mut flat = vec![0.0; self.end_state.len()];
         self.dense.evaluate(t, &mut flat);
-        received(&flat)
+        received(&flat, self.bodies.len())
     }
 
     /// State of the body of this index, from the island's flat state at `t`.
@@ -83,7 +84,7 @@ impl ConstrainedStep {
     /// The island at the end of its step, from its flat state there.
     pub(super) fn at_end(&self, flat: &[f64], t: f64) -> StepEndStates {
         let states = (0..self.bodies.len()).filter_map(|index| self.state(flat, index, t)).collect();
-        StepEndStates { states, received: received(flat) }
+        StepEndStates { states, received: received(flat, self.bodies.len()) }
     }
 }
 

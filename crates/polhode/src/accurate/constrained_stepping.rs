@@ -12,6 +12,7 @@ use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
 use crate::SimulationError;
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::world::World;
@@ -40,7 +41,7 @@ struct IslandSteps<'a> {
     engine: &'a mut Engine,
     core: &'a mut Core,
     bodies: &'a [usize],
-    held: &'a [ContactId],
+    active: &'a ActiveContacts,
     t: f64,
     limit_s: f64,
 }
@@ -63,7 +64,7 @@ impl Steps for IslandSteps<'_> {
     }
 
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
-        Ok(self.engine.attempt_step(self.core, self.bodies, self.held, (self.t, length_s)))
+        Ok(self.engine.attempt_step(self.core, self.bodies, self.active, (self.t, length_s)))
     }
 
     fn too_small(&self, _last: Option<f64>) -> SimulationError {
@@ -80,20 +81,20 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: &[usize],
-        held: &[ContactId],
+        active: &ActiveContacts,
         t: f64,
     ) -> Result<ConstrainedStep, SimulationError> {
         let longest = core.settings.step_s;
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
-        let limit_s = step_limit(core, held, t);
-        let mut steps = IslandSteps { engine: self, core, bodies, held, t, limit_s };
+        let limit_s = step_limit(core, &active.held, t);
+        let mut steps = IslandSteps { engine: self, core, bodies, active, t, limit_s };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
         let next = control.proposed_s().min(longest);
         for &body in bodies {
             self.tracks[body].proposed_step_s = next;
         }
-        Ok(self.accepted_step(core, bodies, held, (t, length_s), (step, error)))
+        Ok(self.accepted_step(core, bodies, active, (t, length_s), (step, error)))
     }
 
     /// A step from `t` over `h` (s) that has been accepted before: the same bits from the same start.
@@ -101,11 +102,11 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: &[usize],
-        held: &[ContactId],
+        active: &ActiveContacts,
         (t, h): (f64, f64),
     ) -> Option<ConstrainedStep> {
-        let accepted = self.attempt_step(core, bodies, held, (t, h)).accepted()?;
-        Some(self.accepted_step(core, bodies, held, (t, h), accepted))
+        let accepted = self.attempt_step(core, bodies, active, (t, h)).accepted()?;
+        Some(self.accepted_step(core, bodies, active, (t, h), accepted))
     }
 
     /// Attempts a step.
@@ -113,12 +114,12 @@ impl Engine {
         &mut self,
         core: &Core,
         bodies: &[usize],
-        held: &[ContactId],
+        active: &ActiveContacts,
         (t, h): (f64, f64),
     ) -> Attempt<(MethodStep, DenseStep)> {
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
-        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, held, about);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, active, about);
         let attempted = self.attempt(core, &mut system, (t, h)).and_then(|(mut step, error)| {
             let dense = step.dense(&mut system)?;
             Ok(((step, dense), error))
@@ -138,7 +139,7 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: &[usize],
-        held: &[ContactId],
+        active: &ActiveContacts,
         (t, h): (f64, f64),
         ((step, dense), error): ((MethodStep, DenseStep), f64),
     ) -> ConstrainedStep {
@@ -147,12 +148,12 @@ impl Engine {
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
-        let spins = bodies.iter().map(|&body| self.free_spin(core, body, held, t)).collect();
+        let spins = bodies.iter().map(|&body| self.free_spin(core, body, &active.held, t)).collect();
         ConstrainedStep {
             bodies: bodies.to_vec(),
-            held: held.to_vec(),
+            active: active.clone(),
             t,
-            end: end_of(core, held, t, h),
+            end: end_of(core, &active.held, t, h),
             h,
             end_state: step.end_state().to_vec(),
             dense,
@@ -230,7 +231,7 @@ impl Engine {
         }
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
-        let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.held, about);
+        let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.active, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
         self.restore_scratch(core, scratch, &step.bodies);
         let (made, _) = attempt.map_err(|source| Core::response_error(step.t, source))?;

@@ -19,6 +19,7 @@ use super::instant::Instant;
 use super::island::{Island, Step};
 use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
+use crate::collision::active_contacts::ActiveContacts;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::with_pivots_reduced;
@@ -174,7 +175,7 @@ impl Engine {
             self.contacts.set(*pair, Vec::new());
         }
         let bodies = instant.bodies;
-        let island = Island::beginning(bodies.clone(), Vec::new(), t, Step::Crowd(step));
+        let island = Island::beginning(bodies.clone(), ActiveContacts::default(), t, Step::Crowd(step));
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &bodies, &firsts, t)
     }

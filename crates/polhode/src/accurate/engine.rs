@@ -11,6 +11,7 @@ use super::pace::Pace;
 use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::accounting::books::{Books, Received, gravity_at};
+use crate::collision::active_contacts::ActiveContacts;
 use crate::core::Core;
 use crate::observer::Observer;
 use crate::sampling::emit_samples_before;
@@ -386,7 +387,7 @@ impl Engine {
                     self.tracks[body].gave_up_splitting = true;
                     self.tracks[body].mode = Mode::Constrained;
                 }
-                Ok(Step::Constrained(self.constrained_step(core, bodies, &[], t)?))
+                Ok(Step::Constrained(self.constrained_step(core, bodies, &ActiveContacts::default(), t)?))
             }
             Err(error) => Err(error),
         }
@@ -412,7 +413,7 @@ impl Engine {
 /// Whether a kinematic body that an island touches stops at `t`, the end of the island's step: then the island may come
 /// to rest.
 pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
-    let mut members = island.held.iter().flat_map(|id| [id.a, id.b]);
+    let mut members = island.active.held.iter().flat_map(|id| [id.a, id.b]);
     members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
 }
 

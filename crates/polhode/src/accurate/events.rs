@@ -6,6 +6,7 @@
 //! bodies continue unchanged.
 
 use super::agenda::Due;
+use super::contact_change::ContactChange;
 use super::engine::{Engine, Mode};
 use super::free_stepping::{FreeStep, free_end};
 use super::impact_search::Search;
@@ -14,9 +15,11 @@ use super::island::{Island, Step};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use crate::SimulationError;
 use crate::accounting::books::Balance;
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use crate::interaction::groups::coupled_groups;
+use crate::interaction::projection::Projected;
 use crate::states_of::set_states;
 use polhode_contact::aabb_of;
 use std::collections::{BTreeMap, BTreeSet};
@@ -153,14 +156,14 @@ impl Engine {
         bodies: Vec<usize>,
     ) -> Result<Instant, SimulationError> {
         core.world.prescribe(t, &mut self.states);
-        let mut departing = BTreeSet::new();
+        let mut change = ContactChange { t, ..ContactChange::default() };
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
         let mut ended = Vec::with_capacity(firsts.len());
         for first in firsts {
             let Some(mut island) = self.remove_island(first) else { continue };
-            // Contacts break at the time located for them, not at an earlier event.
+            // Contacts break, stop and begin to slide at the time located for them, not at an earlier event.
             if island.changes && island.due <= t {
-                departing.extend(island.departing.iter().copied());
+                change.include(&island.change);
             }
             let balance = self.end_motion(core, &mut island, t)?;
             ended.push((island, balance));
@@ -191,7 +194,7 @@ impl Engine {
             t,
             touches: touches.collect(),
             pairs: pairs.into_iter().collect(),
-            departing,
+            change,
             woken: BTreeSet::new(),
             rest_times: BTreeMap::new(),
             speed_scale: bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most)),
@@ -238,9 +241,13 @@ impl Engine {
         t: f64,
     ) -> Result<(), SimulationError> {
         if let Some(balance) = ended {
-            self.project_held_contacts(core, &island.bodies, (&island.held, &island.held), t, balance)?;
+            let held = &island.active.held;
+            // A contact that has just stopped sticks from now on, if at all.
+            let sticking = island.active.sticking();
+            let projected = Projected { touching: held, held, sticking: &sticking };
+            self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
         }
-        self.check(core, &island.bodies, &island.held, t)
+        self.check(core, &island.bodies, &island.active.held, t)
     }
 
     /// Checks that the bodies of an island are finite, and measures penetration and speed.
@@ -326,11 +333,15 @@ impl Engine {
         let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
         let mut firsts = Vec::new();
         for group in coupled_groups(&core.world, held, &constrained) {
-            let ids = group.contacts.iter().map(|&i| touches[i].id).collect();
-            firsts.extend(self.begin_island(core, group.bodies, ids, t)?);
+            let members = group.contacts.iter().map(|&i| &touches[i]);
+            let active = ActiveContacts {
+                held: members.clone().map(|touch| touch.id).collect(),
+                friction: members.filter_map(|touch| Some((touch.id, touch.friction?))).collect(),
+            };
+            firsts.extend(self.begin_island(core, group.bodies, active, t)?);
         }
         for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
-            firsts.extend(self.begin_island(core, group.bodies, Vec::new(), t)?);
+            firsts.extend(self.begin_island(core, group.bodies, ActiveContacts::default(), t)?);
         }
         Ok(firsts)
     }
@@ -340,15 +351,15 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: Vec<usize>,
-        held: Vec<ContactId>,
+        active: ActiveContacts,
         t: f64,
     ) -> Result<Option<usize>, SimulationError> {
         let pace = self.pace_of(core, &bodies);
         for &body in &bodies {
             self.tracks[body].pace = pace;
         }
-        let step = self.first_step(core, &bodies, &held, t)?;
-        Ok(self.insert_island(Island::beginning(bodies, held, t, step)))
+        let step = self.first_step(core, &bodies, &active, t)?;
+        Ok(self.insert_island(Island::beginning(bodies, active, t, step)))
     }
 
     /// The first step of an island.
@@ -356,7 +367,7 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: &[usize],
-        held: &[ContactId],
+        active: &ActiveContacts,
         t: f64,
     ) -> Result<Step, SimulationError> {
         if core.is_end_of_run(t) && !self.goes_on {
@@ -366,9 +377,9 @@ impl Engine {
             let first = FreeStep::first(core, bodies, &self.states, t);
             return self.free_or_constrained(core, bodies, t, first);
         }
-        match self.constrained_step(core, bodies, held, t) {
+        match self.constrained_step(core, bodies, active, t) {
             // A contact point moves or jumps faster than any step can follow.
-            Err(SimulationError::StepTooSmall { .. }) if !held.is_empty() && core.settings.crowding.steps() => {
+            Err(SimulationError::StepTooSmall { .. }) if !active.held.is_empty() && core.settings.crowding.steps() => {
                 Ok(Step::Waiting(t))
             }
             step => step.map(Step::Constrained),
@@ -385,7 +396,7 @@ impl Engine {
             let Some(island) = self.take_island(first) else { continue };
             let (bodies, t) = (island.bodies.clone(), island.t);
             core.world.prescribe(t, &mut self.states);
-            let step = self.first_step(core, &bodies, &island.held, t)?;
+            let step = self.first_step(core, &bodies, &island.active, t)?;
             self.insert_island(Island { step, ..island });
             self.look_ahead(core, &bodies, &[first], t)?;
         }
@@ -401,11 +412,11 @@ impl Engine {
         core.world.prescribe(t, &mut self.states);
         let balance = self.end_motion(core, &mut island, t)?;
         self.finish_step(core, &island, balance, t)?;
-        let Island { bodies, held, step, .. } = island;
+        let Island { bodies, mut active, step, .. } = island;
         let mut pace = self.pace_of(core, &bodies);
         let longest = core.settings.step_s;
         let mut advance = pace.note_end(t, StepEnd::AsPlanned, longest);
-        if !held.is_empty() {
+        if !active.held.is_empty() {
             advance = advance.and(pace.note_mean_step(t, longest));
         }
         for &body in &bodies {
@@ -421,10 +432,13 @@ impl Engine {
                 let next = step.next(core);
                 self.free_or_constrained(core, &bodies, t, next)?
             }
-            _ => self.first_step(core, &bodies, &held, t)?,
+            _ => {
+                active.renew_directions(&core.world, &self.states);
+                self.first_step(core, &bodies, &active, t)?
+            }
         };
         let of_island = bodies.clone();
-        let island = Island::beginning(bodies, held, t, step);
+        let island = Island::beginning(bodies, active, t, step);
         let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
         self.look_ahead(core, &of_island, &firsts, t)
     }
@@ -453,7 +467,7 @@ impl Engine {
                 let pace = self.pace_of(core, &island.bodies);
                 match self.locate_contact_change(core, step, step.end, &pace) {
                     Ok(Some(change)) => {
-                        (island.due, island.changes, island.departing) = (change.t, true, change.departing);
+                        (island.due, island.changes, island.change) = (change.t, true, change);
                     }
                     Ok(None) => {}
                     Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {

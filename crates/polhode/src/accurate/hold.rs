@@ -4,9 +4,11 @@
 //! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
 //! (erratum E13).
 
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::friction_mode::FrictionMode;
 use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::Assembly;
+use crate::interaction::frictional_accelerations::{ContactTangent, FrictionalAccelerations};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};
@@ -37,6 +39,19 @@ pub(super) struct Forces {
     /// Largest sum of weight and field force on a body of the group, N: a scale for the rounding error of contact
     /// forces.
     pub(super) load: f64,
+    /// Friction of the contacts, in their order; empty when none has friction.
+    friction: Vec<Option<ContactFriction>>,
+}
+
+/// Friction of a contact at one instant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ContactFriction {
+    /// Force on A in the tangent plane, N.
+    pub(super) force: DVec3,
+    /// `u_T'`, m/s^2.
+    slip_acceleration: DVec3,
+    /// Whether it sticks or slides from this instant on; none when it bears no force.
+    pub(super) mode: Option<FrictionMode>,
 }
 
 impl Forces {
@@ -53,13 +68,17 @@ impl Forces {
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
         let loads = world.loads_on(t, states, bodies);
-        let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
-        let AccelerationProblem { assembly, free, constants: b } = problem;
         let load = bodies.iter().map(|&body| {
             let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
             mass * world.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
+        if world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
+            let accelerations = FrictionalAccelerations::solve(world, (t, states), bodies, contacts, &loads)?;
+            return Ok(Self::with_friction(accelerations, t, load));
+        }
+        let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
+        let AccelerationProblem { assembly, free, constants: b } = problem;
         let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();
@@ -68,7 +87,59 @@ impl Forces {
         for (a, f) in accelerations.iter_mut().zip(&free) {
             *a += f;
         }
-        Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load })
+        let friction = Vec::new();
+        Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load, friction })
+    }
+
+    /// The forces of contacts with friction.
+    fn with_friction(found: FrictionalAccelerations, t: f64, load: f64) -> Self {
+        let opening = OPENING_RELATIVE * found.scale;
+        let friction = found.contacts.iter().map(|contact| {
+            contact.map(|ContactTangent { force, slip_acceleration, sliding, is_pressed }| {
+                let speed = slip_acceleration.length();
+                let mode = match sliding {
+                    Some(direction) => FrictionMode::Sliding(direction),
+                    None if speed > opening => FrictionMode::Sliding(slip_acceleration / speed),
+                    None => FrictionMode::Sticking,
+                };
+                ContactFriction { force, slip_acceleration, mode: is_pressed.then_some(mode) }
+            })
+        });
+        Self {
+            friction: friction.collect(),
+            contacts: found.contacts.len(),
+            solution: found.solution,
+            assembly: found.assembly,
+            accelerations: found.accelerations,
+            t,
+            opening,
+            load,
+        }
+    }
+
+    /// Friction of a contact, by its place in the list; none without friction.
+    pub(super) fn friction(&self, contact: usize) -> Option<ContactFriction> {
+        *self.friction.get(contact)?
+    }
+
+    /// The contacts among `contacts` that stick and whose slips grow nevertheless: they can stick no longer. With the
+    /// direction of the slip.
+    pub(super) fn slipping<'a>(&'a self, contacts: &'a [Touch]) -> impl Iterator<Item = (ContactId, DVec3)> + 'a {
+        contacts.iter().zip(&self.friction).filter_map(|(touch, friction)| {
+            let growth = friction.as_ref()?.slip_acceleration;
+            let speed = growth.length();
+            let slips = touch.friction == Some(FrictionMode::Sticking) && speed > self.opening;
+            slips.then(|| (touch.id, growth / speed))
+        })
+    }
+
+    /// Largest relative acceleration at contacts that break or begin to slide, m/s^2.
+    pub(super) fn largest_opening(&self, contacts: &[Touch]) -> f64 {
+        let opening = self.solution.residual_accelerations.iter().fold(0.0f64, |most, &w| most.max(w));
+        let slips =
+            contacts.iter().zip(&self.friction).filter(|(touch, _)| touch.friction == Some(FrictionMode::Sticking));
+        let slips = slips.filter_map(|(_, friction)| Some(friction.as_ref()?.slip_acceleration.length()));
+        slips.fold(opening, f64::max)
     }
 
     /// Forces of the contacts, without those of pivots.
@@ -112,7 +183,8 @@ impl Forces {
     pub(super) fn balanced_bodies(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
         let mut force_sums = vec![0.0; world.bodies.len()];
         let mut moment_sums = vec![0.0; world.bodies.len()];
-        for (touch, force) in contacts.iter().zip(&self.solution.forces) {
+        for (index, (touch, normal)) in contacts.iter().zip(&self.solution.forces).enumerate() {
+            let force = self.friction(index).map_or(*normal, |friction| normal + friction.force.length());
             for body in [touch.id.a, touch.id.b] {
                 let arm = touch.kinematics.geometry.point - states[body].pose.translation;
                 force_sums[body] += force;

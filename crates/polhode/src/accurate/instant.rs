@@ -1,8 +1,9 @@
 //! The instant of an event: its time, affected bodies and contacts (`events.rs` collects them).
 
+use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
 use crate::SimulationError;
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,8 +19,8 @@ pub(super) struct Instant {
     pub(super) pairs: Vec<(usize, usize)>,
     /// Contacts, sorted by identity.
     pub(super) touches: Vec<Touch>,
-    /// Contacts that break at this instant: their forces reach zero.
-    pub(super) departing: BTreeSet<ContactId>,
+    /// What changes at its contacts: steps that end at this instant have located it.
+    pub(super) change: ContactChange,
     /// Bodies that this instant wakes from rest.
     pub(super) woken: BTreeSet<usize>,
     /// When the bounces that are ended at this instant would have ended, by body, s.

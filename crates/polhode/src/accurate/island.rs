@@ -6,18 +6,18 @@
 //! their impact.
 
 use super::constrained_step::ConstrainedStep;
+use super::contact_change::ContactChange;
 use super::crowd_step::CrowdStep;
 use super::free_stepping::FreeStep;
-use crate::collision::contact_set::ContactId;
-use std::collections::BTreeSet;
+use crate::collision::active_contacts::ActiveContacts;
 
 /// Bodies that move together.
 #[derive(Debug)]
 pub(super) struct Island {
     /// Movable bodies, ascending.
     pub(super) bodies: Vec<usize>,
-    /// Contacts held, ascending.
-    pub(super) held: Vec<ContactId>,
+    /// Its active contacts.
+    pub(super) active: ActiveContacts,
     /// Start of the present step, s: the states of the bodies are those of that time.
     pub(super) t: f64,
     /// The present step.
@@ -28,8 +28,8 @@ pub(super) struct Island {
     pub(super) changes: bool,
     /// Whether contact forces, or a step under them, could not be found: time steps then advance the island.
     pub(super) is_unsolved: bool,
-    /// Contacts that break then: their forces reach zero.
-    pub(super) departing: BTreeSet<ContactId>,
+    /// Contacts that break, stop or begin to slide then.
+    pub(super) change: ContactChange,
 }
 
 /// A step of an island.
@@ -47,11 +47,11 @@ pub(super) enum Step {
 }
 
 impl Island {
-    /// Bodies (ascending) that begin a step at `t` (s) with these contacts held (ascending): the event that ends it is
-    /// not located yet.
-    pub(super) fn beginning(bodies: Vec<usize>, held: Vec<ContactId>, t: f64, step: Step) -> Self {
-        let departing = BTreeSet::new();
-        Self { bodies, held, t, step, due: f64::INFINITY, changes: false, is_unsolved: false, departing }
+    /// Bodies (ascending) that begin a step at `t` (s) with these active contacts: the event that ends it is not located
+    /// yet.
+    pub(super) fn beginning(bodies: Vec<usize>, active: ActiveContacts, t: f64, step: Step) -> Self {
+        let change = ContactChange { t: f64::INFINITY, ..ContactChange::default() };
+        Self { bodies, active, t, step, due: f64::INFINITY, changes: false, is_unsolved: false, change }
     }
 
     /// The first body, which identifies the island.

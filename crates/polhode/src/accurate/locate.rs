@@ -7,11 +7,13 @@
 //! (`crate::interaction::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
 
 use super::constrained_step::ConstrainedStep;
+use super::contact_change::ContactChange;
 use super::engine::Engine;
 use super::hold::Forces;
 use super::pace::Pace;
 use crate::SimulationError;
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::friction_mode::FrictionMode;
 use crate::core::Core;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
@@ -19,7 +21,7 @@ use crate::interaction::projection::rate_exceeds_drift;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Time after the break of a contact at which its acceleration is evaluated again, as a fraction of the step: long
 /// enough to distinguish its growth from rounding, short enough for linear growth.
@@ -28,20 +30,18 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest backward extrapolation, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
+/// Times of a step at which slips are compared with that at its stop.
+const STOP_CHECKS: u32 = 4;
+
+/// Slips below this fraction of their largest value in the step vanish together with the one that has been located
+/// (1e-12 to 1e-7).
+const STOPPED_SLIP: f64 = 1e-9;
+
 /// Most searches for an earlier violation. After them the time found so far is accepted.
 const MOST_VIOLATIONS: usize = 16;
 
 /// Intervals of a step at whose ends held contacts are checked for leaving their features, and others for penetration.
 pub(super) const PENETRATION_CHECKS: u32 = 8;
-
-/// The end of the validity of an island's active set.
-#[derive(Debug, Default)]
-pub(super) struct ContactChange {
-    /// s.
-    pub(super) t: f64,
-    /// Contacts that break then: their forces reach zero.
-    pub(super) departing: BTreeSet<ContactId>,
-}
 
 impl Engine {
     /// The first time in a step, up to `limit` (s), at which its active set ceases to be valid.
@@ -80,7 +80,7 @@ impl Engine {
                 break;
             }
             limit = limit.min(pace.retry_time(longest));
-            found = Some(ContactChange { t: limit, departing: BTreeSet::new() });
+            found = Some(ContactChange { t: limit, ..ContactChange::default() });
             violated = self.first_violation(core, step, limit, &tolerated, states)?;
         }
         let mut pairs: Vec<_> = tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
@@ -107,9 +107,13 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<ContactChange, SimulationError> {
-        let at = |t: f64| ContactChange { t, departing: BTreeSet::new() };
+        let at = |t: f64| ContactChange { t, ..ContactChange::default() };
         loop {
             let Some(closing) = self.closing_time(core, step, violated, states) else {
+                let stopping = stopping_contacts(core, step, violated, states);
+                if !stopping.is_empty() {
+                    return Ok(ContactChange { t: violated, stopping, ..ContactChange::default() });
+                }
                 return breaking(core, step, violated, states);
             };
             step.states_at(&core.world, closing, states);
@@ -170,7 +174,7 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<Option<(f64, f64)>, SimulationError> {
-        let mut members = step.held.iter().flat_map(|id| [id.a, id.b]);
+        let mut members = step.active.held.iter().flat_map(|id| [id.a, id.b]);
         let driven = members.any(|body| !core.world.stands_still(body, start, limit));
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval(core, step, (start, first_check), tolerated, states) {
@@ -181,7 +185,7 @@ impl Engine {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
             step.states_at(&core.world, t, states);
             // Contact points may leave their features long before other contacts penetrate.
-            let mut held = step.held.iter().filter(|id| !tolerated.contains(id));
+            let mut held = step.active.held.iter().filter(|id| !tolerated.contains(id));
             if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(core, states, id).is_none()) {
                 return Ok(Some((before, t)));
             }
@@ -215,19 +219,22 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Vec<ContactId>, SimulationError> {
         step.states_at(&core.world, t, states);
-        let mut touches = Vec::with_capacity(step.held.len());
+        let mut touches = Vec::with_capacity(step.active.held.len());
         let mut left = Vec::new();
-        for &id in &step.held {
+        for &id in &step.active.held {
             let is_tolerated = tolerated.contains(&id);
             let kinematics =
                 if is_tolerated { core.world.kinematics(states, id) } else { held_kinematics(core, states, id) };
             match kinematics {
-                Some(kinematics) => touches.push(Touch { id, kinematics, hold: Hold::Held, known: true }),
+                Some(kinematics) => touches.push(held_touch(step, id, kinematics)),
                 None => left.push(id),
             }
         }
         if left.is_empty() {
             left.extend(self.penetrating(core, step, states, tolerated));
+        }
+        if left.is_empty() {
+            left.extend(reversed_slips(core, step, states).filter(|id| !tolerated.contains(id)));
         }
         if left.is_empty() {
             left = breaking_contacts(core, step, t, states, &touches, tolerated)?;
@@ -277,7 +284,7 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<Violation>, SimulationError> {
         let Some(&id) = self.violations(core, step, t, tolerated, states)?.first() else { return Ok(None) };
-        let kind = [Violation::Leaves(id), Violation::Penetrates(id.a, id.b), Violation::Breaks];
+        let kind = [Violation::Leaves(id), Violation::Penetrates(id.a, id.b), Violation::Stops, Violation::Breaks];
         for violation in kind {
             if self.is_violated(core, step, violation, t, tolerated, states)? {
                 return Ok(Some(violation));
@@ -299,14 +306,15 @@ impl Engine {
         step.states_at(&core.world, t, states);
         match violation {
             Violation::Leaves(id) => {
-                let is_held = step.held.binary_search(&id).is_ok() && !tolerated.contains(&id);
+                let is_held = step.active.held.binary_search(&id).is_ok() && !tolerated.contains(&id);
                 Ok(is_held && held_kinematics(core, states, id).is_none())
             }
             Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
+            Violation::Stops => Ok(reversed_slips(core, step, states).any(|id| !tolerated.contains(&id))),
             Violation::Breaks => {
-                let touches = step.held.iter().map(|&id| {
+                let touches = step.active.held.iter().map(|&id| {
                     let kinematics = core.world.kinematics(states, id)?;
-                    Some(Touch { id, kinematics, hold: Hold::Held, known: true })
+                    Some(held_touch(step, id, kinematics))
                 });
                 match touches.collect::<Option<Vec<_>>>() {
                     Some(touches) => Ok(!breaking_contacts(core, step, t, states, &touches, tolerated)?.is_empty()),
@@ -347,8 +355,56 @@ enum Violation {
     Leaves(ContactId),
     /// A pair with a penetrating contact that is not held.
     Penetrates(usize, usize),
-    /// Pushing forces do not suffice: a held contact breaks.
+    /// The slip of a contact that slides vanishes.
+    Stops,
+    /// Pushing forces do not suffice: a held contact breaks, or begins to slide.
     Breaks,
+}
+
+/// An active contact of a step, with these kinematics.
+fn held_touch(step: &ConstrainedStep, id: ContactId, kinematics: ContactKinematics) -> Touch {
+    Touch::held(id, kinematics, step.active.friction.get(&id).copied())
+}
+
+/// The slip of a contact along the direction in which it slides at the start of the step, m/s; none for a contact that
+/// sticks or has no friction.
+fn slip_along(core: &Core, states: &[BodyState], id: ContactId, mode: FrictionMode) -> Option<f64> {
+    let FrictionMode::Sliding(direction) = mode else { return None };
+    Some(core.world.tangential_kinematics(states, id)?.slip_velocity.dot(direction))
+}
+
+/// The contacts that slide against their direction in these states: their slips have vanished before.
+fn reversed_slips<'a>(
+    core: &'a Core,
+    step: &'a ConstrainedStep,
+    states: &'a [BodyState],
+) -> impl Iterator<Item = ContactId> + 'a {
+    let modes = step.active.friction.iter();
+    modes.filter(|&(&id, &mode)| slip_along(core, states, id, mode).is_some_and(|slip| slip < 0.0)).map(|(&id, _)| id)
+}
+
+/// If a slip has just vanished at `t` (s), all contacts whose slips vanish then.
+fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [BodyState]) -> BTreeSet<ContactId> {
+    let mut greatest = BTreeMap::new();
+    for k in 0..=STOP_CHECKS {
+        step.states_at(&core.world, step.t + (t - step.t) * (f64::from(k) / f64::from(STOP_CHECKS)), states);
+        for (&id, &mode) in &step.active.friction {
+            let Some(slip) = slip_along(core, states, id, mode) else { continue };
+            let most: &mut f64 = greatest.entry(id).or_default();
+            *most = most.max(slip);
+        }
+    }
+    step.states_at(&core.world, t, states);
+    if reversed_slips(core, step, states).next().is_none() {
+        return BTreeSet::new();
+    }
+    let stops = |(&id, &most): (&ContactId, &f64)| {
+        let mode = step.active.friction.get(&id)?;
+        let slip = slip_along(core, states, id, *mode)?;
+        let limit = (STOPPED_SLIP * most).max(core.world.slip_rounding(states, id));
+        (slip <= limit).then_some(id)
+    };
+    greatest.iter().filter_map(stops).collect()
 }
 
 /// The held contacts that break under pushing forces, without the tolerated ones.
@@ -362,8 +418,9 @@ fn breaking_contacts(
 ) -> Result<Vec<ContactId>, SimulationError> {
     let forces = forces_of(core, step, t, states, touches)?;
     let opens = touches.iter().zip(forces.opening_margins());
-    let opens = opens.filter(|&(touch, margin)| margin < 0.0 && !tolerated.contains(&touch.id));
-    Ok(opens.map(|(touch, _)| touch.id).collect())
+    let opens = opens.filter(|&(_, margin)| margin < 0.0).map(|(touch, _)| touch.id);
+    let slips = forces.slipping(touches).map(|(id, _)| id);
+    Ok(opens.chain(slips).filter(|id| !tolerated.contains(id)).collect())
 }
 
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
@@ -387,30 +444,32 @@ fn breaking(
 ) -> Result<ContactChange, SimulationError> {
     let late = (violated + EXTRAPOLATION * (step.end - step.t)).min(step.end);
     let mut openings = Vec::with_capacity(2);
-    let mut departing = BTreeSet::new();
+    let (mut departing, mut slipping) = (BTreeSet::new(), BTreeMap::new());
     for t in [violated, late] {
         step.states_at(&core.world, t, states);
         let contacts: Vec<Touch> = step
+            .active
             .held
             .iter()
             .filter_map(|&id| {
                 let kinematics = core.world.kinematics(states, id)?;
-                Some(Touch { id, kinematics, hold: Hold::Held, known: true })
+                Some(held_touch(step, id, kinematics))
             })
             .collect();
         let forces = forces_of(core, step, t, states, &contacts)?;
         let opening = contacts.iter().zip(forces.opening_margins()).filter(|&(_, margin)| margin < 0.0);
         departing.extend(opening.map(|(contact, _)| contact.id));
-        let accelerations = forces.solution.residual_accelerations;
-        openings.push(accelerations.iter().fold(0.0f64, |most, &w| most.max(w)));
+        slipping.extend(forces.slipping(&contacts));
+        openings.push(forces.largest_opening(&contacts));
     }
     let (first, second) = (openings[0], openings[1]);
-    if departing.is_empty() || second <= first {
-        return Ok(ContactChange { t: violated, departing });
+    let change = ContactChange { t: violated, departing, slipping, ..ContactChange::default() };
+    if (change.departing.is_empty() && change.slipping.is_empty()) || second <= first {
+        return Ok(change);
     }
     let back = first * (late - violated) / (second - first);
     let t = (violated - back.min(LONGEST_EXTRAPOLATION * (late - violated))).max(step.t);
-    Ok(ContactChange { t, departing })
+    Ok(ContactChange { t, ..change })
 }
 
 fn forces_of(

@@ -13,12 +13,14 @@
 //! | `agenda` | times of what is due: ends of steps, impacts, renewals of boxes |
 //! | `island` | bodies that move together, and their present step |
 //! | `constrained_step`, `constrained_stepping`, `stage_method` | a step with held contacts, and how it is made: by DOP853 or RK4 over `system` |
+//! | `friction_forces` | forces of contacts with friction at a stage of a step |
 //! | `free_stepping` | a step by the integrator that the scene names |
 //! | `locate`, `penetration` | location of contact changes: how long the active set is valid |
 //! | `state_cache` | the states of all bodies at the last observation |
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
 //! | `instant`, `events` | an event, the affected bodies, and their motion afterwards |
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
+//! | `contact_change` | what changes at the contacts of an island at the end of its active set |
 //! | `contacts` | the touching contacts at their last evaluation |
 //! | `pivot_views` | forces of pivots at the present |
 //! | `pace` | whether time advances: stalls and crowded events |
@@ -32,12 +34,14 @@
 mod agenda;
 mod constrained_step;
 mod constrained_stepping;
+mod contact_change;
 mod contacts;
 mod crowd_step;
 mod crowding;
 mod engine;
 mod events;
 mod free_stepping;
+mod friction_forces;
 mod hold;
 mod impact_search;
 mod instant;

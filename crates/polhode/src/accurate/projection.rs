@@ -14,7 +14,7 @@ use crate::accounting::books::Balance;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
-use crate::interaction::projection;
+use crate::interaction::projection::{self, Projected};
 use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_dynamics::BodyState;
@@ -26,9 +26,8 @@ use std::collections::BTreeSet;
 const PUSH_RELATIVE: f64 = 1e-13;
 
 impl Engine {
-    /// Projects contacts of some bodies (ascending) onto zero separation at `t` (s): `touching` in position, `held`
-    /// also in velocity. Books the change; `before` is the balance of the bodies before. If bodies would be pushed into
-    /// neighbours, their poses are restored.
+    /// Projects contacts of some bodies (ascending) onto zero separation and velocity at `t` (s). Books the change;
+    /// `before` is the balance of the bodies before. If bodies would be pushed into neighbours, their poses are restored.
     ///
     /// # Errors
     /// When a state is not finite, or an integrator cannot evaluate a neighbour.
@@ -36,16 +35,16 @@ impl Engine {
         &mut self,
         core: &mut Core,
         bodies: &[usize],
-        (touching, held): (&[ContactId], &[ContactId]),
+        projected: Projected<'_>,
         t: f64,
         before: Balance,
     ) -> Result<(), SimulationError> {
         let start: Vec<Pose> = bodies.iter().map(|&body| self.states[body].pose).collect();
         let how = (core.settings.step_error(), &mut core.solver);
-        let mut done = projection::project(&core.world, &mut self.states, bodies, (touching, held), how)
+        let mut done = projection::project(&core.world, &mut self.states, bodies, projected, how)
             .map_err(|source| Core::response_error(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.world.bodies[*body].size;
-        if bodies.iter().any(pushes) && self.restore_poses_if_pushed(core, bodies, &start, touching, t)? {
+        if bodies.iter().any(pushes) && self.restore_poses_if_pushed(core, bodies, &start, projected.touching, t)? {
             done.moved_m = 0.0;
             done.unconverged.retain(|constraint| constraint.contact().is_none());
         }

@@ -9,12 +9,13 @@ use super::hold::Forces;
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::friction_mode::FrictionMode;
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
 use crate::interaction::overlap::is_excess;
-use crate::interaction::projection::{self, Removal};
+use crate::interaction::projection::{self, Projected, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -192,6 +193,9 @@ impl Engine {
                 Err(_) => Hold::Open,
             };
             self.set_hold(core, instant, i, hold);
+            let friction = candidates.binary_search(&i).ok().and_then(|row| forces.friction(row));
+            let held = friction.filter(|_| hold == Hold::Held);
+            instant.touches[i].friction = held.map(|friction| friction.mode.unwrap_or(FrictionMode::Sticking));
         }
         self.settle(core, instant, group, &candidates, &forces)
     }
@@ -235,11 +239,31 @@ impl Engine {
         group: &Group,
         candidates: &[usize],
     ) -> Result<Forces, SimulationError> {
-        let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
+        let with_mode = |&i: &usize| self.with_friction_mode(core, instant, &instant.touches[i]);
+        let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
         let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
         Ok(forces)
+    }
+
+    /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its
+    /// forces decide.
+    fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
+        let has_friction = core.world.friction_of(touch.id.a, touch.id.b).is_some();
+        let terms = has_friction.then(|| core.world.tangential_kinematics(&self.states, touch.id)).flatten();
+        let change = &instant.change;
+        let friction = match (terms, change.slipping.get(&touch.id)) {
+            (None, _) => None,
+            (Some(_), Some(&direction)) => Some(FrictionMode::Sliding(direction)),
+            (Some(_), None) if change.stopping.contains(&touch.id) => None,
+            (Some(terms), None) => {
+                let speed = terms.slip_velocity.length();
+                let slides = speed > self.sustained_speed(core, instant.speed_scale, touch);
+                slides.then(|| FrictionMode::Sliding(terms.slip_velocity / speed))
+            }
+        };
+        Touch { friction, ..*touch }
     }
 
     fn set_hold(&self, core: &mut Core, instant: &mut Instant, i: usize, hold: Hold) {
@@ -302,9 +326,14 @@ impl Engine {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let slowed =
-            projection::project_velocities(&core.world, &mut self.states, &group.bodies, &ids, Removal::Complete)
-                .map_err(|source| Core::response_error(instant.t, source))?;
+        let slowed = projection::project_velocities(
+            &core.world,
+            &mut self.states,
+            &group.bodies,
+            (&ids, &[]),
+            Removal::Complete,
+        )
+        .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         core.accounts.books.rest(before, after, slowed.work_j);
         self.refresh_kinematics(core, instant);
@@ -329,7 +358,10 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
-            self.project_held_contacts(core, &component.bodies, (&touching, &ids), instant.t, before)?;
+            let sticks = |i: &&usize| instant.touches[**i].friction == Some(FrictionMode::Sticking);
+            let sticking: Vec<_> = component.contacts.iter().filter(sticks).map(|&i| instant.touches[i].id).collect();
+            let projected = Projected { touching: &touching, held: &ids, sticking: &sticking };
+            self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;
             let scale = instant.speed_scale;
             let rests = allow_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
@@ -523,7 +555,7 @@ fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hol
     // The force of a breaking contact has fallen to zero. A contact that still carries load is not breaking.
     let largest = forces.of_contacts().iter().fold(0.0f64, |most, &f| most.max(f));
     let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
-    if instant.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
+    if instant.change.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
         return Hold::Open;
     }
     if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }

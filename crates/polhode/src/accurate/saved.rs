@@ -5,6 +5,7 @@
 //! the same bits; the agenda is computed from the islands and pairs.
 
 use super::agenda::{Agenda, Due};
+use super::contact_change::ContactChange;
 use super::contacts::Contacts;
 use super::crowd_step::Crowd;
 use super::engine::{Engine, Mode, Track};
@@ -13,14 +14,17 @@ use super::island::{Island, Step};
 use super::near_pairs::NearPairs;
 use super::state_cache::StateCache;
 use crate::SimulationError;
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::friction_mode::FrictionMode;
 use crate::core::Core;
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use polhode_dynamics::Flight;
-use std::collections::BTreeMap;
+use polhode_spatial::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Engine {
     /// The run as plain data.
@@ -30,6 +34,7 @@ impl Engine {
             kinematics: write_kinematics(&touch.kinematics),
             held: touch.hold == Hold::Held,
             known: touch.known,
+            friction: touch.friction.map(save_friction),
         };
         content::Accurate {
             states: numbers::write_states(&self.states),
@@ -95,8 +100,8 @@ impl Engine {
     fn restored_island(&mut self, core: &mut Core, saved: &content::Island) -> Result<Island, SimulationError> {
         self.check_island(&core.world, &saved.bodies)?;
         let (bodies, t) = (saved.bodies.clone(), saved.t);
-        let held = restored_ids(&core.world, &saved.held)?;
-        let departing = restored_ids(&core.world, &saved.departing)?.into_iter().collect();
+        let active = restored_active(&core.world, saved)?;
+        let change = restored_change(&core.world, saved)?;
         let step = match &saved.step {
             content::Step::Waiting(t) => Step::Waiting(*t),
             content::Step::Crowd(end, pairs) => {
@@ -108,19 +113,19 @@ impl Engine {
             }
             content::Step::Free(step) => Step::Free(Box::new(FreeStep::restored(core, &bodies, t, step)?)),
             content::Step::Constrained(h) => {
-                let step = self.repeated_step(core, &bodies, &held, (t, *h));
+                let step = self.repeated_step(core, &bodies, &active, (t, *h));
                 Step::Constrained(step.ok_or(SnapshotError::Invalid("a step cannot be repeated from its start"))?)
             }
         };
         Ok(Island {
             bodies,
-            held,
+            active,
             t,
             step,
             due: saved.due,
             changes: saved.changes,
             is_unsolved: saved.is_unsolved,
-            departing,
+            change,
         })
     }
 
@@ -151,7 +156,8 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
     let touch = |touch: &content::Touch| {
         let hold = if touch.held { Hold::Held } else { Hold::Open };
         let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
-        Ok(Touch { id, kinematics, hold, known: touch.known })
+        let friction = touch.friction.map(restored_friction);
+        Ok(Touch { id, kinematics, hold, known: touch.known, friction })
     };
     let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
     if !touches.is_sorted_by(|x, y| x.id < y.id) {
@@ -164,10 +170,43 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
     Ok(contacts)
 }
 
+/// The active contacts of an island.
+fn restored_active(world: &World, saved: &content::Island) -> Result<ActiveContacts, SnapshotError> {
+    let held = restored_ids(world, &saved.held)?;
+    let friction = saved.friction.iter().map(|(id, mode)| Ok((restored_id(world, id)?, restored_friction(*mode))));
+    Ok(ActiveContacts { held, friction: friction.collect::<Result<_, SnapshotError>>()? })
+}
+
+/// What changes at the end of an island's step.
+fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChange, SnapshotError> {
+    let slipping = saved.slipping.iter().map(|(id, to)| Ok((restored_id(world, id)?, DVec3::from_array(*to))));
+    Ok(ContactChange {
+        t: saved.due,
+        departing: restored_ids(world, &saved.departing)?.into_iter().collect(),
+        stopping: restored_ids(world, &saved.stopping)?.into_iter().collect(),
+        slipping: slipping.collect::<Result<_, SnapshotError>>()?,
+    })
+}
+
+fn save_friction(mode: FrictionMode) -> content::Friction {
+    match mode {
+        FrictionMode::Sticking => content::Friction::Sticking,
+        FrictionMode::Sliding(direction) => content::Friction::Sliding(direction.to_array()),
+    }
+}
+
+fn restored_friction(saved: content::Friction) -> FrictionMode {
+    match saved {
+        content::Friction::Sticking => FrictionMode::Sticking,
+        content::Friction::Sliding(direction) => FrictionMode::Sliding(DVec3::from_array(direction)),
+    }
+}
+
 fn save_island(island: &Island) -> content::Island {
+    let ids = |ids: &BTreeSet<ContactId>| ids.iter().copied().map(save_contact).collect();
     content::Island {
         bodies: island.bodies.clone(),
-        held: island.held.iter().copied().map(save_contact).collect(),
+        held: island.active.held.iter().copied().map(save_contact).collect(),
         t: island.t,
         step: match &island.step {
             Step::Constrained(step) => content::Step::Constrained(step.h),
@@ -178,7 +217,10 @@ fn save_island(island: &Island) -> content::Island {
         due: island.due,
         changes: island.changes,
         is_unsolved: island.is_unsolved,
-        departing: island.departing.iter().copied().map(save_contact).collect(),
+        departing: ids(&island.change.departing),
+        friction: island.active.friction.iter().map(|(&id, &mode)| (save_contact(id), save_friction(mode))).collect(),
+        stopping: ids(&island.change.stopping),
+        slipping: island.change.slipping.iter().map(|(&id, to)| (save_contact(id), to.to_array())).collect(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The first instant: finds touching contacts and checks that no bodies overlap.
 
+use super::contact_change::ContactChange;
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
 use crate::SimulationError;
@@ -83,7 +84,7 @@ impl Engine {
             bodies,
             pairs,
             touches,
-            departing: BTreeSet::new(),
+            change: ContactChange::default(),
             woken: BTreeSet::new(),
             rest_times: BTreeMap::new(),
             speed_scale,

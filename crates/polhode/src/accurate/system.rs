@@ -9,18 +9,22 @@
 //! A pivot adds three rows `a_Q = 0`, with a force at its point. Under force fields, and for a body whose motion is
 //! reduced to rotation about its pivot, g and L' are those of [`polhode_dynamics::FreeMotion`].
 //!
+//! Contacts with friction add the forces along their tangent planes (`friction_forces.rs`).
+//!
 //! Twenty more numbers follow those of the bodies, for the ledgers: the impulses of fixed bodies, of the weights and of
 //! the fields, each with its moment about the ledger's point; the energy lost to drag and dampers; and the work of
-//! external forces and kinematic bodies.
+//! external forces and kinematic bodies. Where contacts have friction, one more follows: the energy lost to it.
 
+use super::friction_forces::{self, FrictionContact, FrictionForces};
 use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::impact::{pivot_support, support};
 use crate::pivots::PivotKinematics;
 use crate::world::{Loads, World};
-use polhode_contact::ContactKinematics;
+use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
 use polhode_dynamics::{BodyState, RigidBody, System};
 use polhode_response::{LeastNormForces, ResponseError, least_norm_forces};
@@ -37,9 +41,11 @@ const DISPARATE_MASSES: f64 = 1e4;
 /// whose faces lie flush on each other makes such a difference.
 const SAME_NORMAL: f64 = 8.0 * f64::EPSILON;
 
-/// Momentum and energy from external agents since the start of the step, from the last numbers of a flat state.
-pub(super) fn received(flat: &[f64]) -> Received {
-    let Some(tail) = flat.last_chunk::<TAIL>() else { return Received::default() };
+/// Momentum and energy from external agents, and the energy lost to friction, since the start of the step: from the
+/// numbers after those of `bodies` bodies in a flat state.
+pub(super) fn received(flat: &[f64], bodies: usize) -> Received {
+    let after = flat.get(bodies * WIDTH..).unwrap_or_default();
+    let Some((tail, friction)) = after.split_first_chunk::<TAIL>() else { return Received::default() };
     let vector = |first: usize| DVec3::new(tail[first], tail[first + 1], tail[first + 2]);
     let momentum = |first: usize| Momentum { linear: vector(first), angular: vector(first + 3) };
     Received {
@@ -48,6 +54,7 @@ pub(super) fn received(flat: &[f64]) -> Received {
         fields: momentum(12),
         damping_j: tail[18],
         external_j: tail[19],
+        friction_j: friction.first().copied().unwrap_or(0.0),
     }
 }
 
@@ -56,7 +63,7 @@ pub(super) fn received(flat: &[f64]) -> Received {
 pub(super) struct ContactSystem<'a> {
     world: &'a World,
     bodies: &'a [usize],
-    held: &'a [ContactId],
+    active: &'a ActiveContacts,
     /// The point of the ledger of momentum.
     about: DVec3,
     /// States of all bodies; those of `bodies` and of kinematic bodies are overwritten at every stage.
@@ -64,6 +71,8 @@ pub(super) struct ContactSystem<'a> {
     /// The held contacts whose features define a contact at the stage. A contact whose features no longer do (edges
     /// that have become parallel) bears no force; the location of contact changes ends the step where that begins.
     contacts: Vec<(ContactId, ContactKinematics)>,
+    /// Those of them with friction.
+    friction: Vec<FrictionContact>,
     /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
     /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
@@ -74,8 +83,12 @@ pub(super) struct ContactSystem<'a> {
 /// Forces of the held contacts and of pivots.
 #[derive(Debug, Default)]
 struct HeldForces {
-    /// Of the contacts.
+    /// Of the contacts, along their normals.
     forces: Vec<f64>,
+    /// Of the contacts with friction, along tangents: the contact with the tangent in the place of its normal.
+    tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Power lost to friction, W.
+    dissipation: f64,
     /// Of the pivots.
     pivots: Vec<(PivotKinematics, DVec3)>,
     /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
@@ -87,16 +100,17 @@ impl<'a> ContactSystem<'a> {
         world: &'a World,
         states: &'a mut [BodyState],
         bodies: &'a [usize],
-        held: &'a [ContactId],
+        active: &'a ActiveContacts,
         about: DVec3,
     ) -> Self {
         Self {
             world,
             bodies,
-            held,
+            active,
             about,
             states,
-            contacts: Vec::with_capacity(held.len()),
+            contacts: Vec::with_capacity(active.held.len()),
+            friction: Vec::with_capacity(active.friction.len()),
             cancelling: vec![[0.0; 2]; bodies.len()],
             is_disparate: masses_differ(world, bodies),
         }
@@ -122,18 +136,18 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Updates the largest sums of magnitudes with the forces of a stage.
-    fn note_magnitudes(&mut self, HeldForces { forces, pivots, .. }: &HeldForces) {
+    fn note_magnitudes(&mut self, held: &HeldForces) {
         let mut sums = vec![[0.0; 2]; self.bodies.len()];
-        for ((id, k), force) in self.contacts.iter().zip(forces) {
+        for (id, geometry, force) in self.contact_forces(held) {
             for body in [id.a, id.b] {
                 if let Ok(index) = self.bodies.binary_search(&body) {
-                    let arm = k.geometry.point - self.states[body].pose.translation;
+                    let arm = geometry.point - self.states[body].pose.translation;
                     sums[index][0] += force.abs();
                     sums[index][1] += force.abs() * arm.length();
                 }
             }
         }
-        for (pivot, force) in pivots {
+        for (pivot, force) in &held.pivots {
             if let Ok(index) = self.bodies.binary_search(&pivot.body) {
                 sums[index][0] += force.length();
                 sums[index][1] += force.length() * pivot.arm.length();
@@ -144,16 +158,36 @@ impl<'a> ContactSystem<'a> {
         }
     }
 
+    /// Forces on A at contacts, along normals and then along tangents, which stand in the place of the normals.
+    fn contact_forces<'b>(
+        &'b self,
+        held: &'b HeldForces,
+    ) -> impl Iterator<Item = (ContactId, &'b ContactGeometry, f64)> + Clone {
+        let normal = self.contacts.iter().zip(&held.forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        normal.chain(held.tangential.iter().map(|(id, along, force)| (*id, along, *force)))
+    }
+
+    /// How many numbers follow those of the bodies.
+    fn tail(&self) -> usize {
+        TAIL + usize::from(!self.active.friction.is_empty())
+    }
+
     /// Flat state of the group.
     pub(super) fn pack(&self) -> Vec<f64> {
         let bodies = self.bodies.iter().flat_map(|&body| self.states[body].to_array());
-        bodies.chain([0.0; TAIL]).collect()
+        bodies.chain(std::iter::repeat_n(0.0, self.tail())).collect()
     }
 
     /// Forces of the held contacts and pivots at the present states.
     fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
         if self.contacts.is_empty() && !self.world.has_rows() {
             return Ok(HeldForces::default());
+        }
+        if !self.friction.is_empty() {
+            let at = (t, &*self.states);
+            let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
+            let FrictionForces { normal, tangential, pivots, dissipation } = found;
+            return Ok(HeldForces { forces: normal, tangential, dissipation, pivots, sums: None });
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
@@ -163,18 +197,18 @@ impl<'a> ContactSystem<'a> {
         let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
         let pivots = assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect();
         let sums = loads.map(|loads| assembly.split(&loads).collect());
-        Ok(HeldForces { forces, pivots, sums })
+        Ok(HeldForces { forces, pivots, sums, ..HeldForces::default() })
     }
 
     /// Adds the forces to the rates one by one.
-    fn add_forces(&self, HeldForces { forces, pivots, .. }: &HeldForces, rates: &mut [f64]) {
-        for (pivot, force) in pivots {
+    fn add_forces(&self, held: &HeldForces, rates: &mut [f64]) {
+        for (pivot, force) in &held.pivots {
             self.add_load(pivot.body, *force, pivot.arm.cross(*force), rates);
         }
-        for ((id, k), &force) in self.contacts.iter().zip(forces) {
+        for (id, geometry, force) in self.contact_forces(held) {
             for (body, signed) in [(id.a, force), (id.b, -force)] {
-                let vector = k.geometry.normal * signed;
-                let moment = (k.geometry.point - self.states[body].pose.translation).cross(vector);
+                let vector = geometry.normal * signed;
+                let moment = (geometry.point - self.states[body].pose.translation).cross(vector);
                 self.add_load(body, vector, moment, rates);
             }
         }
@@ -199,7 +233,7 @@ impl<'a> ContactSystem<'a> {
     /// Rates of the momentum and energy from external agents.
     fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
-        let contacts = self.contacts.iter().zip(&held.forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        let contacts = self.contact_forces(held);
         rates[19] = self.world.prescribed_work(self.states, contacts.clone());
         let support = support(self.world, self.about, contacts);
         add(&mut rates[..], support.linear);
@@ -220,6 +254,9 @@ impl<'a> ContactSystem<'a> {
             add(&mut rates[15..], given.fields.angular);
             rates[18] = given.damping_j;
             rates[19] += given.external_j;
+        }
+        if let Some(friction) = rates.get_mut(TAIL) {
+            *friction = held.dissipation;
         }
     }
 
@@ -249,7 +286,7 @@ impl System for ContactSystem<'_> {
     type Error = ResponseError;
 
     fn dimension(&self) -> usize {
-        self.bodies.len() * WIDTH + TAIL
+        self.bodies.len() * WIDTH + self.tail()
     }
 
     fn derivative(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), ResponseError> {
@@ -259,9 +296,13 @@ impl System for ContactSystem<'_> {
         self.world.prescribe(t, self.states);
         let (world, states) = (self.world, &*self.states);
         self.contacts.clear();
-        self.contacts.extend(self.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
+        self.contacts.extend(self.active.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
         if self.is_disparate {
             share_normals(self.world, &mut self.contacts);
+        }
+        if !self.active.friction.is_empty() {
+            let friction = &self.active.friction;
+            self.friction = friction_forces::friction_contacts(world, states, &self.contacts, friction);
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;

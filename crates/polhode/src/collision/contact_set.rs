@@ -3,9 +3,12 @@
 //! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
 //! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
+use super::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::prescribed_state;
 use crate::world::{TOUCH_RELATIVE, World};
-use polhode_contact::{ContactFeature, ContactKinematics, Manifold, Shape, counterpart, separation};
+use polhode_contact::{
+    ContactFeature, ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation,
+};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
@@ -13,6 +16,9 @@ use polhode_spatial::{DVec3, Velocity};
 /// of the other body is found. A contact is dropped only when it has left its face by the whole touch distance, so that
 /// the two rules do not alternate.
 const COUNTERPART_FRACTION: f64 = 0.25;
+
+/// A slip below this fraction of the speeds of the two bodies is rounding (1e-15 to 1e-13): some sixteen rounding units.
+const SLIP_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,6 +45,15 @@ pub(crate) struct Touch {
     pub(crate) hold: Hold,
     /// Whether `hold` has been decided; it has not for a contact that has just been found.
     pub(crate) known: bool,
+    /// Whether it sticks or slides. None for a contact without friction, and where that is to be found from its forces.
+    pub(crate) friction: Option<FrictionMode>,
+}
+
+impl Touch {
+    /// An active contact.
+    pub(crate) fn held(id: ContactId, kinematics: ContactKinematics, friction: Option<FrictionMode>) -> Self {
+        Self { id, kinematics, hold: Hold::Held, known: true, friction }
+    }
 }
 
 impl World {
@@ -110,6 +125,34 @@ impl World {
         )
     }
 
+    /// The coefficients of friction of two bodies; none without friction.
+    pub(crate) fn friction_of(&self, a: usize, b: usize) -> Option<FrictionCoefficients> {
+        if !self.has_friction {
+            return None;
+        }
+        let material = self.scene.pair_material(a, b);
+        let coefficients = FrictionCoefficients { at_rest: material.static_friction(), sliding: material.friction() };
+        (coefficients.at_rest > 0.0).then_some(coefficients)
+    }
+
+    /// Rounding error of the slip of a contact, m/s.
+    pub(crate) fn slip_rounding(&self, states: &[BodyState], id: ContactId) -> f64 {
+        let speed = |body: usize| {
+            let velocity = self.velocity(body, &states[body]);
+            velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
+        };
+        SLIP_ROUNDING * (speed(id.a) + speed(id.b))
+    }
+
+    /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`].
+    pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
+        let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
+        let (state_a, state_b) = (&states[id.a], &states[id.b]);
+        let (velocity_a, velocity_b) = (self.velocity(id.a, state_a), self.velocity(id.b, state_b));
+        let (a, b) = ((shape_a, &state_a.pose, &velocity_a), (shape_b, &state_b.pose, &velocity_b));
+        polhode_contact::kinematics_with_tangential(id.feature, a.0, a.1, a.2, b.0, b.1, b.2).map(|(_, terms)| terms)
+    }
+
     /// In planar motion: the vector from the plane to a contact point that stands for its mirror image too, m. None for
     /// a point that is its own image, and in motion in space.
     pub(crate) fn mirrored(&self, states: &[BodyState], id: ContactId) -> Option<DVec3> {
@@ -159,7 +202,8 @@ impl World {
             .into_iter()
             .filter_map(|feature| {
                 let id = ContactId { a, b, feature };
-                Some(Touch { id, kinematics: self.kinematics_in_space(states, id)?, hold: Hold::Open, known: false })
+                let kinematics = self.kinematics_in_space(states, id)?;
+                Some(Touch { id, kinematics, hold: Hold::Open, known: false, friction: None })
             })
             .collect();
         let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);

@@ -5,7 +5,11 @@
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
+//! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
+//! | `active_contacts` | the active contacts of an island, with their friction |
 
+pub(crate) mod active_contacts;
 pub(crate) mod boxes;
 pub(crate) mod contact_set;
+pub(crate) mod friction_mode;
 pub(crate) mod narrow_phase;

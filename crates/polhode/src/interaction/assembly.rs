@@ -10,9 +10,9 @@ use crate::interaction::constraint::ConstraintId;
 use crate::pivots::PivotKinematics;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
-use polhode_contact::{ContactGeometry, ContactKinematics};
+use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, ResponseError};
+use polhode_response::{ContactProblem, ResponseError, RowKind};
 use polhode_spatial::DVec3;
 
 /// Rows of a pivot.
@@ -56,16 +56,35 @@ impl Coordinates {
     }
 }
 
+/// A row along a tangent of a contact with friction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TangentRow {
+    pub(crate) id: ContactId,
+    /// The contact, with the tangent (unit vector, world) in the place of its normal.
+    pub(crate) along: ContactGeometry,
+    /// Component along the tangent of the terms of `u_T'` that are not linear in the accelerations, m/s^2.
+    pub(crate) acceleration_bias: f64,
+}
+
+impl TangentRow {
+    /// That of a contact along `tangent`.
+    pub(crate) fn new(id: ContactId, geometry: &ContactGeometry, terms: &TangentialKinematics, tangent: DVec3) -> Self {
+        let along = ContactGeometry { normal: tangent, ..*geometry };
+        Self { id, along, acceleration_bias: tangent.dot(terms.acceleration_bias) }
+    }
+}
+
 /// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each
-/// pivot, in the order of the bodies.
+/// pivot, in the order of the bodies, then rows along tangents of contacts with friction.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
-    /// The constraints of the rows: contacts, then pivots.
+    /// The constraints of the rows of contacts and pivots.
     constraints: Vec<ConstraintId>,
     /// How many of them are contacts.
     contacts: usize,
     pivots: Vec<PivotKinematics>,
+    tangents: Vec<TangentRow>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -89,24 +108,11 @@ impl Assembly {
             push_inverse_mass(&mut inverse_masses, world, states, body);
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
-        let (mut row_a, mut row_b) = (Vec::with_capacity(width), Vec::with_capacity(width));
         let mut constraints = Vec::new();
+        let mut rows = ContactRows { states, bodies, coordinates, row_a: Vec::new(), row_b: Vec::new() };
         for (id, geometry) in contacts {
             constraints.push(ConstraintId::Contact(id));
-            let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
-                let index = bodies.binary_search(&body).ok()?;
-                let normal = geometry.normal * sign;
-                let moment = (geometry.point - states[body].pose.translation).cross(normal);
-                row.clear();
-                coordinates.push(row, normal, moment);
-                Some(index)
-            };
-            match (block(id.a, 1.0, &mut row_a), block(id.b, -1.0, &mut row_b)) {
-                (Some(a), Some(b)) => problem.push_row(&[(a, &row_a), (b, &row_b)]),
-                (Some(a), None) => problem.push_row(&[(a, &row_a)]),
-                (None, Some(b)) => problem.push_row(&[(b, &row_b)]),
-                (None, None) => problem.push_row(&[]),
-            }?;
+            rows.push(&mut problem, RowKind::Unilateral, id, &geometry)?;
         }
         let contacts = problem.len();
         let pivots: Vec<PivotKinematics> = world.pivots(states, bodies).collect();
@@ -122,11 +128,43 @@ impl Assembly {
             let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
             problem.push_block(id.block(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
         }
-        Ok(Self { problem, constraints, contacts, pivots, bodies: bodies.to_vec(), coordinates })
+        let tangents = Vec::new();
+        Ok(Self { problem, constraints, contacts, pivots, tangents, bodies: bodies.to_vec(), coordinates })
+    }
+
+    /// Adds rows along tangents of contacts between these bodies, after all others.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn push_tangents(
+        &mut self,
+        states: &[BodyState],
+        tangents: impl Iterator<Item = TangentRow>,
+    ) -> Result<(), ResponseError> {
+        let (bodies, coordinates) = (&self.bodies, self.coordinates);
+        let mut rows = ContactRows { states, bodies, coordinates, row_a: Vec::new(), row_b: Vec::new() };
+        for tangent in tangents {
+            rows.push(&mut self.problem, RowKind::Bilateral, tangent.id, &tangent.along)?;
+            self.tangents.push(tangent);
+        }
+        Ok(())
+    }
+
+    /// The rows along tangents.
+    pub(crate) fn tangents(&self) -> &[TangentRow] {
+        &self.tangents
+    }
+
+    /// Index of the first row along a tangent.
+    pub(crate) fn first_tangent(&self) -> usize {
+        self.problem.len() - self.tangents.len()
     }
 
     /// The constraint of a row.
     pub(crate) fn constraint(&self, row: usize) -> Option<ConstraintId> {
+        if let Some(tangent) = row.checked_sub(self.first_tangent()) {
+            return self.tangents.get(tangent).map(|tangent| ConstraintId::Contact(tangent.id));
+        }
         let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
         self.constraints.get(place).copied()
     }
@@ -179,6 +217,9 @@ impl Assembly {
         for (constant, bias) in b.iter_mut().skip(self.contacts).zip(biases) {
             *constant += bias;
         }
+        for (constant, row) in b.iter_mut().skip(self.first_tangent()).zip(&self.tangents) {
+            *constant += row.acceleration_bias + world.prescribed_acceleration_of(t, states, row.id, &row.along);
+        }
         Ok(b)
     }
 
@@ -189,6 +230,49 @@ impl Assembly {
             .zip(columns.chunks_exact(self.coordinates.width()))
             .map(|(&body, c)| (body, self.coordinates.parts(c)))
             .map(|(body, (linear, angular))| (body, linear, angular))
+    }
+}
+
+/// Makes the rows of contacts along their normals or tangents.
+struct ContactRows<'a> {
+    states: &'a [BodyState],
+    /// Movable bodies, in the order of the problem's blocks.
+    bodies: &'a [usize],
+    coordinates: Coordinates,
+    row_a: Vec<f64>,
+    row_b: Vec<f64>,
+}
+
+impl ContactRows<'_> {
+    /// Adds the row of a contact along the normal of `geometry`.
+    fn push(
+        &mut self,
+        problem: &mut ContactProblem,
+        kind: RowKind,
+        id: ContactId,
+        geometry: &ContactGeometry,
+    ) -> Result<usize, ResponseError> {
+        let Self { states, bodies, coordinates, row_a, row_b } = self;
+        let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
+            let index = bodies.binary_search(&body).ok()?;
+            let normal = geometry.normal * sign;
+            let moment = (geometry.point - states[body].pose.translation).cross(normal);
+            row.clear();
+            coordinates.push(row, normal, moment);
+            Some(index)
+        };
+        let (a, b) = (block(id.a, 1.0, row_a), block(id.b, -1.0, row_b));
+        let (row_a, row_b) = (row_a.as_slice(), row_b.as_slice());
+        let entries: &[(usize, &[f64])] = match (a, b) {
+            (Some(a), Some(b)) => &[(a, row_a), (b, row_b)],
+            (Some(a), None) => &[(a, row_a)],
+            (None, Some(b)) => &[(b, row_b)],
+            (None, None) => &[],
+        };
+        match kind {
+            RowKind::Unilateral => problem.push_row(entries),
+            RowKind::Bilateral => problem.push_bilateral_row(entries),
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! motion as a force. The ledger books their change of energy.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses, largest_change};
+use crate::interaction::assembly::{Assembly, TangentRow, apply_impulses, apply_pivot_impulses, largest_change};
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::PivotKinematics;
@@ -85,9 +85,21 @@ impl Projection {
     }
 }
 
-/// Projects the contacts `touching` of a group of bodies onto zero separation, then removes the relative velocities of
-/// the held ones. Both are remainders of a step within `tolerance` or of the touch distance. Contacts whose point has
-/// jumped are not projected. Remaining penetration is removed with all contacts of the group's pairs.
+/// Contacts of a group that are projected.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Projected<'a> {
+    /// Those whose separation is made zero.
+    pub(crate) touching: &'a [ContactId],
+    /// Those whose relative velocity along the normal is made zero.
+    pub(crate) held: &'a [ContactId],
+    /// Those of them whose slip is made zero.
+    pub(crate) sticking: &'a [ContactId],
+}
+
+/// Projects touching contacts of a group of bodies onto zero separation, then removes the relative velocities of the
+/// held ones and the slips of those that stick. All are remainders of a step within `tolerance` or of the touch distance.
+/// Contacts whose point has jumped are not projected. Remaining penetration is removed with all contacts of the group's
+/// pairs.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -95,7 +107,7 @@ pub(crate) fn project(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    (touching, held): (&[ContactId], &[ContactId]),
+    Projected { touching, held, sticking }: Projected<'_>,
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
@@ -108,7 +120,7 @@ pub(crate) fn project(
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
     done.jumped.dedup_by_key(|contact| contact.bodies());
-    let removed = project_velocities(world, states, bodies, &drifting, Removal::OfDrift)?;
+    let removed = project_velocities(world, states, bodies, (&drifting, sticking), Removal::OfDrift)?;
     done.farthest = done.farthest.or(removed.fastest);
     done.work_j = removed.work_j;
     Ok(done)
@@ -267,7 +279,7 @@ pub(crate) enum Removal {
     OfDrift,
 }
 
-/// Removes the relative velocities of contacts, and those of pivots.
+/// Removes the relative velocities of contacts, the slips of those that stick, and the velocities of pivots.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -275,30 +287,50 @@ pub(crate) fn project_velocities(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    contacts: &[ContactId],
+    (contacts, sticking): (&[ContactId], &[ContactId]),
     removal: Removal,
 ) -> Result<RemovedVelocities, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
+    let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(world, states, id)).collect();
     let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
-    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0) && world.pivots(states, bodies).all(stands) {
+    if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
+        && slips.iter().all(|&(_, slip)| slip == 0.0)
+        && world.pivots(states, bodies).all(stands)
+    {
         return Ok(RemovedVelocities::default());
     }
-    let assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
+    let mut assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
+    assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
     let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
     rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    rates.extend(slips.iter().map(|&(_, slip)| slip));
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
     let allowed = match removal {
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
     let (multipliers, _) = cancel(world, &assembly, &rates, (allowed, 0.0))?;
-    let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p));
+    let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
+    let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
+    let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
     apply_impulses(world, states, impulses.clone());
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
     let work_j = world.prescribed_work(states, impulses);
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
     Ok(RemovedVelocities { fastest: farthest(speeds.chain(pivots)), work_j })
+}
+
+/// Rows along both tangents of a contact, each with the slip along it, m/s.
+fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
+    let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
+    let rows = both.map(|(kinematics, terms)| {
+        terms.basis.map(|tangent| {
+            let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
+            (row, tangent.dot(terms.slip_velocity))
+        })
+    });
+    rows.into_iter().flatten().collect()
 }
 
 /// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body

@@ -27,6 +27,19 @@ pub enum SceneError {
         /// The value found.
         value: f64,
     },
+    /// A coefficient of static friction is below that of kinetic friction, or not finite.
+    #[error(
+        "static friction of material {material} is {value}: a finite number of at least its kinetic friction {kinetic} \
+         is needed"
+    )]
+    StaticFriction {
+        /// The material.
+        material: String,
+        /// The value found.
+        value: f64,
+        /// The coefficient of kinetic friction.
+        kinetic: f64,
+    },
     /// A coefficient of restitution is outside [0, 1].
     #[error("restitution of material {material} is {value}: a number in [0, 1] is needed")]
     Restitution {

@@ -7,20 +7,30 @@ use super::SceneError;
 pub struct Material {
     name: String,
     friction: f64,
+    static_friction: f64,
     restitution: f64,
 }
 
 impl Material {
-    /// A material of this name. The empty name is that of a body without a material: friction 0, restitution 0.
+    /// A material of this name, with one coefficient for static and kinetic friction. The empty name is that of a body
+    /// without a material: friction 0, restitution 0.
     ///
     /// # Errors
-    /// When friction is negative or restitution outside [0, 1], or one is not finite; friction above zero is not yet
-    /// available.
+    /// When friction is negative or restitution outside [0, 1], or one is not finite.
     pub fn new(name: impl Into<String>, friction: f64, restitution: f64) -> Result<Self, SceneError> {
         let name = name.into();
         check_friction(&name, friction)?;
         check_restitution(&name, restitution)?;
-        Ok(Self { name, friction, restitution })
+        Ok(Self { name, friction, static_friction: friction, restitution })
+    }
+
+    /// The same material with a coefficient of static friction of its own.
+    ///
+    /// # Errors
+    /// When it is not finite, or below the coefficient of kinetic friction.
+    pub fn with_static_friction(self, static_friction: f64) -> Result<Self, SceneError> {
+        check_static_friction(&self.name, static_friction, self.friction)?;
+        Ok(Self { static_friction, ..self })
     }
 
     /// The material's name.
@@ -28,9 +38,15 @@ impl Material {
         &self.name
     }
 
-    /// Coefficient of Coulomb friction.
+    /// Coefficient of kinetic friction: a contact that slips bears a tangential force of this times its normal force.
     pub fn friction(&self) -> f64 {
         self.friction
+    }
+
+    /// Coefficient of static friction: a contact that sticks bears a tangential force of at most this times its normal
+    /// force.
+    pub fn static_friction(&self) -> f64 {
+        self.static_friction
     }
 
     /// Coefficient of restitution.
@@ -38,11 +54,13 @@ impl Material {
         self.restitution
     }
 
-    /// The default rule for two materials: friction is the geometric mean, restitution the larger of the two.
+    /// The default rule for two materials: friction is the geometric mean, static and kinetic, restitution the larger of
+    /// the two.
     pub fn combined(&self, other: &Self) -> Self {
         Self {
             name: String::new(),
             friction: (self.friction * other.friction).sqrt(),
+            static_friction: (self.static_friction * other.static_friction).sqrt(),
             restitution: self.restitution.max(other.restitution),
         }
     }
@@ -53,11 +71,13 @@ impl Material {
 pub struct PairRule {
     materials: [String; 2],
     friction: Option<f64>,
+    static_friction: Option<f64>,
     restitution: Option<f64>,
 }
 
 impl PairRule {
-    /// A rule for the materials of these names, in either order; `None` keeps the default rule.
+    /// A rule for the materials of these names, in either order; `None` keeps the default rule. Friction is both static
+    /// and kinetic.
     ///
     /// # Errors
     /// As [`Material::new`].
@@ -65,7 +85,16 @@ impl PairRule {
         let name = materials.join(" on ");
         friction.map_or(Ok(()), |f| check_friction(&name, f))?;
         restitution.map_or(Ok(()), |e| check_restitution(&name, e))?;
-        Ok(Self { materials, friction, restitution })
+        Ok(Self { materials, friction, static_friction: friction, restitution })
+    }
+
+    /// The same rule with a coefficient of static friction of its own.
+    ///
+    /// # Errors
+    /// When it is not finite, or below the coefficient of kinetic friction of the rule.
+    pub fn with_static_friction(self, static_friction: f64) -> Result<Self, SceneError> {
+        check_static_friction(&self.materials.join(" on "), static_friction, self.friction.unwrap_or(0.0))?;
+        Ok(Self { static_friction: Some(static_friction), ..self })
     }
 
     /// Overrides `combined` when the rule is about these two materials.
@@ -73,22 +102,28 @@ impl PairRule {
         let [first, second] = &self.materials;
         if (first == &a.name && second == &b.name) || (first == &b.name && second == &a.name) {
             combined.friction = self.friction.unwrap_or(combined.friction);
+            // A rule for static friction alone may be below the kinetic friction of the two materials.
+            let static_friction = self.static_friction.unwrap_or(combined.static_friction);
+            combined.static_friction = static_friction.max(combined.friction);
             combined.restitution = self.restitution.unwrap_or(combined.restitution);
         }
     }
 }
 
 fn check_friction(material: &str, friction: f64) -> Result<(), SceneError> {
-    if !(friction.is_finite() && friction >= 0.0) {
-        return Err(SceneError::Friction { material: material.to_owned(), value: friction });
+    if friction.is_finite() && friction >= 0.0 {
+        Ok(())
+    } else {
+        Err(SceneError::Friction { material: material.to_owned(), value: friction })
     }
-    if friction > 0.0 {
-        return Err(SceneError::NotYetAvailable {
-            what: format!("friction (material {material}: {friction})"),
-            instead: "friction = 0".to_owned(),
-        });
+}
+
+fn check_static_friction(material: &str, static_friction: f64, friction: f64) -> Result<(), SceneError> {
+    if static_friction.is_finite() && static_friction >= friction {
+        Ok(())
+    } else {
+        Err(SceneError::StaticFriction { material: material.to_owned(), value: static_friction, kinetic: friction })
     }
-    Ok(())
 }
 
 fn check_restitution(material: &str, restitution: f64) -> Result<(), SceneError> {

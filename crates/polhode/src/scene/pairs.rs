@@ -1,4 +1,4 @@
-//! The number of pairs of bodies that may collide and their largest restitution, without a loop over all pairs.
+//! The number of pairs of bodies that may collide, their largest restitution and friction, without a loop over all pairs.
 //!
 //! Bodies form a class when they have the same material and the same `no_contact` groups and are all fixed or all
 //! movable. The number of pairs of two materials is the product of the numbers of their bodies, less the pairs of two
@@ -14,6 +14,8 @@ pub(crate) struct CollidingPairs {
     pub(crate) count: usize,
     /// Largest coefficient of restitution of a pair; zero if there is no pair.
     pub(crate) largest_restitution: f64,
+    /// Largest coefficient of static friction of a pair; zero if there is no pair.
+    pub(crate) largest_friction: f64,
 }
 
 /// What decides whether a body with a shape may collide with another one, and with which restitution.
@@ -27,7 +29,7 @@ struct Class {
 impl Scene {
     /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
     pub(crate) fn colliding(&self) -> CollidingPairs {
-        let mut materials: BTreeMap<(&str, u64), (usize, usize)> = BTreeMap::new();
+        let mut materials: BTreeMap<(&str, [u64; 3]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -43,7 +45,8 @@ impl Scene {
         {
             let own = &self.bodies[body].material;
             let number = materials.len();
-            let key = (own.name(), own.restitution().to_bits());
+            let coefficients = [own.restitution(), own.friction(), own.static_friction()];
+            let key = (own.name(), coefficients.map(f64::to_bits));
             let (material, _) = *materials.entry(key).or_insert((number, body));
             let class = Class { material, is_fixed: self.bodies[body].is_fixed(), groups };
             *classes.entry(class).or_default() += 1;
@@ -60,8 +63,9 @@ impl Scene {
         let mut found = CollidingPairs::default();
         for ((x, y), count) in allowed.into_iter().filter(|&(_, count)| count > 0) {
             found.count += count;
-            let restitution = self.pair_material(examples[x].1, examples[y].1).restitution();
-            found.largest_restitution = found.largest_restitution.max(restitution);
+            let material = self.pair_material(examples[x].1, examples[y].1);
+            found.largest_restitution = found.largest_restitution.max(material.restitution());
+            found.largest_friction = found.largest_friction.max(material.static_friction());
         }
         found
     }

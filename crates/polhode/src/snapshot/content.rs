@@ -286,6 +286,19 @@ pub(crate) struct Island {
     pub(crate) changes: bool,
     pub(crate) is_unsolved: bool,
     pub(crate) departing: Vec<Contact>,
+    /// Modes of the contacts with friction.
+    pub(crate) friction: Vec<(Contact, Friction)>,
+    pub(crate) stopping: Vec<Contact>,
+    /// Directions in which contacts begin to slide.
+    pub(crate) slipping: Vec<(Contact, Vector)>,
+}
+
+/// [`FrictionMode`](crate::collision::friction_mode::FrictionMode).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Friction {
+    Sticking,
+    /// In this direction.
+    Sliding(Vector),
 }
 
 /// The present step of an island.
@@ -320,6 +333,7 @@ pub(crate) struct Touch {
     pub(crate) kinematics: Kinematics,
     pub(crate) held: bool,
     pub(crate) known: bool,
+    pub(crate) friction: Option<Friction>,
 }
 
 /// Pairs that may touch, and the search for their impacts.

@@ -79,6 +79,7 @@ impl TimeStepper {
             kinematics: contact.kinematics,
             hold: Hold::Open,
             known: false,
+            friction: None,
         };
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };

@@ -45,6 +45,8 @@ pub(crate) struct World {
     pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     pub(super) collides: bool,
+    /// Whether any two bodies that may collide have friction.
+    pub(crate) has_friction: bool,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -87,6 +89,7 @@ impl World {
             field_buffers: FieldBuffers::default(),
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
+            has_friction: scene.colliding().largest_friction > 0.0,
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -127,6 +130,7 @@ impl World {
         self.bodies.push(added);
         self.scene.bodies.push(body);
         self.collides = self.scene.any_may_collide();
+        self.has_friction = self.scene.colliding().largest_friction > 0.0;
         self.make_fields()?;
         Ok((number, state))
     }

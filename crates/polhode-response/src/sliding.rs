@@ -1,0 +1,106 @@
+//! Rows that are held while contacts slide.
+//!
+//! A contact that slides along the unit vector `d` bears, besides its normal force `f_n`, the force `-mu f_n d`. With
+//! the rows `E` whose accelerations are zero and the rows `D` along the directions of sliding, the forces of `E` satisfy
+//!
+//! `(G_EE - G_ED diag(mu) S) f + b = 0`,
+//!
+//! where `S` picks the normal force of each sliding contact. The matrix is not symmetric. Where its rows depend on each
+//! other (four corners of a box), the forces of least norm are taken, of rows scaled to unit diagonal of `G`.
+//!
+//! Method: QR factorisation with column pivoting of the transposed matrix, which reveals the rank, and one step of
+//! iterative refinement. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
+//! of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not finite is refused. Where sliding makes the
+//! matrix singular or turns the sign of its determinant (Painleve), the forces are those of the equations all the same:
+//! whether they may act is for the caller to check.
+
+use crate::delassus::Delassus;
+use crate::dense::householder::PivotedQr;
+use crate::dense::kernels::dot;
+use crate::error::{ResponseError, check_finite, check_length};
+
+/// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, as
+/// [`RANK_CUT`](crate::held_rows::RANK_CUT).
+const DEPENDENT: f64 = 1e-10;
+
+/// Steps of iterative refinement: the first brings the residual to rounding.
+const REFINEMENTS: usize = 1;
+
+/// A contact that slides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingRow {
+    /// Index of the row along its normal.
+    pub normal: usize,
+    /// Index of the row along the direction of sliding, after all rows that are held.
+    pub tangent: usize,
+    /// Coefficient of friction (no unit).
+    pub coefficient: f64,
+}
+
+/// The forces (N) of all rows of `delassus`: the least ones that hold the first rows, one for each of `b` (m/s^2), at zero
+/// acceleration, and friction along the rows of `sliding`.
+///
+/// ```
+/// use polhode_response::{ContactProblem, SlidingRow, least_norm_sliding_forces};
+/// // A block of 2 kg slides on a floor under gravity: rows along the normal and along the slip, in a plane.
+/// let mut problem = ContactProblem::new(2, vec![0.5, 0.0, 0.0, 0.5])?;
+/// problem.push_row(&[(0, &[0.0, 1.0])])?;
+/// problem.push_bilateral_row(&[(0, &[1.0, 0.0])])?;
+/// let sliding = [SlidingRow { normal: 0, tangent: 1, coefficient: 0.3 }];
+/// let forces = least_norm_sliding_forces(&problem.delassus(), &[-9.81], &sliding)?;
+/// assert!((forces[0] - 19.62).abs() < 1e-13 && (forces[1] + 0.3 * 19.62).abs() < 1e-13);
+/// # Ok::<(), polhode_response::ResponseError>(())
+/// ```
+///
+/// # Errors
+/// When a row does not exist, or a number is not finite.
+pub fn least_norm_sliding_forces(
+    delassus: &Delassus,
+    b: &[f64],
+    sliding: &[SlidingRow],
+) -> Result<Vec<f64>, ResponseError> {
+    delassus.check_finite()?;
+    check_finite("constant terms", b)?;
+    let (held, rows) = (b.len(), delassus.len());
+    check_length("rows held and sliding", rows, held + sliding.len())?;
+    for row in sliding {
+        if row.normal >= held || !(held..rows).contains(&row.tangent) {
+            return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
+        }
+        check_finite("coefficients of friction", &[row.coefficient])?;
+    }
+    let scale: Vec<f64> = (0..held)
+        .map(|row| {
+            let diagonal = delassus.get(row, row);
+            if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
+        })
+        .collect();
+    // The scaled matrix, row by row: it is the transposed one column by column.
+    let mut matrix = Vec::with_capacity(held * held);
+    for row in 0..held {
+        let start = matrix.len();
+        matrix.extend_from_slice(&delassus.row(row)[..held]);
+        for slide in sliding {
+            matrix[start + slide.normal] -= slide.coefficient * delassus.row(row)[slide.tangent];
+        }
+        for (entry, column_scale) in matrix[start..].iter_mut().zip(&scale) {
+            *entry *= scale[row] * column_scale;
+        }
+    }
+    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
+    let wanted: Vec<f64> = b.iter().zip(&scale).map(|(b, scale)| -b * scale).collect();
+    let mut scaled = factor.solve_transpose(&wanted);
+    for _ in 0..REFINEMENTS {
+        let left = matrix.chunks_exact(held.max(1)).zip(&wanted).map(|(row, wanted)| wanted - dot(row, &scaled));
+        let correction = factor.solve_transpose(&left.collect::<Vec<_>>());
+        for (force, change) in scaled.iter_mut().zip(&correction) {
+            *force += change;
+        }
+    }
+    let mut forces: Vec<f64> = scaled.iter().zip(&scale).map(|(force, scale)| force * scale).collect();
+    forces.resize(rows, 0.0);
+    for slide in sliding {
+        forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
+    }
+    Ok(forces)
+}

@@ -1,0 +1,207 @@
+//! Contact forces with friction at one instant: the complementarity problem of accelerations with Coulomb's law.
+//!
+//! A contact without slip sticks (`u_T' = 0`, `|f_t| <= mu_s f_n`) or begins to slide against the direction of its
+//! force; one that slides along `d` bears `-mu f_n d`; every contact satisfies `0 <= f_n _|_ chi'' >= 0`. Where static
+//! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
+//! one, and the problem is solved again until no further contact begins to slide.
+
+use super::assembly::{Assembly, TangentRow};
+use crate::collision::contact_set::Touch;
+use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::world::{Loads, World};
+use polhode_contact::TangentialKinematics;
+use polhode_dynamics::BodyState;
+use polhode_response::{
+    ContactLaw, ContactSolution, CoulombContact, CoulombSolution, Method, ResponseError, SolverReport, SolverStatus,
+    WarmStart, solve_coulomb,
+};
+use polhode_spatial::DVec3;
+
+/// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
+/// (1e-13 to 1e-9).
+const STICKING_RELATIVE: f64 = 1e-11;
+
+/// Residual, relative to the largest relative acceleration without contact forces, up to which an answer is accepted.
+const ACCEPTED_RESIDUAL: f64 = 1e-10;
+
+/// Forces and accelerations of some contacts, of which at least one has friction.
+#[derive(Debug)]
+pub(crate) struct FrictionalAccelerations {
+    pub(crate) assembly: Assembly,
+    /// Of the rows of contacts and pivots.
+    pub(crate) solution: ContactSolution,
+    /// Generalised accelerations of the bodies.
+    pub(crate) accelerations: Vec<f64>,
+    /// The largest relative acceleration without contact forces, m/s^2.
+    pub(crate) scale: f64,
+    /// In the order of the contacts; none for a contact without friction.
+    pub(crate) contacts: Vec<Option<ContactTangent>>,
+}
+
+/// What friction does at a contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactTangent {
+    /// Force on A in the tangent plane, N.
+    pub(crate) force: DVec3,
+    /// `u_T'`, m/s^2.
+    pub(crate) slip_acceleration: DVec3,
+    /// The direction in which it slides already.
+    pub(crate) sliding: Option<DVec3>,
+    /// Whether it bears a normal force.
+    pub(crate) is_pressed: bool,
+}
+
+/// A contact with friction among the rows.
+#[derive(Debug, Clone, Copy)]
+struct Frictional {
+    coefficients: FrictionCoefficients,
+    terms: TangentialKinematics,
+    /// The direction in which it slides, and the coefficient there.
+    sliding: Option<(DVec3, f64)>,
+}
+
+impl Frictional {
+    fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
+        let coefficients = world.friction_of(touch.id.a, touch.id.b)?;
+        let terms = world.tangential_kinematics(states, touch.id)?;
+        let mode = touch.friction.unwrap_or(FrictionMode::Sticking);
+        let direction = mode.direction(terms.slip_velocity, world.slip_rounding(states, touch.id));
+        let sliding = direction.map(|direction| (direction, coefficients.sliding));
+        Some(Self { coefficients, terms, sliding })
+    }
+
+    /// The directions of its rows in the tangent plane.
+    fn tangents(&self) -> Vec<DVec3> {
+        self.sliding.map_or_else(|| self.terms.basis.to_vec(), |(direction, _)| vec![direction])
+    }
+}
+
+impl FrictionalAccelerations {
+    /// Solves for the forces of `contacts` on `bodies` (movable, ascending) at time `t` (s).
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn solve(
+        world: &World,
+        (t, states): (f64, &[BodyState]),
+        bodies: &[usize],
+        contacts: &[Touch],
+        loads: &Loads,
+    ) -> Result<Self, ResponseError> {
+        let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(world, states, touch)).collect();
+        loop {
+            let found = Self::of_laws(world, (t, states), bodies, (contacts, &frictional), loads)?;
+            if !begin_to_slide(&mut frictional, &found) {
+                return Ok(found);
+            }
+        }
+    }
+
+    fn of_laws(
+        world: &World,
+        (t, states): (f64, &[BodyState]),
+        bodies: &[usize],
+        (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+        loads: &Loads,
+    ) -> Result<Self, ResponseError> {
+        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+        let mut assembly = Assembly::new(world, states, bodies, rows)?;
+        let held = assembly.problem.len();
+        let mut laws = Vec::with_capacity(contacts.len());
+        for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
+            let first = assembly.problem.len();
+            let law = match friction {
+                None => ContactLaw::Frictionless,
+                Some(Frictional { sliding: Some((_, coefficient)), .. }) => {
+                    ContactLaw::Sliding { tangent: first, coefficient: *coefficient }
+                }
+                Some(Frictional { coefficients, .. }) => {
+                    ContactLaw::Coulomb { tangents: [first, first + 1], coefficient: coefficients.at_rest }
+                }
+            };
+            laws.push(CoulombContact { normal, law });
+            let tangents = friction.iter().flat_map(|friction| {
+                let geometry = &touch.kinematics.geometry;
+                let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
+                friction.tangents().into_iter().map(row)
+            });
+            assembly.push_tangents(states, tangents)?;
+        }
+        let free = assembly.free_accelerations(world, states, loads);
+        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        let solved = solve_coulomb(&assembly.problem.delassus(), &constants, &laws)?;
+        let mut accelerations = assembly.problem.response(&solved.forces)?;
+        for (acceleration, free) in accelerations.iter_mut().zip(&free) {
+            *acceleration += free;
+        }
+        let tangential = laws
+            .iter()
+            .zip(frictional)
+            .map(|(contact, friction)| friction.as_ref().map(|friction| contact_tangent(&solved, contact, friction)));
+        let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
+        Ok(Self {
+            contacts: tangential.collect(),
+            solution: contact_solution(&solved, held),
+            accelerations,
+            scale,
+            assembly,
+        })
+    }
+}
+
+/// What friction does at a contact, from the solution of all rows.
+fn contact_tangent(solved: &CoulombSolution, contact: &CoulombContact, friction: &Frictional) -> ContactTangent {
+    let first = match contact.law {
+        ContactLaw::Frictionless => solved.forces.len(),
+        ContactLaw::Coulomb { tangents, .. } => tangents[0],
+        ContactLaw::Sliding { tangent, .. } => tangent,
+    };
+    let sum = |of: &[f64]| {
+        let along = friction.tangents().into_iter().zip(of.iter().skip(first));
+        along.map(|(tangent, value)| tangent * *value).sum::<DVec3>()
+    };
+    ContactTangent {
+        force: sum(&solved.forces),
+        slip_acceleration: sum(&solved.accelerations),
+        sliding: friction.sliding.map(|(direction, _)| direction),
+        is_pressed: solved.forces.get(contact.normal).is_some_and(|&force| force > 0.0),
+    }
+}
+
+/// The solution of the first rows, those of contacts and pivots.
+fn contact_solution(solved: &CoulombSolution, rows: usize) -> ContactSolution {
+    let forces: Vec<f64> = solved.forces.iter().take(rows).copied().collect();
+    let carry = forces.iter().enumerate().filter(|&(_, &force)| force > 0.0).map(|(row, _)| row);
+    let status = if solved.residual <= ACCEPTED_RESIDUAL { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+    ContactSolution {
+        residual_accelerations: solved.accelerations.iter().take(rows).copied().collect(),
+        held: forces.iter().map(|&force| force > 0.0).collect(),
+        squeeze: Vec::new(),
+        warm_start: WarmStart::new(carry.collect()),
+        report: SolverReport {
+            status,
+            method: Method::ActiveSet,
+            iterations: solved.iterations,
+            residual: solved.residual,
+            ..SolverReport::default()
+        },
+        forces,
+    }
+}
+
+/// Lets contacts slide that cannot stick and whose kinetic friction is below the static one. Returns whether there are
+/// any.
+fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccelerations) -> bool {
+    let mut any = false;
+    for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
+        let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
+        let speed = tangent.slip_acceleration.length();
+        let slides = friction.sliding.is_none() && tangent.is_pressed && speed > STICKING_RELATIVE * found.scale;
+        if slides && friction.coefficients.sliding < friction.coefficients.at_rest {
+            friction.sliding = Some((tangent.slip_acceleration / speed, friction.coefficients.sliding));
+            any = true;
+        }
+    }
+    any
+}
