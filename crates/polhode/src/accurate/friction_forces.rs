@@ -52,9 +52,13 @@ pub(super) fn friction_contacts(
     let friction = |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let mode = *modes.get(id)?;
         let terms = world.tangential_kinematics(states, *id)?;
-        let direction = mode.direction(terms.slip_velocity, world.slip_rounding(states, *id));
-        let coefficient = world.friction_of(id.a, id.b).map_or(0.0, |friction| friction.sliding);
-        let sliding = direction.map(|direction| (direction, coefficient));
+        let sliding = match mode {
+            FrictionMode::Sticking => None,
+            FrictionMode::Sliding(slide) => {
+                let coefficient = world.friction_of(id.a, id.b).map_or(0.0, |friction| friction.sliding);
+                Some((slide.direction_of(terms.slip_velocity), coefficient))
+            }
+        };
         Some(FrictionContact { contact, id: *id, geometry: kinematics.geometry, terms, sliding })
     };
     contacts.iter().enumerate().filter_map(friction).collect()

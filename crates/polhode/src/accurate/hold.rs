@@ -41,6 +41,8 @@ pub(super) struct Forces {
     pub(super) load: f64,
     /// Friction of the contacts, in their order; empty when none has friction.
     friction: Vec<Option<ContactFriction>>,
+    /// The modes that the contacts were known to have.
+    known_modes: Vec<Option<FrictionMode>>,
 }
 
 /// Friction of a contact at one instant.
@@ -50,8 +52,8 @@ pub(super) struct ContactFriction {
     pub(super) force: DVec3,
     /// `u_T'`, m/s^2.
     slip_acceleration: DVec3,
-    /// Whether it sticks or slides from this instant on; none when it bears no force.
-    pub(super) mode: Option<FrictionMode>,
+    /// The direction in which it slides from this instant on (unit vector, world); none when it sticks.
+    pub(super) sliding: Option<DVec3>,
 }
 
 impl Forces {
@@ -75,7 +77,8 @@ impl Forces {
         let load = load.fold(0.0, f64::max);
         if world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
             let accelerations = FrictionalAccelerations::solve(world, (t, states), bodies, contacts, &loads)?;
-            return Ok(Self::with_friction(accelerations, t, load));
+            let known_modes = contacts.iter().map(|touch| touch.friction).collect();
+            return Ok(Self { known_modes, ..Self::with_friction(accelerations, t, load) });
         }
         let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
         let AccelerationProblem { assembly, free, constants: b } = problem;
@@ -88,21 +91,20 @@ impl Forces {
             *a += f;
         }
         let friction = Vec::new();
-        Ok(Self { solution, assembly, contacts: contacts.len(), accelerations, t, opening, load, friction })
+        let contacts = contacts.len();
+        let known_modes = Vec::new();
+        Ok(Self { solution, assembly, contacts, accelerations, t, opening, load, friction, known_modes })
     }
 
     /// The forces of contacts with friction.
     fn with_friction(found: FrictionalAccelerations, t: f64, load: f64) -> Self {
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
-            contact.map(|ContactTangent { force, slip_acceleration, sliding, is_pressed }| {
-                let speed = slip_acceleration.length();
-                let mode = match sliding {
-                    Some(direction) => FrictionMode::Sliding(direction),
-                    None if speed > opening => FrictionMode::Sliding(slip_acceleration / speed),
-                    None => FrictionMode::Sticking,
-                };
-                ContactFriction { force, slip_acceleration, mode: is_pressed.then_some(mode) }
+            contact.map(|contact| {
+                let ContactTangent { force, slip_acceleration, sliding, is_pressed } = contact;
+                let begins = is_pressed && slip_acceleration.length() > opening;
+                let begins_along = if begins { contact.begins_along() } else { None };
+                ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along) }
             })
         });
         Self {
@@ -114,7 +116,13 @@ impl Forces {
             t,
             opening,
             load,
+            known_modes: Vec::new(),
         }
+    }
+
+    /// Whether a contact, by its place in the list, was known to slide.
+    pub(super) fn known_mode(&self, contact: usize) -> Option<FrictionMode> {
+        *self.known_modes.get(contact)?
     }
 
     /// Friction of a contact, by its place in the list; none without friction.
@@ -126,10 +134,10 @@ impl Forces {
     /// direction of the slip.
     pub(super) fn slipping<'a>(&'a self, contacts: &'a [Touch]) -> impl Iterator<Item = (ContactId, DVec3)> + 'a {
         contacts.iter().zip(&self.friction).filter_map(|(touch, friction)| {
-            let growth = friction.as_ref()?.slip_acceleration;
-            let speed = growth.length();
-            let slips = touch.friction == Some(FrictionMode::Sticking) && speed > self.opening;
-            slips.then(|| (touch.id, growth / speed))
+            let friction = friction.as_ref()?;
+            let slips =
+                touch.friction == Some(FrictionMode::Sticking) && friction.slip_acceleration.length() > self.opening;
+            if slips { Some((touch.id, friction.sliding?)) } else { None }
         })
     }
 

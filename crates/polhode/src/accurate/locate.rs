@@ -13,7 +13,7 @@ use super::hold::Forces;
 use super::pace::Pace;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::collision::friction_mode::FrictionMode;
+use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
@@ -21,6 +21,7 @@ use crate::interaction::projection::rate_exceeds_drift;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Time after the break of a contact at which its acceleration is evaluated again, as a fraction of the step: long
@@ -30,12 +31,13 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest backward extrapolation, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
-/// Times of a step at which slips are compared with that at its stop.
-const STOP_CHECKS: u32 = 4;
-
-/// Slips below this fraction of their largest value in the step vanish together with the one that has been located
+/// Slips below this fraction of their speed at the start of the step vanish together with the one that has been located
 /// (1e-12 to 1e-7).
 const STOPPED_SLIP: f64 = 1e-9;
+
+/// A slip below this many times the rounding error of slips has vanished (10 to 1e4): the contacts of a body that turns
+/// while it slides stop together, and their directions turn ever faster before.
+const STOPPED_NOISE: f64 = 100.0;
 
 /// Most searches for an earlier violation. After them the time found so far is accepted.
 const MOST_VIOLATIONS: usize = 16;
@@ -234,7 +236,7 @@ impl Engine {
             left.extend(self.penetrating(core, step, states, tolerated));
         }
         if left.is_empty() {
-            left.extend(reversed_slips(core, step, states).filter(|id| !tolerated.contains(id)));
+            left.extend(stopped(core, step, t, states).filter(|id| !tolerated.contains(id)));
         }
         if left.is_empty() {
             left = breaking_contacts(core, step, t, states, &touches, tolerated)?;
@@ -310,7 +312,7 @@ impl Engine {
                 Ok(is_held && held_kinematics(core, states, id).is_none())
             }
             Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
-            Violation::Stops => Ok(reversed_slips(core, step, states).any(|id| !tolerated.contains(&id))),
+            Violation::Stops => Ok(stopped(core, step, t, states).any(|id| !tolerated.contains(&id))),
             Violation::Breaks => {
                 let touches = step.active.held.iter().map(|&id| {
                     let kinematics = core.world.kinematics(states, id)?;
@@ -366,45 +368,49 @@ fn held_touch(step: &ConstrainedStep, id: ContactId, kinematics: ContactKinemati
     Touch::held(id, kinematics, step.active.friction.get(&id).copied())
 }
 
-/// The slip of a contact along the direction in which it slides at the start of the step, m/s; none for a contact that
-/// sticks or has no friction.
-fn slip_along(core: &Core, states: &[BodyState], id: ContactId, mode: FrictionMode) -> Option<f64> {
-    let FrictionMode::Sliding(direction) = mode else { return None };
-    Some(core.world.tangential_kinematics(states, id)?.slip_velocity.dot(direction))
-}
-
-/// The contacts that slide against their direction in these states: their slips have vanished before.
-fn reversed_slips<'a>(
+/// The slips of the contacts that slide in a step, m/s.
+fn slips<'a>(
     core: &'a Core,
     step: &'a ConstrainedStep,
     states: &'a [BodyState],
+) -> impl Iterator<Item = (ContactId, Slide, DVec3)> + 'a {
+    step.active.friction.iter().filter_map(|(&id, mode)| {
+        let FrictionMode::Sliding(slide) = *mode else { return None };
+        Some((id, slide, core.world.tangential_kinematics(states, id)?.slip_velocity))
+    })
+}
+
+/// Whether a slip has vanished before `t` (s): it points against its direction at the start of the step, or has become
+/// negligible within a step that has come to its end.
+fn has_stopped(step: &ConstrainedStep, t: f64, slide: &Slide, slip: DVec3) -> bool {
+    // A slip that begins to grow is zero up to rounding.
+    let reversed = if slide.speed > STOPPED_NOISE * slide.noise { 0.0 } else { -STOPPED_NOISE * slide.noise };
+    let is_negligible = t >= step.end
+        && slide.speed > 2.0 * STOPPED_NOISE * slide.noise
+        && slip.length() <= STOPPED_NOISE * slide.noise;
+    slide.along(slip) < reversed || is_negligible
+}
+
+/// The contacts whose slips have vanished in a step before `t` (s).
+fn stopped<'a>(
+    core: &'a Core,
+    step: &'a ConstrainedStep,
+    t: f64,
+    states: &'a [BodyState],
 ) -> impl Iterator<Item = ContactId> + 'a {
-    let modes = step.active.friction.iter();
-    modes.filter(|&(&id, &mode)| slip_along(core, states, id, mode).is_some_and(|slip| slip < 0.0)).map(|(&id, _)| id)
+    slips(core, step, states).filter(move |(_, slide, slip)| has_stopped(step, t, slide, *slip)).map(|(id, ..)| id)
 }
 
 /// If a slip has just vanished at `t` (s), all contacts whose slips vanish then.
 fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [BodyState]) -> BTreeSet<ContactId> {
-    let mut greatest = BTreeMap::new();
-    for k in 0..=STOP_CHECKS {
-        step.states_at(&core.world, step.t + (t - step.t) * (f64::from(k) / f64::from(STOP_CHECKS)), states);
-        for (&id, &mode) in &step.active.friction {
-            let Some(slip) = slip_along(core, states, id, mode) else { continue };
-            let most: &mut f64 = greatest.entry(id).or_default();
-            *most = most.max(slip);
-        }
-    }
     step.states_at(&core.world, t, states);
-    if reversed_slips(core, step, states).next().is_none() {
+    if stopped(core, step, t, states).next().is_none() {
         return BTreeSet::new();
     }
-    let stops = |(&id, &most): (&ContactId, &f64)| {
-        let mode = step.active.friction.get(&id)?;
-        let slip = slip_along(core, states, id, *mode)?;
-        let limit = (STOPPED_SLIP * most).max(core.world.slip_rounding(states, id));
-        (slip <= limit).then_some(id)
+    let vanishes = |(slide, slip): (&Slide, &DVec3)| {
+        slip.length() <= (STOPPED_SLIP * slide.speed).max(STOPPED_NOISE * slide.noise) || slide.along(*slip) <= 0.0
     };
-    greatest.iter().filter_map(stops).collect()
+    slips(core, step, states).filter(|(_, slide, slip)| vanishes((slide, slip))).map(|(id, ..)| id).collect()
 }
 
 /// The held contacts that break under pushing forces, without the tolerated ones.

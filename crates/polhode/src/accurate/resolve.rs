@@ -9,7 +9,7 @@ use super::hold::Forces;
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
-use crate::collision::friction_mode::FrictionMode;
+use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::groups::{Group, groups};
@@ -35,6 +35,10 @@ const STOPPED_RELATIVE: f64 = 1e-13;
 /// Bounces up to this many times the touch distance in height are not resolved one by one: during such a bounce the
 /// bodies cannot be distinguished from touching ones.
 const NEGLIGIBLE_HEIGHT: f64 = 64.0;
+
+/// Rounding error of a slip as a fraction of the largest speed that the bodies of the instant have had (1e-14 to 1e-11):
+/// that of velocities that cancelled, over some thousand steps.
+const SLIP_NOISE: f64 = 1e-13;
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -194,8 +198,14 @@ impl Engine {
             };
             self.set_hold(core, instant, i, hold);
             let friction = candidates.binary_search(&i).ok().and_then(|row| forces.friction(row));
+            let known = candidates.binary_search(&i).ok().and_then(|row| forces.known_mode(row));
             let held = friction.filter(|_| hold == Hold::Held);
-            instant.touches[i].friction = held.map(|friction| friction.mode.unwrap_or(FrictionMode::Sticking));
+            let noise = SLIP_NOISE * instant.speed_scale;
+            instant.touches[i].friction = held.map(|friction| match (known, friction.sliding) {
+                (Some(mode), _) => mode,
+                (None, Some(direction)) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
+                (None, None) => FrictionMode::Sticking,
+            });
         }
         self.settle(core, instant, group, &candidates, &forces)
     }
@@ -253,14 +263,16 @@ impl Engine {
         let has_friction = core.world.friction_of(touch.id.a, touch.id.b).is_some();
         let terms = has_friction.then(|| core.world.tangential_kinematics(&self.states, touch.id)).flatten();
         let change = &instant.change;
+        let noise = SLIP_NOISE * instant.speed_scale;
         let friction = match (terms, change.slipping.get(&touch.id)) {
             (None, _) => None,
-            (Some(_), Some(&direction)) => Some(FrictionMode::Sliding(direction)),
+            (Some(_), Some(&direction)) => Some(FrictionMode::Sliding(Slide::beginning(direction, noise))),
             (Some(_), None) if change.stopping.contains(&touch.id) => None,
             (Some(terms), None) => {
                 let speed = terms.slip_velocity.length();
                 let slides = speed > self.sustained_speed(core, instant.speed_scale, touch);
-                slides.then(|| FrictionMode::Sliding(terms.slip_velocity / speed))
+                let direction = terms.slip_velocity / speed;
+                slides.then_some(FrictionMode::Sliding(Slide { direction, speed, noise }))
             }
         };
         Touch { friction, ..*touch }

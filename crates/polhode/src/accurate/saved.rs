@@ -16,7 +16,7 @@ use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
-use crate::collision::friction_mode::FrictionMode;
+use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
@@ -191,14 +191,18 @@ fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChan
 fn save_friction(mode: FrictionMode) -> content::Friction {
     match mode {
         FrictionMode::Sticking => content::Friction::Sticking,
-        FrictionMode::Sliding(direction) => content::Friction::Sliding(direction.to_array()),
+        FrictionMode::Sliding(Slide { direction, speed, noise }) => {
+            content::Friction::Sliding { direction: direction.to_array(), speed, noise }
+        }
     }
 }
 
 fn restored_friction(saved: content::Friction) -> FrictionMode {
     match saved {
         content::Friction::Sticking => FrictionMode::Sticking,
-        content::Friction::Sliding(direction) => FrictionMode::Sliding(DVec3::from_array(direction)),
+        content::Friction::Sliding { direction, speed, noise } => {
+            FrictionMode::Sliding(Slide { direction: DVec3::from_array(direction), speed, noise })
+        }
     }
 }
 

@@ -22,12 +22,12 @@ impl ActiveContacts {
         sticking.map(|(&id, _)| id).collect()
     }
 
-    /// Gives contacts that slide the direction of their slips in these states, at the start of a step.
+    /// Gives contacts that slide the direction and speed of their slips in these states, at the start of a step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
         for (&id, mode) in &mut self.friction {
-            let Some(terms) = world.tangential_kinematics(states, id) else { continue };
-            if let Some(direction) = mode.direction(terms.slip_velocity, world.slip_rounding(states, id)) {
-                *mode = FrictionMode::Sliding(direction);
+            let FrictionMode::Sliding(slide) = mode else { continue };
+            if let Some(terms) = world.tangential_kinematics(states, id) {
+                *slide = slide.renewed(terms.slip_velocity);
             }
         }
     }

@@ -17,9 +17,6 @@ use polhode_spatial::{DVec3, Velocity};
 /// the two rules do not alternate.
 const COUNTERPART_FRACTION: f64 = 0.25;
 
-/// A slip below this fraction of the speeds of the two bodies is rounding (1e-15 to 1e-13): some sixteen rounding units.
-const SLIP_ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 /// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct ContactId {
@@ -133,15 +130,6 @@ impl World {
         let material = self.scene.pair_material(a, b);
         let coefficients = FrictionCoefficients { at_rest: material.static_friction(), sliding: material.friction() };
         (coefficients.at_rest > 0.0).then_some(coefficients)
-    }
-
-    /// Rounding error of the slip of a contact, m/s.
-    pub(crate) fn slip_rounding(&self, states: &[BodyState], id: ContactId) -> f64 {
-        let speed = |body: usize| {
-            let velocity = self.velocity(body, &states[body]);
-            velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
-        };
-        SLIP_ROUNDING * (speed(id.a) + speed(id.b))
     }
 
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`].

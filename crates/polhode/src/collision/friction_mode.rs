@@ -6,7 +6,8 @@
 //!
 //! The direction of a slip that has passed zero is continued as if the slip had not: `d = -u_T / |u_T|` where `u_T`
 //! points against the direction at the start of the step. That makes the equations smooth past the instant at which the
-//! slip vanishes, which an integrator of high order and the location of that instant need.
+//! slip vanishes, which an integrator of high order and the location of that instant need. Directions differ from that
+//! at the start of the step only where the slip leaves it by more than rounding.
 
 use polhode_spatial::DVec3;
 
@@ -24,22 +25,50 @@ pub(crate) struct FrictionCoefficients {
 pub(crate) enum FrictionMode {
     /// The bodies do not slip on each other.
     Sticking,
-    /// A slips over B in about this direction (unit vector, world): that of the slip at the start of the step, or that
-    /// in which the slip begins to grow from zero.
-    Sliding(DVec3),
+    /// A slips over B.
+    Sliding(Slide),
 }
 
-impl FrictionMode {
-    /// The direction of a slip `u_T` (m/s), continued smoothly through zero; the direction at the start where the slip is
-    /// below `negligible` (m/s). None for a contact that sticks.
-    pub(crate) fn direction(self, slip: DVec3, negligible: f64) -> Option<DVec3> {
-        let Self::Sliding(start) = self else { return None };
-        let speed = slip.length();
-        let along = slip.dot(start);
-        match () {
-            () if speed <= negligible || along == 0.0 => Some(start),
-            () if along > 0.0 => Some(slip / speed),
-            () => Some(-slip / speed),
+/// The slip of a contact at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Slide {
+    /// Direction of the slip, or that in which it begins to grow from zero; unit vector, world.
+    pub(crate) direction: DVec3,
+    /// Its speed, m/s; zero where it begins to grow.
+    pub(crate) speed: f64,
+    /// Rounding error of slips, m/s.
+    pub(crate) noise: f64,
+}
+
+impl Slide {
+    /// A slip that begins to grow from zero.
+    pub(crate) fn beginning(direction: DVec3, noise: f64) -> Self {
+        Self { direction, speed: 0.0, noise }
+    }
+
+    /// Component of a slip (m/s) along the direction at the start.
+    pub(crate) fn along(&self, slip: DVec3) -> f64 {
+        slip.dot(self.direction)
+    }
+
+    /// The direction of a slip `u_T` (m/s), continued smoothly through zero. A component across the direction at the
+    /// start that is within rounding does not count: where the slip is small it would turn the friction at random, and
+    /// friction resists it at the rate `mu g / |u_T|`, which no step could follow.
+    pub(crate) fn direction_of(&self, slip: DVec3) -> DVec3 {
+        let along = self.along(slip);
+        let across = slip - self.direction * along;
+        let width = across.length();
+        if width <= self.noise {
+            return self.direction;
         }
+        let across = across * (1.0 - self.noise / width);
+        let sign = if along < 0.0 { -1.0 } else { 1.0 };
+        let forward = self.direction * along.abs() + across * sign;
+        forward / forward.length()
+    }
+
+    /// The same contact at the start of a later step, with this slip (m/s).
+    pub(crate) fn renewed(&self, slip: DVec3) -> Self {
+        Self { direction: self.direction_of(slip), speed: slip.length(), ..*self }
     }
 }

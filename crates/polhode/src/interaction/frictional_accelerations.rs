@@ -51,6 +51,14 @@ pub(crate) struct ContactTangent {
     pub(crate) is_pressed: bool,
 }
 
+impl ContactTangent {
+    /// The direction in which the slip of a contact begins to grow: against its force. The slip acceleration has the same
+    /// direction, but just beyond what static friction bears it is small, and its direction rounding.
+    pub(crate) fn begins_along(&self) -> Option<DVec3> {
+        (-self.force).try_normalize().or_else(|| self.slip_acceleration.try_normalize())
+    }
+}
+
 /// A contact with friction among the rows.
 #[derive(Debug, Clone, Copy)]
 struct Frictional {
@@ -64,9 +72,10 @@ impl Frictional {
     fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
         let coefficients = world.friction_of(touch.id.a, touch.id.b)?;
         let terms = world.tangential_kinematics(states, touch.id)?;
-        let mode = touch.friction.unwrap_or(FrictionMode::Sticking);
-        let direction = mode.direction(terms.slip_velocity, world.slip_rounding(states, touch.id));
-        let sliding = direction.map(|direction| (direction, coefficients.sliding));
+        let sliding = match touch.friction {
+            None | Some(FrictionMode::Sticking) => None,
+            Some(FrictionMode::Sliding(slide)) => Some((slide.direction_of(terms.slip_velocity), coefficients.sliding)),
+        };
         Some(Self { coefficients, terms, sliding })
     }
 
@@ -196,11 +205,11 @@ fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccel
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
-        let speed = tangent.slip_acceleration.length();
-        let slides = friction.sliding.is_none() && tangent.is_pressed && speed > STICKING_RELATIVE * found.scale;
+        let growth = tangent.slip_acceleration.length();
+        let slides = friction.sliding.is_none() && tangent.is_pressed && growth > STICKING_RELATIVE * found.scale;
         if slides && friction.coefficients.sliding < friction.coefficients.at_rest {
-            friction.sliding = Some((tangent.slip_acceleration / speed, friction.coefficients.sliding));
-            any = true;
+            friction.sliding = tangent.begins_along().map(|direction| (direction, friction.coefficients.sliding));
+            any |= friction.sliding.is_some();
         }
     }
     any

@@ -297,8 +297,7 @@ pub(crate) struct Island {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Friction {
     Sticking,
-    /// In this direction.
-    Sliding(Vector),
+    Sliding { direction: Vector, speed: f64, noise: f64 },
 }
 
 /// The present step of an island.
