@@ -68,6 +68,28 @@ pub enum ResponseError {
         /// The value found.
         value: f64,
     },
+    /// A coefficient of friction is negative or not finite.
+    #[error("the coefficient of friction of contact {contact} must be at least 0 and finite, found {value}")]
+    FrictionCoefficient {
+        /// The contact.
+        contact: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// A coefficient of tangential restitution is outside `[-1, 1]`.
+    #[error("the coefficient of tangential restitution of contact {contact} must be between -1 and 1, found {value}")]
+    TangentialRestitution {
+        /// The contact.
+        contact: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// The collision matrix of a contact is not one.
+    #[error("the collision matrix must be symmetric and positive semidefinite, with an entry above 0 for the normal")]
+    CollisionMatrix,
+    /// A contact that slides has no slip.
+    #[error("a contact that slides needs a slip other than 0; a contact without slip sticks or starts to slide")]
+    NoSlip,
     /// A setting is out of its range.
     #[error("setting {field} must be {accepted}, found {value}")]
     Setting {

@@ -14,6 +14,7 @@
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
+//! | [`impact::friction`] | [`SingleFrictionalImpact`]: slip, stick, reversal and jam; Stronge, Poisson, Newton |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -83,6 +84,10 @@ pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, sol
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
+pub use impact::friction::{
+    CollisionMatrix, FrictionalImpact, FrictionalImpactLaw, FrictionalImpactStatus, ImpactPhase, PhaseKind,
+    SingleFrictionalImpact, SlidingContact, SlidingForce,
+};
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
 };
