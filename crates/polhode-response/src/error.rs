@@ -114,6 +114,52 @@ pub enum ResponseError {
         /// Its coefficient.
         friction: f64,
     },
+    /// A block has no rows, or more than a contact has.
+    #[error(
+        "block {block} has {rows} rows, a contact or a hold has 1 to 3; give a joint of more rows as several blocks"
+    )]
+    FrictionRows {
+        /// The block.
+        block: usize,
+        /// Its rows.
+        rows: usize,
+    },
+    /// A coefficient of friction is negative or not finite.
+    #[error("the coefficient of friction of contact {contact} must be at least 0 and finite, found {friction}")]
+    Friction {
+        /// The contact.
+        contact: usize,
+        /// The coefficient found.
+        friction: f64,
+    },
+    /// A block of a matrix is given twice.
+    #[error("block ({row}, {column}) of the Delassus matrix is given twice; add the two first")]
+    RepeatedBlock {
+        /// Its block row.
+        row: usize,
+        /// Its block column.
+        column: usize,
+    },
+    /// A Delassus matrix is not symmetric.
+    #[error("the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}")]
+    Asymmetric {
+        /// Row of the entry.
+        row: usize,
+        /// Column of the entry.
+        column: usize,
+        /// The entry.
+        value: f64,
+        /// The entry with row and column exchanged.
+        other: f64,
+    },
+    /// A Delassus matrix has a negative entry on its diagonal.
+    #[error("the Delassus matrix must be positive semidefinite: diagonal entry {row} is {value:e}")]
+    NegativeDiagonal {
+        /// The row.
+        row: usize,
+        /// The entry.
+        value: f64,
+    },
     /// Rows that were independent no longer are.
     #[error("row {row} depends on the rows before it (relative pivot {pivot:e}); choose the independent rows afresh")]
     LostRank {

@@ -13,6 +13,7 @@
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
+//! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`]: slip, stick, reversal and jam; Stronge, Poisson, Newton |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
@@ -68,6 +69,7 @@ pub mod complementarity;
 pub mod delassus;
 mod dense;
 pub mod error;
+pub mod friction;
 pub mod held_rows;
 pub mod impact;
 mod interior_point;
