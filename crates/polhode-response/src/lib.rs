@@ -14,7 +14,9 @@
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide |
+//! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
+//! | [`impact::friction`] | [`SingleFrictionalImpact`]: slip, stick, reversal and jam; Stronge, Poisson, Newton |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -65,10 +67,10 @@
 
 pub mod certificate;
 pub mod complementarity;
-pub mod coulomb;
 pub mod delassus;
 mod dense;
 pub mod error;
+pub mod friction;
 pub mod held_rows;
 pub mod impact;
 mod interior_point;
@@ -83,10 +85,13 @@ pub mod settings;
 pub mod sliding;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
-pub use coulomb::{ContactLaw, CoulombContact, CoulombSolution, solve_coulomb};
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
+pub use impact::friction::{
+    CollisionMatrix, FrictionalImpact, FrictionalImpactLaw, FrictionalImpactStatus, ImpactPhase, PhaseKind,
+    SingleFrictionalImpact, SlidingContact, SlidingForce,
+};
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
 };

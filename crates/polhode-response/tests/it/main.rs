@@ -8,6 +8,8 @@ mod degenerate;
 mod diamonds;
 mod exact;
 mod forces;
+mod frictional_impacts;
+mod frictional_paths;
 mod held_rows;
 mod impacts;
 mod joints;

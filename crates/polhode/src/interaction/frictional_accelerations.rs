@@ -6,23 +6,19 @@
 //! one, and the problem is solved again until no further contact begins to slide.
 
 use super::assembly::{Assembly, TangentRow};
+use super::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::{
-    ContactLaw, ContactSolution, CoulombContact, CoulombSolution, Method, ResponseError, SolverReport, SolverStatus,
-    WarmStart, solve_coulomb,
-};
+use polhode_response::friction::FrictionBlock;
+use polhode_response::{ContactSolution, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
 const STICKING_RELATIVE: f64 = 1e-11;
-
-/// Residual, relative to the largest relative acceleration without contact forces, up to which an answer is accepted.
-const ACCEPTED_RESIDUAL: f64 = 1e-10;
 
 /// Forces and accelerations of some contacts, of which at least one has friction.
 #[derive(Debug)]
@@ -79,6 +75,15 @@ impl Frictional {
         Some(Self { coefficients, terms, sliding })
     }
 
+    /// What its rows ask for together.
+    fn block(friction: Option<&Self>) -> FrictionBlock {
+        match friction {
+            None => FrictionBlock::Contact { rows: 1, friction: 0.0 },
+            Some(Self { sliding: Some((_, friction)), .. }) => FrictionBlock::Sliding { friction: *friction },
+            Some(Self { coefficients, .. }) => FrictionBlock::Contact { rows: 3, friction: coefficients.at_rest },
+        }
+    }
+
     /// The directions of its rows in the tangent plane.
     fn tangents(&self) -> Vec<DVec3> {
         self.sliding.map_or_else(|| self.terms.basis.to_vec(), |(direction, _)| vec![direction])
@@ -115,86 +120,65 @@ impl FrictionalAccelerations {
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
-        let held = assembly.problem.len();
-        let mut laws = Vec::with_capacity(contacts.len());
+        let mut blocks = FrictionBlocks::default();
         for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
             let first = assembly.problem.len();
-            let law = match friction {
-                None => ContactLaw::Frictionless,
-                Some(Frictional { sliding: Some((_, coefficient)), .. }) => {
-                    ContactLaw::Sliding { tangent: first, coefficient: *coefficient }
-                }
-                Some(Frictional { coefficients, .. }) => {
-                    ContactLaw::Coulomb { tangents: [first, first + 1], coefficient: coefficients.at_rest }
-                }
-            };
-            laws.push(CoulombContact { normal, law });
             let tangents = friction.iter().flat_map(|friction| {
                 let geometry = &touch.kinematics.geometry;
                 let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
                 friction.tangents().into_iter().map(row)
             });
             assembly.push_tangents(states, tangents)?;
+            let tangents = first..assembly.problem.len();
+            blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
         }
+        blocks.push_held(contacts.len()..assembly.first_tangent());
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-        let solved = solve_coulomb(&assembly.problem.delassus(), &constants, &laws)?;
-        let mut accelerations = assembly.problem.response(&solved.forces)?;
+        let solved = blocks.solve(&assembly.problem.delassus(), &constants, None)?;
+        let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
             *acceleration += free;
         }
-        let tangential = laws
-            .iter()
-            .zip(frictional)
-            .map(|(contact, friction)| friction.as_ref().map(|friction| contact_tangent(&solved, contact, friction)));
+        let mut first = assembly.first_tangent();
+        let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
+            let friction = friction.as_ref()?;
+            let found = contact_tangent(&solved, (normal, first), friction);
+            first += friction.tangents().len();
+            Some(found)
+        });
+        let tangential = tangential.collect();
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
-        Ok(Self {
-            contacts: tangential.collect(),
-            solution: contact_solution(&solved, held),
-            accelerations,
-            scale,
-            assembly,
-        })
+        let solution = contact_solution(&solved, assembly.first_tangent());
+        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
     }
 }
 
-/// What friction does at a contact, from the solution of all rows.
-fn contact_tangent(solved: &CoulombSolution, contact: &CoulombContact, friction: &Frictional) -> ContactTangent {
-    let first = match contact.law {
-        ContactLaw::Frictionless => solved.forces.len(),
-        ContactLaw::Coulomb { tangents, .. } => tangents[0],
-        ContactLaw::Sliding { tangent, .. } => tangent,
-    };
+/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one.
+fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), friction: &Frictional) -> ContactTangent {
     let sum = |of: &[f64]| {
         let along = friction.tangents().into_iter().zip(of.iter().skip(first));
         along.map(|(tangent, value)| tangent * *value).sum::<DVec3>()
     };
     ContactTangent {
-        force: sum(&solved.forces),
-        slip_acceleration: sum(&solved.accelerations),
+        force: sum(&solved.reactions),
+        slip_acceleration: sum(&solved.velocities),
         sliding: friction.sliding.map(|(direction, _)| direction),
-        is_pressed: solved.forces.get(contact.normal).is_some_and(|&force| force > 0.0),
+        is_pressed: solved.reactions.get(normal).is_some_and(|&force| force > 0.0),
     }
 }
 
 /// The solution of the first rows, those of contacts and pivots.
-fn contact_solution(solved: &CoulombSolution, rows: usize) -> ContactSolution {
-    let forces: Vec<f64> = solved.forces.iter().take(rows).copied().collect();
+fn contact_solution(solved: &RowSolution, rows: usize) -> ContactSolution {
+    let forces: Vec<f64> = solved.reactions.iter().take(rows).copied().collect();
     let carry = forces.iter().enumerate().filter(|&(_, &force)| force > 0.0).map(|(row, _)| row);
-    let status = if solved.residual <= ACCEPTED_RESIDUAL { SolverStatus::Solved } else { SolverStatus::Inaccurate };
     ContactSolution {
-        residual_accelerations: solved.accelerations.iter().take(rows).copied().collect(),
+        residual_accelerations: solved.velocities.iter().take(rows).copied().collect(),
         held: forces.iter().map(|&force| force > 0.0).collect(),
         squeeze: Vec::new(),
         warm_start: WarmStart::new(carry.collect()),
-        report: SolverReport {
-            status,
-            method: Method::ActiveSet,
-            iterations: solved.iterations,
-            residual: solved.residual,
-            ..SolverReport::default()
-        },
+        report: solved.report,
         forces,
     }
 }
