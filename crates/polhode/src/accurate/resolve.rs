@@ -130,17 +130,16 @@ impl Engine {
         let settings = ImpactSettings::default();
         let struck = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
-        let outcome = struck.outcome;
+        let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
-        let impulses = group.contacts.iter().zip(&outcome.impulses);
-        let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
+        let impulses = struck.impulses(group.contacts.iter().map(|&i| &instant.touches[i]));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
         let about = core.accounts.books.ledger.momentum.about;
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = support(&core.world, about, impulses) + by_pivots;
-        core.accounts.books.impact(outcome.energy_change, given, work);
+        core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -156,7 +155,7 @@ impl Engine {
                 touch.id,
             );
         }
-        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, &outcome);
+        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
             let names = core.world.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());

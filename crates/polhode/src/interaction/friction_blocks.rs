@@ -33,6 +33,11 @@ impl FrictionBlocks {
         self.rows.extend(rows);
     }
 
+    /// How many blocks.
+    pub(crate) fn len(&self) -> usize {
+        self.blocks.len()
+    }
+
     /// Adds rows that are held, whatever the sign of their reactions.
     pub(crate) fn push_held(&mut self, rows: Range<usize>) {
         for start in rows.clone().step_by(MOST_ROWS) {

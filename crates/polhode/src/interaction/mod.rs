@@ -9,6 +9,7 @@ pub(crate) mod assembly;
 pub(crate) mod constraint;
 pub(crate) mod friction_blocks;
 pub(crate) mod frictional_accelerations;
+pub(crate) mod frictional_impact;
 pub(crate) mod groups;
 pub(crate) mod impact;
 pub(crate) mod locator;

@@ -161,7 +161,7 @@ impl ThesisEngine {
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
             let work = core.world.prescribed_work(&self.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
-            core.accounts.books.impact(outcome.energy_change, given, work);
+            core.accounts.books.impact((outcome.energy_change, 0.0), given, work);
             core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];

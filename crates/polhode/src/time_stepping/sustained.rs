@@ -198,7 +198,7 @@ fn note(
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
         let work = world.prescribed_work(states, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change(world, states, rows, near), given, work);
+        report.books.impact((group.energy_change(world, states, rows, near), 0.0), given, work);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
