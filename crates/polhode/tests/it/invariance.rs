@@ -66,8 +66,8 @@ fn all_effects_give_the_same_bits_as_the_plan() {
     assert!(planned.ledger.closure_relative() < 1e-12 && planned.ledger.momentum.closure_relative() < 1e-12);
 }
 
-/// A box that is tipped about one of its axes lands, rattles and comes to rest in a plane: the three velocities of a
-/// planar motion give what the six give, in any plane, and the box never leaves it.
+/// A box that is tipped about one of its axes lands, rattles and comes to rest in a plane. Planar motion, with three
+/// velocity coordinates, agrees with the motion in space, with six, in any plane; the box never leaves the plane.
 #[test]
 fn planar_motion_is_the_motion_in_space() {
     let tipped = Rotation::from_rotation_vector(DVec3::Y * 0.4);

@@ -119,8 +119,9 @@ fn weightless(name: &str, duration: f64) -> SceneBuilder {
     Scene::builder(name).method(accurate()).gravity(DVec3::ZERO).duration_s(duration)
 }
 
-/// A ball strikes a hanging rod at depth d below its pivot with the impulse J. The pivot gives the rod `J (m a d/I - 1)`,
-/// where a is the depth of the centre of mass: zero at the centre of percussion, against J above it, along J below it.
+/// A ball strikes a hanging rod at depth d below its pivot with the impulse J. The pivot gives the rod the impulse
+/// `J (m a d/I - 1)`, where a is the depth of the centre of mass: zero at the centre of percussion, against J above it,
+/// along J below it.
 #[test]
 fn the_pivot_bears_what_the_centre_of_percussion_says() {
     let (mass, speed, e, radius) = (0.3, 2.0, 0.5, 0.05);
