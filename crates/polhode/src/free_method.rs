@@ -42,12 +42,12 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         ),
         Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
             Integrator::Rk4,
-            "asked for; it integrates constrained motion too, with the contact forces at every stage",
+            "the scene names it; it integrates constrained motion too, with the contact forces at every stage",
         ),
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
-            choice(integrator, "asked for; dop853 integrates bodies that forces couple and that may collide")
+            choice(integrator, "the scene names it; dop853 integrates bodies that forces couple and that may collide")
         }
-        Some(integrator) => choice(integrator, "asked for"),
+        Some(integrator) => choice(integrator, "the scene names it"),
         None if settings.tier == Tier::Thesis => choice(settings.integrator, "that of the thesis"),
         None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")

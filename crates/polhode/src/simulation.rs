@@ -105,7 +105,7 @@ impl Simulation {
         settings.integrator = choice.integrator;
         let planar = match effects {
             Effects::Planned => planar::find(&world, &states, &settings),
-            Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
+            Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);

@@ -150,13 +150,16 @@ impl Measures {
         if let Some(worst) = self.penetration.broken() {
             let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
             let names = names(&worst);
-            broken.push(format!("t = {t} s: degraded: {names} overlapped by {value:e} m, promised is {allowed:e} m"));
+            broken.push(format!(
+                "t = {t} s: degraded: {names} overlapped by {value:e} m, the promised limit is {allowed:e} m"
+            ));
         }
         if let Some(worst) = self.projection.broken() {
             let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
             let names = names(&worst);
             broken.push(format!(
-                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, promised is {allowed:e} m"
+                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, the promised limit is \
+                 {allowed:e} m"
             ));
         }
         let sum = self.drift_energy.value();
@@ -165,7 +168,7 @@ impl Measures {
             let (t, value, names) = (worst.t, worst.value, names(&worst));
             broken.push(format!(
                 "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
-                 promised is {allowed:e} J"
+                 the promised limit is {allowed:e} J"
             ));
         }
         broken.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));

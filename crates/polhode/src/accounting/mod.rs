@@ -37,7 +37,7 @@ pub(crate) struct Accounts {
     events: Vec<Event>,
     event_count: u64,
     steps: u64,
-    /// Number of the next sample of the output's grid.
+    /// Number of the next output sample; sample k is due at k output intervals.
     next_sample: u64,
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
@@ -227,7 +227,7 @@ impl Accounts {
         }
     }
 
-    /// Time of the next sample of the output's grid, s.
+    /// Time of the next output sample, s.
     pub(crate) fn next_sample_s(&self, world: &World) -> f64 {
         self.next_sample as f64 * world.scene.output_interval_s()
     }

@@ -84,8 +84,8 @@ impl Track {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// For bodies in an island at the start of its step, for bodies in flight at the start of their record or their
-    /// last event, for kinematic bodies at the event or step being processed.
+    /// Of bodies in an island the states at the start of its step, of bodies in flight those at the start of their
+    /// record or at their last event, of kinematic bodies those at the event or step being processed.
     pub(super) states: Vec<BodyState>,
     /// A copy of `states`, used to evaluate other times.
     pub(super) scratch: Vec<BodyState>,

@@ -1,6 +1,6 @@
-//! Steps of bodies without contacts by the integrator that the scene names.
+//! Steps of bodies without contacts by the integrator that the scene names or the plan chooses.
 //!
-//! The integrator moves the bodies of an island by steps of the length given, and keeps its own variables from step to
+//! The integrator moves the bodies of an island by steps of a given length, and keeps its own variables from step to
 //! step; after an event it starts anew from the states. The states within a step are evaluated by the method itself. If
 //! such bodies may collide, the search for impacts needs their motion over the step. It is then represented by
 //! polynomials, each through eight states; the number of polynomials follows from the angle by which the bodies turn.

@@ -74,8 +74,8 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Fills the agenda from the islands, the pairs and the prescribed motions. Before the first instant has been resolved
-    /// it is empty.
+    /// Fills the agenda from the islands, the pairs and the prescribed motions. Before the first instant has been
+    /// resolved it is empty.
     fn rebuild_agenda(&mut self, core: &Core) {
         if self.begun {
             for &body in core.world.prescribed() {
