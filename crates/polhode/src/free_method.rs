@@ -35,7 +35,7 @@ pub(crate) struct Choice {
 /// Chooses the integrator for a scene in these states.
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
-    match settings.asked_integrator {
+    match settings.named_integrator {
         _ if settings.tier == Tier::Stepped => choice(
             settings.integrator,
             "the tier has its own: exact flight, forces as one kick in the middle of the step",

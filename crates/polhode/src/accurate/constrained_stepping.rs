@@ -166,7 +166,7 @@ impl Engine {
     /// its rounding.
     fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
         let is_held = held.iter().any(|id| id.a == body || id.b == body);
-        if is_held || core.settings.asked_integrator.is_some() || !core.world.is_loaded_without_torque(body) {
+        if is_held || core.settings.named_integrator.is_some() || !core.world.is_loaded_without_torque(body) {
             return None;
         }
         let state = self.states[body];

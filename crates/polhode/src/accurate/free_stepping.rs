@@ -314,7 +314,7 @@ impl Field for Restricted {
 
 /// Whether the length of the steps adapts to the motion.
 fn adapts_step(core: &Core) -> bool {
-    core.settings.splits_by_choice() && !core.settings.step_is_asked && !core.world.may_collide_at_all()
+    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.world.may_collide_at_all()
 }
 
 fn tolerance(settings: &Settings) -> Tolerance {

@@ -8,6 +8,7 @@ use polhode::spatial::{DVec3, Velocity};
 use polhode::{Scene, SceneBuilder};
 use std::sync::atomic::{AtomicU32, Ordering};
 
+/// Numbers that are not finite, that overflow or underflow when squared, and zero.
 const STRANGE: [f64; 9] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 1e150, 1e12, 1e-300, 0.0];
 
 /// Steps that a run of one of these scenes may take.
@@ -94,7 +95,7 @@ fn strange_forces_end_in_an_error_or_a_finite_motion() {
 
 /// Springs whose ends coincide, with and without a rest length and a damper.
 #[test]
-fn spring_of_no_length_is_no_trouble() {
+fn spring_of_zero_length_gives_a_finite_motion() {
     for (rest_length, damping) in [(0.0, 0.0), (0.0, 1.0), (0.2, 0.0), (0.2, 1.0)] {
         let builder = Scene::builder("spring")
             .gravity(DVec3::ZERO)
@@ -136,7 +137,7 @@ fn strange_methods_end_in_an_error_or_a_finite_motion() {
 
 /// At the tightest and at the loosest tolerance an oscillation is as accurate as the tolerance promises.
 #[test]
-fn tolerance_is_what_it_says() {
+fn oscillation_keeps_its_tolerance() {
     for (tolerance, allowed) in [(1e-15, 1e-11), (1e-11, 1e-9), (1e-6, 1e-3), (0.1, 1.0)] {
         let scene = Scene::builder("oscillator")
             .gravity(DVec3::ZERO)
@@ -168,7 +169,7 @@ fn strange_pivots_end_in_an_error_or_a_finite_motion() {
 
 /// A method that is replaced after the scene was built is checked too: a step of length zero is refused.
 #[test]
-fn method_put_in_later_is_checked() {
+fn method_replaced_later_is_checked() {
     let scene = scene(spring(100.0, 0.1, 0.0, DVec3::ZERO)).build().unwrap();
     for step in [0.0, -1.0, 1e-300, f64::NAN] {
         for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
@@ -184,7 +185,7 @@ fn method_put_in_later_is_checked() {
 
 /// The simulation calls a user's signal at times of the run only.
 #[test]
-fn signals_are_asked_within_the_run_only() {
+fn signals_are_evaluated_within_the_run_only() {
     static OUTSIDE: AtomicU32 = AtomicU32::new(0);
     let signal = Signal::from_fn(|t| {
         if !(0.0..=0.05).contains(&t) {

@@ -326,7 +326,7 @@ fn load(force: DVec3, torque: DVec3, frame: Frame, point: Option<DVec3>, signal:
     Force::Applied { body: 0, force, torque, frame, point, signal }
 }
 
-/// A constant force in the world accelerates from rest, without gravity: at the start nothing at all moves.
+/// A constant force in the world accelerates a body from rest, without gravity, although nothing moves at the start.
 #[test]
 fn constant_force_moves_a_body_at_rest() {
     let force = DVec3::new(1.0, -2.0, 0.5);

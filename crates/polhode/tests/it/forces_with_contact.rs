@@ -339,7 +339,7 @@ fn fast_spinning_stick_on_a_spring_strikes_with_its_end() {
         .unwrap();
     let w = f64::sqrt(10.0 / 0.4);
     let angle = |t: f64| (spin * t).rem_euclid(TAU);
-    // The corners' reach towards the wall.
+    // How far the corners reach towards the wall, m.
     let reach = |t: f64| 0.3 * angle(t).cos().abs() + 0.01 * angle(t).sin().abs();
     let gap = |t: f64| 0.5 * (w * t).cos() - reach(t);
     let step = 1e-6;
@@ -348,7 +348,7 @@ fn fast_spinning_stick_on_a_spring_strikes_with_its_end() {
     for method in [accurate(), by(Integrator::Exact, 0.01), by(Integrator::Exact, 0.003)] {
         let (report, recorder) = try_run(&scene.clone().with_method(method), 2_000_000).unwrap();
         let impact = times_of(&recorder, EventKind::Impact)[0];
-        // Three thousand roundings of the angle at a thousand radians.
+        // In 1e-10 s the stick turns by 3e-7 rad.
         assert!((impact - expected).abs() < 1e-10, "{impact} {expected}");
         assert!(report.certificate.max_penetration_m <= 1e-12, "{:e}", report.certificate.max_penetration_m);
         assert!(numerical_relative(&report) < 1e-9, "{:e}", numerical_relative(&report));
@@ -356,8 +356,8 @@ fn fast_spinning_stick_on_a_spring_strikes_with_its_end() {
     }
 }
 
-/// A box rests on the floor above a centre of gravity while another body orbits it by fixed steps: the first stays at
-/// rest, and the second follows its orbit.
+/// A box rests on the floor above an attracting centre while another body orbits the centre by fixed steps: the first
+/// stays at rest, and the second follows its orbit.
 #[test]
 fn body_at_rest_does_not_disturb_what_is_stepped() {
     let center = DVec3::NEG_Z * 0.5;

@@ -54,7 +54,7 @@ fn low_bounces_do_not_feel_the_rounding_of_positions() {
 }
 
 /// If time no longer advances and the settings exclude time steps, the run ends with an error that names time and
-/// place. Here a ball bounces between two plates. The longest step is some hours, relative to which 0.2 s counts as no
+/// place. Here a ball bounces between two plates. The longest step is some hours, so that a time of 0.2 s counts as no
 /// advance.
 #[test]
 fn a_run_that_makes_no_progress_says_where() {

@@ -446,8 +446,8 @@ fn pusher_that_touches_from_the_start() {
     assert_closes(&report);
 }
 
-/// Balls in a closed box that is shaken and rocked stay in it and never penetrate its walls. Without warnings, the
-/// ledgers close with the work of the box.
+/// Balls in a closed box that is shaken and rocked stay in it and never penetrate its walls. The run gives no warning,
+/// and the ledgers close.
 #[test]
 fn balls_in_a_shaken_box() {
     let wall = |size: DVec3, place: DVec3| Shape::cuboid(size).unwrap().translated(place).unwrap();

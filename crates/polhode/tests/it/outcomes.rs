@@ -63,7 +63,7 @@ fn stopped_run_is_degraded_by_what_it_has_done() {
 /// The tier `thesis` promises no limit of penetration: a run in which a ball penetrates by the distance it falls in one
 /// step is completed, and its certificate holds the depth.
 #[test]
-fn thesis_promises_nothing_of_penetration() {
+fn thesis_promises_no_limit_of_penetration() {
     let scene = Scene::builder("thesis")
         .method(Method { tier: Some(Tier::Thesis), step_s: Some(0.01), ..Method::default() })
         .duration_s(1.0)

@@ -1,6 +1,6 @@
-//! Pivots as constraints: each adds three bilateral rows to the constrained motion. By default a pivoted body that
-//! nothing can touch is reduced to a rotation about its pivot; with all effects on, its pivot stays a constraint. The
-//! rows are compared with that reduction and with closed forms, and combined with contacts.
+//! Pivots as constraints: each adds three bilateral rows to the constrained motion. By default the motion of a pivoted
+//! body that nothing can touch is reduced to a rotation about its pivot; with all effects on, its pivot stays a
+//! constraint. The tests compare the rows with that reduction and with closed forms, and combine them with contacts.
 
 use crate::checks::{assert_closes, by, heavy_brick, numerical_relative};
 use crate::support::{accurate, ball, elastic, floor, run};

@@ -63,7 +63,8 @@ fn box_in_a_tilted_plane_moves_as_in_space() {
     }
 }
 
-/// A velocity of a nanometre a second out of the plane, or a turn of a nanoradian out of it, makes a motion in space.
+/// The plan chooses motion in space for a velocity of a nanometre a second out of the plane, or a turn of a nanoradian
+/// out of it.
 #[test]
 fn motion_slightly_out_of_the_plane_is_in_space() {
     let along = Velocity::new(DVec3::X, DVec3::ZERO);

@@ -13,7 +13,7 @@ pub(crate) fn stepped(step_s: f64) -> Method {
     Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() }
 }
 
-/// Runs by this method; the ledgers must close and energy must not be gained.
+/// Runs a scene by this method; the ledgers must close.
 pub(crate) fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
     let scene = scene.clone().method(method).build().unwrap();
     let mut recorder = Recorder::default();
