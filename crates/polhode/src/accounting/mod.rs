@@ -103,7 +103,7 @@ impl Accounts {
         for _ in 0..report.fallbacks {
             self.tolerate(
                 report.impulses.last().map_or(0.0, |last| last.t),
-                "a problem of a time step was approximated",
+                "a contact problem of a time step was solved approximately",
             );
         }
         for given in &report.impulses {
@@ -162,11 +162,11 @@ impl Accounts {
             ),
             ImpactStatus::RestitutionLowered => self.warn_of_tolerated(
                 t,
-                "an impact between contacts of different restitution would have gained energy: the smallest was used",
+                "an impact between contacts of different restitution would have gained energy: the smallest restitution was used",
             ),
             ImpactStatus::LimitReached => self.warn_of_tolerated(
                 t,
-                format!("an impact by {law} reached its limit of applications: the rest was resolved inelastically"),
+                format!("an impact by {law} reached its limit of applications: the remaining approach was resolved without restitution"),
             ),
             ImpactStatus::NotSolved => {
                 let (names, residual) = (world.names_of(bodies), outcome.residual);

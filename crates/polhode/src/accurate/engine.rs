@@ -380,7 +380,7 @@ impl Engine {
         match step {
             Ok(step) => Ok(Step::Free(Box::new(step))),
             Err(error) if core.settings.splits_by_choice() && too_strong(&error) => {
-                let what = "forces have grown too strong for splitting: dop853 goes on from here";
+                let what = "forces have grown too strong for splitting: dop853 continues from here";
                 core.accounts.warn_of_tolerated(t, what);
                 for &body in bodies {
                     self.tracks[body].gave_up_splitting = true;

@@ -137,7 +137,7 @@ impl FreeStep {
         step.start = read_states(&saved.start, bodies.len())?;
         step.present = read_states(&saved.present, bodies.len())?;
         let motion = Self::motion(&step.rigid, &step.fields, &core.world);
-        let refused = SnapshotError::Invalid("the variables of an integrator are not those of its bodies");
+        let refused = SnapshotError::Invalid("the variables of an integrator do not fit its bodies");
         step.integrator.restore(&motion, &saved.integrator).map_err(|_| refused.clone())?;
         let is_within = t <= step.end && step.from <= step.integrator.time();
         if !is_within || step.integrator.states().len() != bodies.len() {

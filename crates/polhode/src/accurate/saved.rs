@@ -102,7 +102,10 @@ impl Engine {
             content::Step::Crowd(end, pairs) => {
                 let can_touch = |&(a, b): &(usize, usize)| a < b && b < self.states.len();
                 if !(pairs.iter().all(can_touch) && t < *end && end.is_finite()) {
-                    return Err(SnapshotError::Invalid("a time step of a crowd is not one of its bodies").into());
+                    return Err(SnapshotError::Invalid(
+                        "a time step of crowded events has pairs or times that no run has",
+                    )
+                    .into());
                 }
                 Step::Crowd(Box::new(self.repeated_crowd_step(core, &bodies, pairs.clone(), (t, *end))?))
             }

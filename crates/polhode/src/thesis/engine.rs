@@ -89,7 +89,7 @@ impl ThesisEngine {
     pub(crate) fn restored(core: &Core, saved: &content::Thesis) -> Result<Self, SnapshotError> {
         let mut integrator = core.settings.build_integrator();
         let restored = integrator.restore(&core.world.free_motion(), &saved.integrator);
-        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator are not those of its bodies"))?;
+        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
         let bodies = core.world.bodies.len();
         Ok(Self {
             states: read_states(&saved.states, bodies)?,

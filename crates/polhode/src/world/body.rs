@@ -87,7 +87,7 @@ impl WorldBody {
     }
 }
 
-/// The shape that stands for a solid mesh in collisions: its convex parts, or its surface when no force moves it and it
+/// The shape that represents a solid mesh in collisions: its convex parts, or its surface when no force moves it and it
 /// is not convex.
 fn colliding(mesh: &SolidMesh, is_fixed: bool) -> Result<Shape, ShapeError> {
     if !is_fixed || convexity(mesh).is_convex() {

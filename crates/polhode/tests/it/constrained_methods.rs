@@ -80,8 +80,8 @@ fn rk4_locates_changes_of_contacts() {
         ((detached[3].t - 0.906_228_978_0).abs(), error_of(&report, &reference, 1))
     });
     assert!(errors[2].0 < 1e-6 && errors[2].1 < 1e-6, "{errors:?}");
-    // Two halvings of the step gain 256 at order four. The last step of each phase of motion is shorter than the others,
-    // so that the gain is not exactly that.
+    // Two halvings of the step gain 256 at order four. The last step of each phase of motion is shorter than the
+    // others, so that the gain is not exactly that.
     assert!(errors[0].1 / errors[2].1 > 100.0, "{errors:?}");
 }
 

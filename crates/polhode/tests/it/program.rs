@@ -163,7 +163,7 @@ fn a_force_wakes_what_rests() {
     closes(&mut simulation);
 }
 
-/// An impulse changes the momenta as mechanics says, and its work `J.(v- + v+)/2` stands in the ledger.
+/// An impulse changes the momenta as mechanics says, and the ledger books its work `J.(v- + v+)/2`.
 #[test]
 fn an_impulse_is_given_at_its_point() {
     let scene = Scene::builder("kick").gravity(DVec3::ZERO).duration_s(1.0).method(accurate());
@@ -204,7 +204,7 @@ fn a_pose_is_set_where_there_is_room() {
     assert_eq!(simulation.body(ball), before);
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.4)).unwrap();
     assert_eq!(simulation.body(ball).velocity, before.velocity);
-    // Set in touch with the brick it strikes at once: without restitution both rest.
+    // The body that is placed in touch with the brick strikes it at once: without restitution both rest.
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.3)).unwrap();
     assert_eq!(simulation.body(ball).velocity, Velocity::ZERO);
     simulation.advance_to(0.6, &mut Unobserved).unwrap();

@@ -135,7 +135,7 @@ fn times_in_the_past() {
     }
 }
 
-/// Poses and new bodies inside others, names in use, and bodies that no scene would take.
+/// Poses and new bodies that overlap others, names in use, and bodies that a scene would refuse are refused.
 #[test]
 fn bodies_where_there_is_no_room() {
     for tier in TIERS {
