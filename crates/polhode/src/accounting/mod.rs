@@ -162,11 +162,15 @@ impl Accounts {
             ),
             ImpactStatus::RestitutionLowered => self.warn_of_tolerated(
                 t,
-                "an impact between contacts of different restitution would have gained energy: the smallest restitution was used",
+                "an impact between contacts of different restitution would have gained energy: the smallest \
+                 restitution was used",
             ),
             ImpactStatus::LimitReached => self.warn_of_tolerated(
                 t,
-                format!("an impact by {law} reached its limit of applications: the remaining approach was resolved without restitution"),
+                format!(
+                    "an impact by {law} reached its limit of applications: the remaining approach was resolved without \
+                     restitution"
+                ),
             ),
             ImpactStatus::NotSolved => {
                 let (names, residual) = (world.names_of(bodies), outcome.residual);
