@@ -31,7 +31,7 @@ pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<
 
 /// The error that names the force which has caused `error`, if a force has at these states; else `error` itself.
 pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState]) -> SimulationError {
-    if !may_come_of_a_force(&error) || core.world.scene.forces().is_empty() {
+    if !may_be_caused_by_a_force(&error) || core.world.scene.forces().is_empty() {
         return error;
     }
     let (world, t) = (&core.world, core.t);
@@ -56,7 +56,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
 }
 
 /// Whether a singular force may cause such an error.
-fn may_come_of_a_force(error: &SimulationError) -> bool {
+fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
     match error {
         SimulationError::StepTooSmall { .. }
         | SimulationError::EnergyOverflow { .. }

@@ -277,7 +277,7 @@ impl Accounts {
         report.ledger = self.books.ledger;
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
-        report.warnings = self.measures.broken(world, &report.ledger, limits);
+        report.warnings = self.measures.exceeded(world, &report.ledger, limits);
         if !report.warnings.is_empty() {
             report.outcome = Outcome::Degraded;
         }
