@@ -260,7 +260,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
         velocity.angular.length() * length,
         (size(rates, LINEAR_VELOCITY) * length).sqrt(),
         per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
-        // If a force sets in within the step, the speed at its end may be of the order of the error.
+        // If a force begins to act within the step, the speed at the end may be of the order of the error.
         (load.force.length() * inverse_mass * length).sqrt(),
         per_moment(load.torque.length()).sqrt() * length,
         size(end, LINEAR_VELOCITY),

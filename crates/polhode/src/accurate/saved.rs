@@ -195,7 +195,7 @@ fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<B
 }
 
 fn save_track(track: &Track) -> content::Track {
-    // The island follows from the islands.
+    // The island of a body is known from the list of islands.
     let Track { mode, island: _, pace, proposed_step_s, speed_scale, rest_booked_s, last_stretch_s, gave_up_splitting } =
         track;
     content::Track {

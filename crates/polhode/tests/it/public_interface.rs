@@ -212,8 +212,7 @@ fn runs_restored_in_crowded_stretches_have_the_same_bits() {
     assert!(record_text(&whole) == record_text(&record));
 }
 
-/// Energies and momenta are the sums over bodies of the textbook, before and after an impulse beside the centre of
-/// mass.
+/// Energies and momenta are the textbook sums over bodies, before and after an impulse beside the centre of mass.
 #[test]
 fn energies_and_momenta_are_sums_over_bodies() {
     let bodies = [("a", 2.0, 0.1, DVec3::Z), ("b", 3.0, 0.2, DVec3::new(3.0, 0.0, 2.0))];
