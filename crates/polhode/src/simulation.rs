@@ -165,7 +165,7 @@ impl Simulation {
             return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
         }
         loop {
-            // A run has a step that ends exactly at the end of its duration. So must a program that advances past it.
+            // A step ends exactly at the end of the duration, also when a program advances past it.
             let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
             let step = self.advance(limit, observer)?;
             if step.t_s >= t_s && !step.is_event() {
