@@ -97,7 +97,7 @@ pub(crate) fn solve(
         velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
         status: match struck.status {
             MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
-            MultipleImpactStatus::Separated => ImpactStatus::Separated,
+            MultipleImpactStatus::Separated | MultipleImpactStatus::StruckInOrder => ImpactStatus::Separated,
             MultipleImpactStatus::RestitutionLowered => ImpactStatus::RestitutionLowered,
             MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
             MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,

@@ -98,14 +98,7 @@ impl TimeStepper {
 }
 
 /// Books an impact and records its impulses.
-fn note(
-    world: &World,
-    states: &[BodyState],
-    touches: &[Touch],
-    struck: &Struck,
-    t: f64,
-    report: &mut TimeStepReport,
-) {
+fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck, t: f64, report: &mut TimeStepReport) {
     let outcome = &struck.outcome;
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
