@@ -68,14 +68,6 @@ pub enum ResponseError {
         /// The value found.
         value: f64,
     },
-    /// A coefficient of friction is negative or not finite.
-    #[error("the coefficient of friction of contact {contact} must be at least 0 and finite, found {value}")]
-    FrictionCoefficient {
-        /// The contact.
-        contact: usize,
-        /// The value found.
-        value: f64,
-    },
     /// A coefficient of tangential restitution is outside `[-1, 1]`.
     #[error("the coefficient of tangential restitution of contact {contact} must be between -1 and 1, found {value}")]
     TangentialRestitution {

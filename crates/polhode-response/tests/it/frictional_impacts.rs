@@ -560,7 +560,7 @@ fn refuses_bad_data() {
         SingleFrictionalImpact { collision, velocity_before: [-1.0, 0.5, 0.0], friction: 0.5, restitution: 0.5, law };
     for friction in [-0.1, f64::NAN, f64::INFINITY] {
         let found = SingleFrictionalImpact { friction, ..good }.resolve();
-        assert!(matches!(found, Err(ResponseError::FrictionCoefficient { .. })));
+        assert!(matches!(found, Err(ResponseError::Friction { .. })));
     }
     for restitution in [-0.1, 1.1, f64::NAN] {
         let found = SingleFrictionalImpact { restitution, ..good }.resolve();

@@ -15,6 +15,7 @@ mod impacts;
 mod joints;
 mod least_force;
 mod mass_ratios;
+mod multiple_frictional_impacts;
 mod oracle;
 mod problem;
 mod row_blocks;

@@ -53,7 +53,9 @@ impl Coulomb {
     /// `h(d)`: speed of slip times the rate at which its direction turns; 0 where it is rounding.
     pub(super) fn turning(&self, d: Tangent) -> f64 {
         let turning = plane::dot(plane::quarter_turn(d), self.tangential_pull(d));
-        if turning.abs() <= TURNING_ROUNDING * self.turning_terms() { 0.0 } else { turning }
+        // What the entries of the matrix are rounded by is of the size of the largest one.
+        let terms = self.slip_rate_terms() + self.matrix.normal;
+        if turning.abs() <= TURNING_ROUNDING * terms { 0.0 } else { turning }
     }
 
     /// What a unit of normal impulse and its friction do to the slip: `k - mu K_tt d`.
@@ -61,7 +63,8 @@ impl Coulomb {
         plane::sum(self.matrix.coupling, plane::scaled(plane::times(self.matrix.tangential, d), -self.friction))
     }
 
-    fn turning_terms(&self) -> f64 {
+    /// The terms of `g(d)` and `h(d)`, in magnitude.
+    pub(super) fn slip_rate_terms(&self) -> f64 {
         let [t11, _, t22] = self.matrix.tangential;
         plane::length(self.matrix.coupling) + self.friction * (t11 + t22)
     }

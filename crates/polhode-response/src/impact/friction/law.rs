@@ -25,3 +25,14 @@ pub enum FrictionalImpactLaw {
         tangential_restitution: f64,
     },
 }
+
+/// How several contacts that are struck at once share the impact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MultipleImpactLaw {
+    /// All together: the normal velocities that the generalised reflection gives, and Coulomb's law for all contacts at
+    /// the velocities afterwards, by the cone problem. Symmetric, and carries momentum through a row of balls.
+    #[default]
+    Simultaneous,
+    /// One contact at a time, in the order of the blocks, each by the law of a single contact, until none approaches.
+    Sequence,
+}

@@ -11,6 +11,10 @@
 //! | `law` | [`FrictionalImpactLaw`]: Stronge, Poisson, Newton, Whittaker, Chatterjee and Ruina |
 //! | `single` | [`SingleFrictionalImpact`]: an impact at one contact |
 //! | `outcome`, `phase` | [`FrictionalImpact`]: what it did; slip, stick, reversal, jam |
+//! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
+//! | `multiple_outcome` | [`MultipleImpact`]: what it did |
+//! | `simultaneous`, `sequence` | contacts struck together, and one at a time ([`MultipleImpactLaw`]) |
+//! | `part` | contacts that move each other, and their cone problems |
 //! | `sliding` | [`SlidingContact`]: whether a contact that slides has a finite force (Painleve) |
 //! | `collision_matrix` | [`CollisionMatrix`]: velocity by impulse at a contact |
 //! | `coulomb` | Coulomb's law as rates in the normal impulse |
@@ -24,19 +28,26 @@ mod algebraic;
 mod collision_matrix;
 mod coulomb;
 mod law;
+mod multiple;
+mod multiple_outcome;
 mod outcome;
+mod part;
 mod path;
 mod phase;
 mod plane;
 mod restitution;
 mod root;
+mod sequence;
+mod simultaneous;
 mod single;
 mod sliding;
 mod straight;
 mod turning;
 
 pub use collision_matrix::CollisionMatrix;
-pub use law::FrictionalImpactLaw;
+pub use law::{FrictionalImpactLaw, MultipleImpactLaw};
+pub use multiple::{MultipleFrictionalImpact, MultipleImpactSettings};
+pub use multiple_outcome::{MultipleImpact, MultipleImpactStatus};
 pub use outcome::{FrictionalImpact, FrictionalImpactStatus};
 pub use phase::{ImpactPhase, PhaseKind};
 pub use single::SingleFrictionalImpact;

@@ -92,7 +92,7 @@ impl SingleFrictionalImpact {
     fn check(&self) -> Result<(), ResponseError> {
         check_finite("velocity before", &self.velocity_before)?;
         if !(self.friction >= 0.0 && self.friction.is_finite()) {
-            return Err(ResponseError::FrictionCoefficient { contact: 0, value: self.friction });
+            return Err(ResponseError::Friction { contact: 0, friction: self.friction });
         }
         if !(0.0..=1.0).contains(&self.restitution) {
             return Err(ResponseError::Restitution { row: 0, value: self.restitution });

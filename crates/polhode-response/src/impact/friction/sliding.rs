@@ -59,7 +59,7 @@ impl SlidingContact {
         check_finite("slip", &self.slip)?;
         check_finite("free acceleration", &[self.free_acceleration])?;
         if !(self.friction >= 0.0 && self.friction.is_finite()) {
-            return Err(ResponseError::FrictionCoefficient { contact: 0, value: self.friction });
+            return Err(ResponseError::Friction { contact: 0, friction: self.friction });
         }
         let direction = plane::direction(self.slip).ok_or(ResponseError::NoSlip)?;
         Ok(Coulomb { matrix: self.collision, friction: self.friction }.normal_rate(direction))

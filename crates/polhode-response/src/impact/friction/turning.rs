@@ -1,6 +1,6 @@
 //! A piece of the path along which the direction of slip turns, as Taylor series.
 //!
-//! In the variable `s` with `dp_n = r ds` the path has polynomial rates without a singularity at zero slip (rates `a`,
+//! In the variable `s` with `dp_n = r ds`, in units in which the rates of slip are of size 1, the path has polynomial rates without a singularity at zero slip (rates `a`,
 //! `g`, `h` of [`Coulomb`]): `d' = h d_perp`, `r' = r g`, `p_n' = r`, `p_t' = -mu r d`, `W_n' = u_n r`,
 //! `W_t' = -mu r^2`, and `u_n = u_n- + K_nn p_n + k.p_t`. Slip ends at `s = infinity`, with `r` falling exponentially;
 //! once it has fallen to nothing, or the direction has settled, a straight piece goes on.
@@ -17,6 +17,10 @@ use super::root::rising_zero;
 const ORDER: usize = 24;
 /// Step over radius of convergence (no unit): `0.2^24` is below the rounding unit.
 const SHARE_OF_RADIUS: f64 = 0.2;
+
+/// Longest step, in units in which the rates of slip are of size 1: for rates that cancel to nothing, whose last
+/// coefficients underflow.
+const LONGEST: f64 = 64.0;
 
 /// Below this fraction of its terms the rate of the normal velocity is zero (no unit): a piece that began where the rate
 /// changes sign is not cut there again.
@@ -73,7 +77,7 @@ impl Turning {
     fn expand(&mut self, coulomb: &Coulomb) {
         let (matrix, mu) = (&coulomb.matrix, coulomb.friction);
         let ([k1, k2], [t11, t12, t22]) = (matrix.coupling, matrix.tangential);
-        let zero = [0.0; ORDER + 1];
+        let (zero, unit) = ([0.0; ORDER + 1], coulomb.slip_rate_terms());
         let (mut turning, mut speed_rate) = (zero, zero);
         for n in 0..=ORDER {
             let [c, s] = &self.direction;
@@ -87,7 +91,7 @@ impl Turning {
             if n == ORDER {
                 break;
             }
-            let next = (n + 1) as f64;
+            let next = (n + 1) as f64 * unit;
             let (turn_c, turn_s) = (-product(s, &turning, n) / next, product(c, &turning, n) / next);
             let (slip_1, slip_2) = (product(&self.speed, c, n), product(&self.speed, s, n));
             self.direction[0][n + 1] = turn_c;
@@ -112,7 +116,7 @@ impl Turning {
             let [c, s] = [&self.direction[0], &self.direction[1]].map(|series| series[order].abs());
             libm::pow(c.max(s).max(product(&relative, &relative, order).abs()), -1.0 / order as f64)
         };
-        SHARE_OF_RADIUS * radius(ORDER).min(radius(ORDER - 1))
+        (SHARE_OF_RADIUS * radius(ORDER).min(radius(ORDER - 1))).min(LONGEST)
     }
 
     /// Where the first thing happens, and what it is.
