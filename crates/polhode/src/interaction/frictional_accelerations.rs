@@ -13,12 +13,15 @@ use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::FrictionBlock;
-use polhode_response::{ContactSolution, ResponseError, WarmStart};
+use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
 const STICKING_RELATIVE: f64 = 1e-11;
+
+/// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
+const ROUNDING_UNITS: f64 = 16.0;
 
 /// Forces and accelerations of some contacts, of which at least one has friction.
 #[derive(Debug)]
@@ -136,7 +139,17 @@ impl FrictionalAccelerations {
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-        let solved = blocks.solve(&assembly.problem.delassus(), &constants, None)?;
+        let delassus = assembly.problem.delassus();
+        let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+        let sticking = if any_slides { None } else { all_stick(&assembly, &delassus, &constants, frictional)? };
+        let solved = match sticking {
+            Some(sticking) => sticking,
+            None => {
+                let solved = blocks.solve(&delassus, &constants, None)?;
+                let of = (world, states, contacts);
+                if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
+            }
+        };
         let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
             *acceleration += free;
@@ -153,6 +166,87 @@ impl FrictionalAccelerations {
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
     }
+}
+
+/// The least forces with which every contact holds and sticks, if they lie in the cones of static friction: they are an
+/// answer, and exact to rounding at any ratio of masses.
+fn all_stick(
+    assembly: &Assembly,
+    delassus: &Delassus,
+    constants: &[f64],
+    frictional: &[Option<Frictional>],
+) -> Result<Option<RowSolution>, ResponseError> {
+    let forces = least_norm_forces(&assembly.problem, delassus, constants)?.forces;
+    let mut tangents = forces.iter().skip(assembly.first_tangent());
+    for (&normal, friction) in forces.iter().zip(frictional) {
+        let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
+        let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| sum.hypot(*force));
+        let limit = friction.as_ref().map_or(0.0, |friction| friction.coefficients.at_rest) * normal;
+        if normal < 0.0 || tangential > limit {
+            return Ok(None);
+        }
+    }
+    let mut left = delassus.times(&forces)?;
+    for (left, constant) in left.iter_mut().zip(constants) {
+        *left += constant;
+    }
+    let most = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let scale = most(constants);
+    if most(&left) > STICKING_RELATIVE * scale + rounding_of(delassus, &forces) {
+        return Ok(None);
+    }
+    let residual = if scale > 0.0 { most(&left) / scale } else { 0.0 };
+    let report = SolverReport { method: Method::ActiveSet, residual, ..SolverReport::default() };
+    Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, report }))
+}
+
+/// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
+fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
+    let terms = |row: usize| delassus.row(row).iter().zip(forces).map(|(g, f)| (g * f).abs()).sum::<f64>();
+    ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
+}
+
+/// The solution with the least change of the forces of contacts that stick with which they stick exactly: at large ratios
+/// of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies.
+fn refined(
+    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (delassus, constants): (&Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+    mut solved: RowSolution,
+) -> Result<RowSolution, ResponseError> {
+    let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
+    let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
+    let mut first = assembly.first_tangent();
+    let (mut pressed, mut rows) = (Vec::new(), Vec::new());
+    let mut tangents = Vec::new();
+    for (normal, friction) in frictional.iter().enumerate() {
+        let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
+        first = own.end;
+        if solved.reactions[normal] <= 0.0 {
+            continue;
+        }
+        let slips = own.clone().chain([normal]).any(|row| solved.velocities[row].abs() > limit);
+        if slips {
+            return Ok(solved);
+        }
+        pressed.push(normal);
+        tangents.extend(own);
+    }
+    rows.extend(pressed.iter().copied());
+    rows.extend(contacts.len()..assembly.first_tangent());
+    rows.extend(tangents.iter().copied());
+    let normals = pressed.iter().map(|&index| (contacts[index].id, contacts[index].kinematics.geometry));
+    let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
+    let along = tangents.iter().filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
+    active.push_tangents(states, along)?;
+    let left: Vec<f64> = rows.iter().map(|&row| solved.velocities[row]).collect();
+    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &left)?.forces;
+    for (&row, change) in rows.iter().zip(&change) {
+        solved.reactions[row] += change;
+        solved.velocities[row] = 0.0;
+    }
+    Ok(solved)
 }
 
 /// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one.
