@@ -16,7 +16,7 @@
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
-//! | [`impact::friction`] | [`SingleFrictionalImpact`]: slip, stick, reversal and jam; Stronge, Poisson, Newton |
+//! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -25,7 +25,7 @@
 //!
 //! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
 //! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
-//! `newtons_cradle` (an impact law) and `box_on_the_floor` (contact forces).
+//! `newtons_cradle` (an impact law), `rod_on_a_rough_floor` (one with friction) and `box_on_the_floor` (contact forces).
 //!
 //! ```
 //! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};
@@ -64,6 +64,16 @@
 //! | impulses | strikes rows by the law, each solve by the active set above | `impact/reflection.rs`, `impact/simultaneous.rs`, `impact/propagation.rs` |
 //! | end | checks that no row approaches, and computes the change of energy | `impact/finish.rs` |
 //! | outcome | returns impulses, status and energy | `impact/outcome.rs` |
+//!
+//! Impacts with friction:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | groups | parts contacts that do not move each other | `impact/friction/multiple.rs` |
+//! | one contact | follows its slip, stick, reversal and jam as the normal impulse grows | `impact/friction/single.rs`, `impact/friction/path.rs` |
+//! | several | chooses normal velocities, solves cone problems, and keeps the energy from rising | `impact/friction/simultaneous.rs` |
+//! | or one at a time | strikes them in order | `impact/friction/sequence.rs` |
+//! | outcome | returns impulses, works, status and energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
 
 pub mod certificate;
 pub mod complementarity;

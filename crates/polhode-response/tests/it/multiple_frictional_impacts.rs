@@ -361,3 +361,42 @@ fn symmetric_impacts_stay_symmetric() {
     assert!(change[1].abs() < 1e-12 && change[5].abs() < 1e-12);
     assert!(outcome.energy_change < 0.0);
 }
+
+/// Painleve's rod beside a wall that its upper end leaves: two contacts, of which one jams. The impulse is that of the foot
+/// alone, in closed form. Below the critical friction finite forces exist, and nothing happens.
+#[test]
+fn jam_beside_a_wall() {
+    let (sin, cos) = (0.75_f64.sqrt(), 0.5);
+    for friction in [0.5, 1.5] {
+        // Slender rod of 1 kg and 2 m in the plane of x and z.
+        let velocities = vec![-1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let mut rod = Structure::of(&[(1.0, [1.0 / 3.0; 3])], velocities);
+        rod.touch((0, [-cos, 0.0, -sin]), None, [0.0, 0.0, 1.0], friction, 0.3);
+        rod.touch((0, [cos, 0.0, sin]), None, [-1.0, 0.0, 0.0], friction, 0.3);
+        let contacts = rod.contacts();
+        let (restitution, settings) = ([0.3; 2], MultipleImpactSettings::default());
+        let impact = MultipleFrictionalImpact {
+            contacts: &contacts,
+            restitution: &restitution,
+            law: MultipleImpactLaw::Simultaneous,
+            single: FrictionalImpactLaw::Stronge,
+            settings: &settings,
+        };
+        // Pressed down, and off the wall.
+        let fall = rod.problem.row_velocities(&[-1.0, 0.0, -9.81, 0.0, 0.0, 0.0]).unwrap();
+        let outcome = impact.without_collision(&fall).unwrap();
+        if friction < 1.0 {
+            assert_eq!((outcome.status, outcome.impulses), (MultipleImpactStatus::NoApproach, vec![0.0; 6]));
+            continue;
+        }
+        let (k_nn, k_nt, k_tt) = (1.0 + 3.0 * cos * cos, -3.0 * sin * cos, 1.0 + 3.0 * sin * sin);
+        let first = 1.0 / (friction * k_tt + k_nt);
+        let normal = first - (k_nn + friction * k_nt) * first / (k_nn - k_nt * k_nt / k_tt);
+        assert!((outcome.impulses[0] / normal - 1.0).abs() < 1e-10, "{normal} {outcome:?}");
+        assert_eq!(outcome.impulses[3..], [0.0; 3]);
+        assert!(outcome.velocities_after[..3].iter().all(|u| u.abs() < 1e-10), "{outcome:?}");
+        assert!(outcome.energy_change < 0.0);
+        // And resolve() says that nothing approaches.
+        assert_eq!(impact.resolve().unwrap().status, MultipleImpactStatus::NoApproach);
+    }
+}

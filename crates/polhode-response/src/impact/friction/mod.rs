@@ -14,6 +14,7 @@
 //! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
 //! | `multiple_outcome` | [`MultipleImpact`]: what it did |
 //! | `simultaneous`, `sequence` | contacts struck together, and one at a time ([`MultipleImpactLaw`]) |
+//! | `without_collision` | impacts of contacts that jam, at one or several |
 //! | `part` | contacts that move each other, and their cone problems |
 //! | `sliding` | [`SlidingContact`]: whether a contact that slides has a finite force (Painleve) |
 //! | `collision_matrix` | [`CollisionMatrix`]: velocity by impulse at a contact |
@@ -43,6 +44,7 @@ mod single;
 mod sliding;
 mod straight;
 mod turning;
+mod without_collision;
 
 pub use collision_matrix::CollisionMatrix;
 pub use law::{FrictionalImpactLaw, MultipleImpactLaw};

@@ -9,7 +9,8 @@ use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
 use super::part::{ENERGY_ROUNDING, Part, Struck, energy};
 use super::sequence::strike_in_order;
 use super::simultaneous::strike_together;
-use crate::error::{ResponseError, check_length};
+use super::without_collision::strike_without_collision;
+use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::{FrictionProblem, FrictionSettings};
 use polhode_spatial::DisjointSets;
 
@@ -75,23 +76,24 @@ impl MultipleFrictionalImpact<'_> {
     /// # Errors
     /// When a list has the wrong length, or a number is not finite or out of its range.
     pub fn resolve(&self) -> Result<MultipleImpact, ResponseError> {
-        self.check()?;
-        let (rows, blocks) = (self.contacts.rows(), self.contacts.len());
-        let before = self.contacts.constant();
-        let mut outcome = MultipleImpact {
-            impulses: vec![0.0; rows],
-            velocities_after: before.to_vec(),
-            normal_work: vec![0.0; blocks],
-            friction_work: vec![0.0; blocks],
-            ..MultipleImpact::default()
-        };
-        for group in groups(self.contacts) {
-            self.resolve_group(&group, &mut outcome)?;
-        }
-        let (change, size) = energy(&outcome.impulses, before, &outcome.velocities_after);
-        outcome.energy_change = change;
-        outcome.energy_rises |= change > ENERGY_ROUNDING * size;
-        Ok(outcome)
+        self.by_groups(|part, _, struck| self.strike(part, struck))
+    }
+
+    /// Resolves a jam: contacts that touch and slide, and for which no finite forces satisfy Coulomb's law (Painleve).
+    /// `free_accelerations` are those of all rows without contact forces, m/s^2; the contacts that they press together are
+    /// struck, without restitution, by the impulses that steps of time tend to as they become shorter. Nothing happens
+    /// where finite forces exist.
+    ///
+    /// # Errors
+    /// Those of [`resolve`](Self::resolve).
+    pub fn without_collision(&self, free_accelerations: &[f64]) -> Result<MultipleImpact, ResponseError> {
+        check_length("free accelerations", self.contacts.rows(), free_accelerations.len())?;
+        check_finite("free accelerations", free_accelerations)?;
+        self.by_groups(|part, group, struck| {
+            let accelerations: Vec<f64> =
+                group.iter().flat_map(|&block| self.contacts.range(block)).map(|row| free_accelerations[row]).collect();
+            strike_without_collision(part, struck, &accelerations, self.single)
+        })
     }
 
     fn check(&self) -> Result<(), ResponseError> {
@@ -106,38 +108,54 @@ impl MultipleFrictionalImpact<'_> {
         self.settings.solver.check()
     }
 
-    /// Resolves the impact of blocks that move each other.
-    fn resolve_group(&self, group: &[usize], outcome: &mut MultipleImpact) -> Result<(), ResponseError> {
-        let mut part = Part::of(self.contacts, self.restitution, group, self.settings.solver)?;
-        let mut struck = Struck::nothing(&part, part.contacts.constant());
-        if part.joints_move(&struck.velocities) {
-            // Joints that move and contacts that rebound, struck together, could raise the energy.
-            let stopping = part.solve(&part.joints(), &struck.velocities, None)?;
-            let mut after = part.after(&struck.velocities, &stopping.impulses);
-            part.hold_joints(&mut after);
-            struck.add(&part, &stopping.impulses, after);
-            part.status = part.status.and(MultipleImpactStatus::Separated);
-            if !stopping.is_solved {
-                part.not_solved();
-            }
+    /// Strikes each group of blocks that move each other, and adds up.
+    fn by_groups(
+        &self,
+        strike: impl Fn(&mut Part, &[usize], &mut Struck) -> Result<(), ResponseError>,
+    ) -> Result<MultipleImpact, ResponseError> {
+        self.check()?;
+        let (rows, blocks) = (self.contacts.rows(), self.contacts.len());
+        let before = self.contacts.constant();
+        let mut outcome = MultipleImpact {
+            impulses: vec![0.0; rows],
+            velocities_after: before.to_vec(),
+            normal_work: vec![0.0; blocks],
+            friction_work: vec![0.0; blocks],
+            ..MultipleImpact::default()
+        };
+        for group in groups(self.contacts) {
+            let mut part = Part::of(self.contacts, self.restitution, &group, self.settings.solver)?;
+            let mut struck = Struck::nothing(&part, part.contacts.constant());
+            stop_joints(&mut part, &mut struck)?;
+            strike(&mut part, &group, &mut struck)?;
+            self.book(&group, &part, &struck, &mut outcome);
         }
-        let contacts = group.len() - part.joints().len();
-        let approach = (0..group.len())
-            .filter(|&block| !part.is_joint(block))
-            .map(|block| -struck.velocities[part.normal_row(block)])
-            .fold(0.0, f64::max);
+        let (change, size) = energy(&outcome.impulses, before, &outcome.velocities_after);
+        outcome.energy_change = change;
+        outcome.energy_rises |= change > ENERGY_ROUNDING * size;
+        Ok(outcome)
+    }
+
+    /// Strikes blocks that move each other, if they approach.
+    fn strike(&self, part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
+        let contacts = part.touching();
+        let approach = contacts.iter().map(|&block| -struck.velocities[part.normal_row(block)]).fold(0.0, f64::max);
+        if approach <= 0.0 {
+            return Ok(());
+        }
         part.tolerance = self.settings.threshold * approach;
-        if approach > 0.0 {
-            part.status = part.status.and(MultipleImpactStatus::Separated);
-            let together = contacts > 1 && self.law == MultipleImpactLaw::Simultaneous;
-            let is_struck = together && strike_together(&mut part, &mut struck)?;
-            if together && !is_struck {
-                part.status = part.status.and(MultipleImpactStatus::StruckInOrder);
-            }
-            if !is_struck {
-                strike_in_order(&mut part, &mut struck, self.single, self.settings.limit)?;
-            }
+        part.status = part.status.and(MultipleImpactStatus::Separated);
+        let together = contacts.len() > 1 && self.law == MultipleImpactLaw::Simultaneous;
+        if together && strike_together(part, struck)? {
+            return Ok(());
         }
+        if together {
+            part.status = part.status.and(MultipleImpactStatus::StruckInOrder);
+        }
+        strike_in_order(part, struck, self.single, self.settings.limit)
+    }
+
+    fn book(&self, group: &[usize], part: &Part, struck: &Struck, outcome: &mut MultipleImpact) {
         for (place, &block) in group.iter().enumerate() {
             for (from, to) in part.contacts.range(place).zip(self.contacts.range(block)) {
                 outcome.impulses[to] = struck.impulses[from];
@@ -151,8 +169,24 @@ impl MultipleFrictionalImpact<'_> {
         outcome.solves += part.solves;
         outcome.residual = outcome.residual.max(part.residual);
         outcome.status = outcome.status.and(part.status);
-        Ok(())
     }
+}
+
+/// Takes the motion of joints out of the velocities: joints that move and contacts that rebound, struck together, could
+/// raise the energy.
+fn stop_joints(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
+    if !part.joints_move(&struck.velocities) {
+        return Ok(());
+    }
+    let stopping = part.solve(&part.joints(), &struck.velocities, None)?;
+    let mut after = part.after(&struck.velocities, &stopping.impulses);
+    part.hold_joints(&mut after);
+    struck.add(part, &stopping.impulses, after);
+    part.status = part.status.and(MultipleImpactStatus::Separated);
+    if !stopping.is_solved {
+        part.not_solved();
+    }
+    Ok(())
 }
 
 /// Blocks that move each other, each group and the groups in the order of the blocks.

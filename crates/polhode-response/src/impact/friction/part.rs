@@ -51,6 +51,11 @@ impl Part {
         (0..self.contacts.len()).filter(|&block| self.is_joint(block)).collect()
     }
 
+    /// The blocks of contacts.
+    pub(super) fn touching(&self) -> Vec<usize> {
+        (0..self.contacts.len()).filter(|&block| !self.is_joint(block)).collect()
+    }
+
     /// The normal row of a contact.
     pub(super) fn normal_row(&self, block: usize) -> usize {
         self.contacts.range(block).start
@@ -107,7 +112,7 @@ impl Part {
     }
 
     /// Takes what rounding has left outside of the cone of a contact out of its impulse.
-    fn put_into_cone(&self, block: usize, impulses: &mut [f64]) {
+    pub(super) fn put_into_cone(&self, block: usize, impulses: &mut [f64]) {
         let Some(friction) = self.contacts.blocks()[block].friction() else { return };
         let impulse = &mut impulses[self.contacts.range(block)];
         let Some((normal, tangential)) = impulse.split_first_mut() else { return };

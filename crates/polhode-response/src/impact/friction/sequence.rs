@@ -51,6 +51,17 @@ pub(super) fn strike_in_order(
     if (0..blocks).any(approaches) { finish(part, struck) } else { Ok(()) }
 }
 
+/// Strikes one contact of a part, whose joints do not move.
+pub(super) fn strike_alone(
+    part: &mut Part,
+    struck: &mut Struck,
+    block: usize,
+    law: FrictionalImpactLaw,
+) -> Result<(), ResponseError> {
+    let reaction = reaction_at(part, block)?;
+    apply(part, struck, block, &reaction, law)
+}
+
 /// What an impulse at `block` does, with all joints held.
 fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError> {
     let (range, joints) = (part.contacts.range(block), part.joints());
