@@ -6,10 +6,12 @@
 //! `(G_EE - G_ED diag(mu) S) f + b = 0`,
 //!
 //! where `S` picks the normal force of each sliding contact. The matrix is not symmetric. Where its rows depend on each
-//! other (four corners of a box), the forces of least norm are taken, of rows scaled to unit diagonal of `G`.
+//! other (four corners of a box), the forces of least norm are taken. Contacts that slide in different directions move
+//! the bodies as their single forces do: equal feet of a symmetric body press alike, whatever their lever arms are.
 //!
-//! Method: QR factorisation with column pivoting of the transposed matrix, which reveals the rank, and one step of
-//! iterative refinement. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
+//! Method: with rows scaled to unit diagonal of `G`, QR factorisation with column pivoting of the transposed matrix,
+//! which reveals the rank, and one step of iterative refinement. The last columns of `Q` are the forces that hold
+//! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
 //! of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not finite is refused. Where sliding makes the
 //! matrix singular or turns the sign of its determinant (Painleve), the forces are those of the equations all the same:
 //! whether they may act is for the caller to check.
@@ -98,9 +100,62 @@ pub fn least_norm_sliding_forces(
         }
     }
     let mut forces: Vec<f64> = scaled.iter().zip(&scale).map(|(force, scale)| force * scale).collect();
+    take_least(&factor, &scale, &mut forces);
     forces.resize(rows, 0.0);
     for slide in sliding {
         forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
     }
     Ok(forces)
+}
+
+/// Subtracts from `forces` what holds nothing in them: their part in the null space of the matrix of which `factor`
+/// holds the transposed one, with its columns scaled.
+fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
+    let (held, rank) = (forces.len(), factor.rank());
+    if rank == held || scale.windows(2).all(|pair| pair[0] == pair[1]) {
+        return;
+    }
+    let mut undetermined = vec![0.0; held * (held - rank)];
+    for (k, column) in undetermined.chunks_exact_mut(held).enumerate() {
+        column[rank + k] = 1.0;
+        factor.apply(column);
+        for (entry, scale) in column.iter_mut().zip(scale) {
+            *entry *= scale;
+        }
+    }
+    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT);
+    idle.remove_range(forces);
+}
+
+#[cfg(test)]
+mod tests {
+    //! Where forces are not unique, those of least norm are taken: what feet bear does not depend on where they stand.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+    use super::*;
+    use crate::ContactProblem;
+
+    /// Four feet under a beam of 1 kg and 1 kg m^2, at other distances to the left than to the right, its centre of mass
+    /// at their height: least are the forces that are linear in the place.
+    #[test]
+    fn sliding_feet_bear_forces_that_are_linear_in_their_places() {
+        let feet = [-2.0, -0.5, 0.3, 4.0];
+        let mut problem = ContactProblem::new(3, vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
+        for x in feet {
+            problem.push_row(&[(0, &[0.0, 1.0, x])]).unwrap();
+        }
+        for _ in feet {
+            problem.push_bilateral_row(&[(0, &[1.0, 0.0, 0.0])]).unwrap();
+        }
+        let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
+        let forces = least_norm_sliding_forces(&problem.delassus(), &[-9.81; 4], &sliding).unwrap();
+        // f = p + q x with the sum of the weight and no moment.
+        let (count, sum) = (4.0, feet.iter().sum::<f64>());
+        let squares = feet.iter().map(|x| x * x).sum::<f64>();
+        let q = -9.81 * sum / (count * squares - sum * sum);
+        let p = -q * squares / sum;
+        for (foot, force) in feet.iter().zip(&forces) {
+            assert!((force - p - q * foot).abs() < 1e-12, "{forces:?}");
+        }
+        assert!(forces[4..].iter().zip(&forces).all(|(tangent, normal)| (tangent + 0.3 * normal).abs() < 1e-14));
+    }
 }

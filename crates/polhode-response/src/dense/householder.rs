@@ -82,6 +82,13 @@ impl PivotedQr {
         }
     }
 
+    /// Subtracts from `x` its projection on the columns of the matrix.
+    pub(crate) fn remove_range(&self, x: &mut [f64]) {
+        self.apply_transpose(x);
+        x[..self.rank].fill(0.0);
+        self.apply(x);
+    }
+
     /// A least-squares solution of `A x = b` with at most `rank` entries that are not zero.
     pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
         let mut z = b.to_vec();

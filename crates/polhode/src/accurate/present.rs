@@ -58,9 +58,15 @@ impl Engine {
 
     /// Bodies connected by contacts that neither approach nor separate, and those contacts.
     pub(super) fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
-        let contacts = self.present_contacts(core, states);
+        let mut contacts = self.present_contacts(core, states);
+        let scale_of = |touch: &Touch| self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+        if !self.begun && core.world.has_friction {
+            for touch in &mut contacts {
+                touch.friction = self.slide_of(core, scale_of(touch), touch);
+            }
+        }
         let sustained = |touch: &Touch| {
-            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+            let scale = scale_of(touch);
             // Within the step of an island, its contacts are the held ones.
             if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
         };

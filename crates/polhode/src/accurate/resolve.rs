@@ -40,6 +40,11 @@ const NEGLIGIBLE_HEIGHT: f64 = 64.0;
 /// that of velocities that cancelled, over some thousand steps.
 const SLIP_NOISE: f64 = 1e-13;
 
+/// Rounding error of what a step changes slips by, as a fraction of the longest step under gravity (1e-15 to 1e-13):
+/// that of forces that cancel. A slip far slower than that is still a slip, but where it is turned by less, friction
+/// must not turn with it.
+const SLIP_CHANGE_NOISE: f64 = 1e-14;
+
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
 const NEGLIGIBLE_IMPULSE: f64 = 1e-12;
@@ -252,22 +257,26 @@ impl Engine {
     /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its
     /// forces decide.
     fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
-        let has_friction = core.world.friction_of(touch.id.a, touch.id.b).is_some();
-        let terms = has_friction.then(|| core.world.tangential_kinematics(&self.states, touch.id)).flatten();
         let change = &instant.change;
-        let noise = SLIP_NOISE * instant.speed_scale;
-        let friction = match (terms, change.slipping.get(&touch.id)) {
-            (None, _) => None,
-            (Some(_), Some(&direction)) => Some(FrictionMode::Sliding(Slide::beginning(direction, noise))),
-            (Some(_), None) if change.stopping.contains(&touch.id) => None,
-            (Some(terms), None) => {
-                let speed = terms.slip_velocity.length();
-                let slides = speed > self.sustained_speed(core, instant.speed_scale, touch);
-                let direction = terms.slip_velocity / speed;
-                slides.then_some(FrictionMode::Sliding(Slide { direction, speed, noise }))
+        let noise = slip_noise(core, instant.speed_scale);
+        let friction = match change.slipping.get(&touch.id) {
+            Some(&direction) if core.world.friction_of(touch.id.a, touch.id.b).is_some() => {
+                Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
+            _ if change.stopping.contains(&touch.id) => None,
+            _ => self.slide_of(core, instant.speed_scale, touch),
         };
         Touch { friction, ..*touch }
+    }
+
+    /// The friction of a contact that has a slip; none without a slip or friction.
+    pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
+        core.world.friction_of(touch.id.a, touch.id.b)?;
+        let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
+        let speed = slip.length();
+        let slides = speed > self.sustained_speed(core, speed_scale, touch);
+        let noise = slip_noise(core, speed_scale);
+        slides.then(|| FrictionMode::Sliding(Slide { direction: slip / speed, speed, noise }))
     }
 
     fn set_hold(&self, core: &mut Core, instant: &mut Instant, i: usize, hold: Hold) {
@@ -286,7 +295,7 @@ impl Engine {
 
     /// Sets whether an active contact sticks or slides, and reports a change.
     fn set_friction(&self, core: &mut Core, instant: &mut Instant, i: usize, found: Option<FoundMode>) {
-        let noise = SLIP_NOISE * instant.speed_scale;
+        let noise = slip_noise(core, instant.speed_scale);
         let mode = found.map(|found| match found {
             FoundMode::Known(mode) => mode,
             FoundMode::Begins(direction) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
@@ -573,6 +582,11 @@ impl Engine {
 /// Whether other bodies can rest from `t` (s) on all kinematic members of the contacts.
 fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
     contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.allows_rest(body, t))
+}
+
+/// Rounding error of slips of bodies whose largest speed has been `speed_scale`, m/s.
+fn slip_noise(core: &Core, speed_scale: f64) -> f64 {
+    SLIP_NOISE * speed_scale + SLIP_CHANGE_NOISE * core.world.gravity().length() * core.settings.step_s
 }
 
 /// Whether a candidate holds: it carries force, or it does not break and was not open before.
