@@ -3,7 +3,9 @@
 //! An assembly holds all normal rows first, then those of pivots, then those along tangents. The solver takes the rows of
 //! one contact together. Solutions come back in the order of the assembly.
 
-use polhode_response::friction::{FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction};
+use polhode_response::friction::{
+    ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction,
+};
 use polhode_response::{Delassus, Method, ResponseError, SolverReport};
 use std::ops::Range;
 
@@ -23,6 +25,8 @@ pub(crate) struct FrictionBlocks {
 pub(crate) struct RowSolution {
     pub(crate) reactions: Vec<f64>,
     pub(crate) velocities: Vec<f64>,
+    /// What the block of each contact does.
+    pub(crate) statuses: Vec<ContactStatus>,
     pub(crate) report: SolverReport,
 }
 
@@ -96,6 +100,7 @@ impl FrictionBlocks {
         Ok(RowSolution {
             reactions: self.in_rows(&solved.reactions),
             velocities: self.in_rows(&solved.velocities),
+            statuses: solved.statuses,
             report,
         })
     }

@@ -12,13 +12,17 @@ use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::FrictionBlock;
+use polhode_response::friction::{ContactStatus, FrictionBlock};
 use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
 const STICKING_RELATIVE: f64 = 1e-11;
+
+/// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10 to
+/// 1e4).
+const SLIDING_ROUNDING: f64 = 1e3;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 16.0;
@@ -46,8 +50,8 @@ pub(crate) struct ContactTangent {
     pub(crate) slip_acceleration: DVec3,
     /// The direction in which it slides already.
     pub(crate) sliding: Option<DVec3>,
-    /// Whether it bears a normal force.
-    pub(crate) is_pressed: bool,
+    /// Whether the solver found that it slides, or slides already.
+    pub(crate) slides: bool,
 }
 
 impl ContactTangent {
@@ -197,7 +201,8 @@ fn all_stick(
     }
     let residual = if scale > 0.0 { most(&left) / scale } else { 0.0 };
     let report = SolverReport { method: Method::ActiveSet, residual, ..SolverReport::default() };
-    Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, report }))
+    let statuses = vec![ContactStatus::Stick; frictional.len()];
+    Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
@@ -218,17 +223,17 @@ fn refined(
     let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
     let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
     let mut first = assembly.first_tangent();
+    let limit = SLIDING_ROUNDING * limit;
     let (mut pressed, mut rows) = (Vec::new(), Vec::new());
     let mut tangents = Vec::new();
     for (normal, friction) in frictional.iter().enumerate() {
         let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
         first = own.end;
-        if solved.reactions[normal] <= 0.0 {
-            continue;
-        }
-        let slips = own.clone().chain([normal]).any(|row| solved.velocities[row].abs() > limit);
-        if slips {
-            return Ok(solved);
+        let moves = own.clone().chain([normal]).any(|row| solved.velocities[row].abs() > limit);
+        match solved.statuses.get(normal) {
+            Some(ContactStatus::Open) | None => continue,
+            Some(ContactStatus::Stick) if !moves => {}
+            Some(ContactStatus::Stick | ContactStatus::Slide) => return Ok(solved),
         }
         pressed.push(normal);
         tangents.extend(own);
@@ -259,7 +264,7 @@ fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), fricti
         force: sum(&solved.reactions),
         slip_acceleration: sum(&solved.velocities),
         sliding: friction.sliding.map(|(direction, _)| direction),
-        is_pressed: solved.reactions.get(normal).is_some_and(|&force| force > 0.0),
+        slides: solved.statuses.get(normal) == Some(&ContactStatus::Slide),
     }
 }
 
@@ -284,7 +289,7 @@ fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccel
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let growth = tangent.slip_acceleration.length();
-        let slides = friction.sliding.is_none() && tangent.is_pressed && growth > STICKING_RELATIVE * found.scale;
+        let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_RELATIVE * found.scale;
         if slides && friction.coefficients.sliding < friction.coefficients.at_rest {
             friction.sliding = tangent.begins_along().map(|direction| (direction, friction.coefficients.sliding));
             any |= friction.sliding.is_some();
