@@ -25,6 +25,14 @@ impl Side {
             Self::B => Self::A,
         }
     }
+
+    /// The position of the body in arrays of a pair: 0 for A, 1 for B.
+    pub(crate) const fn index(self) -> usize {
+        match self {
+            Self::A => 0,
+            Self::B => 1,
+        }
+    }
 }
 
 /// A feature of a surface: one of the two that make a contact, or the one that a query found.

@@ -131,7 +131,7 @@ fn axes_seen(rotation: Rotation) -> DMat3 {
 /// `axes`, m. One pass over the vertices serves all three.
 fn extents(shape: &Shape, axes: &DMat3) -> (DVec3, DVec3) {
     match shape {
-        Shape::TriangleMesh(mesh) => spread(mesh.places(), axes),
+        Shape::TriangleMesh(mesh) => spread(mesh.used_vertices(), axes),
         Shape::Compound(compound) => {
             let parts = compound.parts.iter().map(|part| extents(part, axes));
             parts.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), part| (low.min(part.0), high.max(part.1)))

@@ -1,14 +1,13 @@
 //! The tolerances of a pair of shapes.
 
 use crate::Shape;
-use crate::clearance::place_tolerance::RESOLUTION_ULPS;
+use crate::clearance::place_tolerance::{RESOLUTION_ULPS, smaller_size};
 use polhode_spatial::Pose;
 
 /// The smaller of the two sizes, m; that of the other shape when one has none (a half-space, a single point); 0 when
 /// neither has one.
 pub fn joint_size(shape_a: &Shape, shape_b: &Shape) -> f64 {
-    let (a, b) = (shape_a.size(), shape_b.size());
-    if a == 0.0 || b == 0.0 { a.max(b) } else { a.min(b) }
+    smaller_size(shape_a.size(), shape_b.size())
 }
 
 /// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, of both radii about the

@@ -55,8 +55,9 @@ pub(crate) struct MovingBody {
     pub(crate) pose: Pose,
     pub(crate) velocity: Velocity,
     bounds: MotionBounds,
-    /// `a u`: the acceleration of the centre, m/s^2, and the bound of the residual velocity, m/s.
+    /// `a u`: the acceleration of the centre as far as its change of velocity shows it, m/s^2.
     mean: DVec3,
+    /// Bound of the velocity that the remaining acceleration can give over the window, m/s.
     stray: f64,
 }
 
@@ -200,9 +201,9 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + turning + bend,
             });
         }
-        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let clear = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
-        open
+        clear
     }
 
     /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body: its outward
@@ -217,7 +218,7 @@ impl<'a> Window<'a> {
         // The axis in the frame of the plane's body.
         let both = v.spin() + e.spin();
         let swing = v.bounds.angular_acceleration + e.bounds.angular_acceleration + v.spin() * e.spin() + both * both;
-        let mut open = self.length;
+        let mut clear = self.length;
         for circle in hull.circles.iter() {
             let arm = v.pose.rotation.rotate(circle.center);
             let axis = v.pose.rotation.rotate(circle.axis);
@@ -232,9 +233,9 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + turning,
             };
             let tilt = circle_below(up, axis, spin.cross(axis), swing, self.length);
-            open = open.min(positive_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
+            clear = clear.min(positive_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
         }
-        open
+        clear
     }
 
     /// How long two hulls stay apart along a direction that is fixed in the world, from B to A.
@@ -275,9 +276,9 @@ impl<'a> Window<'a> {
         base.rate +=
             direction.dot(self.a.velocity.linear - self.b.velocity.linear) + turn.cross(direction).dot(between);
         base.curvature += turning * (turning * (between.length() + self.speed * self.length) + 2.0 * self.speed);
-        let open = positive_until(base, &first, &second, self.length);
+        let clear = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
-        open
+        clear
     }
 
     /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the
@@ -360,9 +361,9 @@ impl<'a> Window<'a> {
                 + a.turning(place)
                 + 2.0 * w_a * speed,
         };
-        let open = positive_until(base, &first, &second, self.length);
+        let clear = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
-        open
+        clear
     }
 
     /// How long points of body `of` stay outside a sphere of the other body: for each the unit vector from the sphere's
@@ -388,9 +389,9 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + v.turning(arm.length()) + e.turning(other.length()),
             });
         }
-        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let clear = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
-        open
+        clear
     }
 
     /// How long points on arms of A and of B (m, at most `arms` long) stay apart along axes that are fixed in the world

@@ -11,7 +11,7 @@ use crate::impact::impact_search::ImpactSearch;
 use crate::impact::quadratic_bound::Quadratic;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
-use crate::impact::root_bracket::{Sample, last_open};
+use crate::impact::root_bracket::{Sample, last_not_negative};
 use crate::narrow_phase::axis::axes::Axes;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
@@ -96,8 +96,9 @@ const NOTICED: f64 = 1.0 / 16.0;
 /// the touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
 
-/// A bound for a ball and a torus holds until the ball's distance from the torus's axis has decreased by this fraction.
-const HALF: f64 = 0.5;
+/// A bound for a ball and a torus holds as long as the ball's distance from the torus's axis is at least this fraction
+/// of the present one.
+const LEAST_AXIS_DISTANCE: f64 = 0.5;
 
 /// More halvings than this give an interval below the smallest double.
 const MOST_HALVINGS: u32 = 1074;
@@ -115,7 +116,7 @@ fn points_clear_of_plane(
     (points, radius): Points<'_>,
     (normal, offset): (DVec3, f64),
 ) -> f64 {
-    let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+    let (this, other) = (of.index(), of.other().index());
     let x = now.poses[other].relative(&now.poses[this]);
     let gap = |k: usize| normal.dot(x.transform_point(points[k])) - offset - radius;
     window.above_planes(of, (points, radius), |k| (normal, gap(k)))
@@ -288,7 +289,7 @@ impl Search<'_> {
     /// Points or a sphere of body `of` against a half-space or a polyhedron: each point has its own plane, through the
     /// nearest feature.
     fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
-        let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+        let (this, other) = (of.index(), of.other().index());
         let points = self.shapes[this].centers();
         let polyhedron = match self.shapes[other] {
             Shape::HalfSpace(h) => return points_clear_of_plane(now, window, of, points, (h.normal(), h.offset())),
@@ -364,7 +365,7 @@ impl Search<'_> {
         let away = y - ring.nearest(y);
         let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
         let least = rho - speed * window.length();
-        if least < HALF * rho || distance == 0.0 {
+        if least < LEAST_AXIS_DISTANCE * rho || distance == 0.0 {
             return 0.0;
         }
         let gap = distance - torus.minor - ball.radius;
@@ -377,11 +378,7 @@ impl Search<'_> {
     fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
         let [a, b] = self.shapes;
         let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
-            let line = match Element::of(shape, feature, pose)?.locus {
-                Locus::Line(_, along) => along,
-                Locus::Cone(side) => side.axis - gap.normal * gap.normal.dot(side.axis),
-                _ => return None,
-            };
+            let line = Element::of(shape, feature, pose)?.straight_direction(gap.normal)?;
             line.cross(gap.normal).try_normalize()
         };
         let lines = [along(a, gap.a, &now.poses[0]), along(b, gap.b, &now.poses[1])];
@@ -491,7 +488,8 @@ impl Search<'_> {
     ) -> Result<(Option<f64>, f64), ImpactError> {
         let left = Sample { at: open.t, value: open.separation - level };
         let right = Sample { at: below.t, value: below.separation - level };
-        let found = last_open(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
+        let found =
+            last_not_negative(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
         Ok((Some(found.at), found.value + level))
     }
 }

@@ -17,10 +17,11 @@
 //! arc by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance
 //! from touch, and the number of cuts is about the number of binary digits of this ratio.
 
-use crate::impact::arc_cuts::{Cuts, Piece};
+use crate::impact::arc_cuts::{ClearPart, Cuts};
 use crate::impact::impact_bounds::Window;
 use crate::narrow_phase::axis::ring::Ring;
-use crate::shape::round::{Circles, Hull, HullPoints};
+use crate::narrow_phase::feature::element::Element;
+use crate::shape::round::Hull;
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -75,16 +76,17 @@ impl<'a> RingArcs<'a> {
     }
 
     /// An arc between two angles.
-    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> Piece<(f64, f64)> {
+    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> ClearPart<(f64, f64)> {
         let middle = 0.5 * (from + to);
         let nearest = self.ring.nearest(self.ring.place(middle));
         let away = self.other_pose.rotation.rotate(nearest.normal);
         let direction = if self.of == Side::A { away } else { -away };
         let corners = self.ring.corners(from, to).map(|corner| self.to_ring.transform_point(corner));
-        let own = Hull { points: HullPoints::Listed(&corners), circles: Circles::NONE, ball: self.tube };
+        let own = Hull::of_points(&corners, self.tube);
         let other = Hull::of(self.other);
         let across = |line: DVec3| self.other_pose.rotation.rotate(line).cross(direction).try_normalize();
-        let line = nearest.along(self.other).and_then(across);
+        let element = Element::of(self.other, nearest.feature, &Pose::IDENTITY);
+        let line = element.and_then(|element| element.straight_direction(nearest.normal)).and_then(across);
         let lines = [across(self.ring.tangent(middle)), line];
         let lines = if self.of == Side::A { lines } else { [lines[1], lines[0]] };
         let turns =
@@ -97,6 +99,6 @@ impl<'a> RingArcs<'a> {
                 break;
             }
         }
-        Piece { part: (from, to), clear }
+        ClearPart { part: (from, to), clear }
     }
 }

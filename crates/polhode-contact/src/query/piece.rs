@@ -56,7 +56,7 @@ impl<'a> Piece<'a> {
     /// A box around the piece in a frame, m.
     pub(crate) fn bounds_in(&self, frame: &Pose) -> Aabb {
         let center = frame.inverse_transform_point(self.ball.0);
-        Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
+        Aabb::of_point(center).widened(self.ball.1 + self.radius)
     }
 
     /// Lower bound of the distance from another piece, m.
@@ -132,7 +132,7 @@ impl Core<'_> {
             Self::HalfSpace(_) => (DVec3::ZERO, f64::INFINITY),
             _ => {
                 let around = Aabb::of_points(self.vertices().iter().copied());
-                let center = 0.5 * around.min + 0.5 * around.max;
+                let center = around.middle();
                 (center, self.vertices().iter().map(|p| p.distance(center)).fold(0.0, f64::max))
             }
         }

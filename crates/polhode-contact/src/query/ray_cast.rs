@@ -11,7 +11,7 @@
 use super::error::QueryError;
 use super::feature::QueryFeature;
 use super::piece::{Core, Piece};
-use super::pieces::{entered, offer_nearest};
+use super::pieces::{entry_distance, offer_nearest};
 use super::roots::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
 use crate::bounding::aabb::Aabb;
@@ -95,7 +95,7 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
         direction: pose.rotation.inverse_rotate(ray.direction),
     };
     let mut best: Option<(f64, Met, u32)> = None;
-    let bound = |bounds: &Aabb| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
+    let bound = |bounds: &Aabb| entry_distance(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
     // A missed box has an infinite bound; the limit must be finite to exclude it.
     let reach = max_distance.min(f64::MAX);
     offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |piece| {
@@ -134,8 +134,10 @@ enum Met {
     Surface { normal: DVec3, feature: SurfaceFeature },
 }
 
+/// The distance of a hit from the ray's origin, m, and what is hit; none for a miss.
 type Hit = Option<(f64, Met)>;
 
+/// A hit on the surface.
 #[allow(clippy::unnecessary_wraps, reason = "it ends functions that may also meet nothing")]
 fn surface(distance: f64, normal: DVec3, feature: SurfaceFeature) -> Hit {
     Some((distance, Met::Surface { normal, feature }))

@@ -7,7 +7,7 @@
 use super::piece::{Core, Piece};
 use crate::narrow_phase::feature::closest_feature::{NearestFeature, nearest_feature};
 use crate::shape::support::across;
-use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
+use crate::shape::triangle::{TriangleFeature, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};
 use glam::DVec3;
 
@@ -18,7 +18,8 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
         Core::Point(p) => away(point - *p, DVec3::Z, SurfaceFeature::Sphere),
         Core::Segment([p, q]) => {
             let (place, part) = on_segment(*p, *q, point);
-            let feature = if let Part::Corner(k) = part { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
+            let feature =
+                if let TriangleFeature::Corner(k) = part { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
             away(point - place, (*q - *p).any_orthogonal_vector(), feature)
         }
         Core::Triangle(corners) => from_flat(corners, point),
@@ -69,12 +70,12 @@ fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
 /// that of the direction relative to the point's height over its distance from a corner.
 fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     let (w, part) = from_triangle(corners, point);
-    if part != Part::Face && w != DVec3::ZERO {
+    if part != TriangleFeature::Face && w != DVec3::ZERO {
         return away(w, w, feature_of(part));
     }
     let normal = area_vector(*corners);
     let found = away(w, normal, feature_of(part));
-    if part != Part::Face {
+    if part != TriangleFeature::Face {
         return found;
     }
     let [ab, bc, ca] = [0, 1, 2].map(|k: usize| corners[k].distance(corners[(k + 1) % 3]));
@@ -87,11 +88,11 @@ fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
 }
 
 /// The feature of a triangle.
-fn feature_of(part: Part) -> SurfaceFeature {
+fn feature_of(part: TriangleFeature) -> SurfaceFeature {
     match part {
-        Part::Face => SurfaceFeature::Face(0),
-        Part::Edge(k) => SurfaceFeature::Edge(k as u32),
-        Part::Corner(k) => SurfaceFeature::Vertex(k as u32),
+        TriangleFeature::Face => SurfaceFeature::Face(0),
+        TriangleFeature::Edge(k) => SurfaceFeature::Edge(k as u32),
+        TriangleFeature::Corner(k) => SurfaceFeature::Vertex(k as u32),
     }
 }
 

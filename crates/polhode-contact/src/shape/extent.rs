@@ -30,7 +30,7 @@ impl Shape {
             Self::Cone(c) => (c.base.length() + c.radius).max(c.apex().length()),
             Self::Torus(t) => t.center.length() + 0.5 * t.size(),
             Self::Compound(c) => c.parts.iter().map(Self::radius).fold(0.0, f64::max),
-            Self::TriangleMesh(m) => m.reach(),
+            Self::TriangleMesh(m) => m.radius(),
             _ => {
                 let (centers, rounding) = self.centers();
                 centers.iter().map(|c| c.length()).fold(0.0, f64::max) + rounding

@@ -7,6 +7,7 @@ use crate::shape::error::{ShapeError, check_length, check_point};
 use crate::shape::lists::Lists;
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
+use crate::shape::support::middle_coordinate;
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -106,7 +107,7 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     let mut uses = vec![0_usize; vertex_count];
     for (face, corners) in loops.iter().enumerate() {
         if corners.len() < 3 {
-            return fail(joined.edges.len(), "a face has fewer than three vertices");
+            return fail(joined.endpoints.len(), "a face has fewer than three vertices");
         }
         for (i, &from) in corners.iter().enumerate() {
             let to = corners[(i + 1) % corners.len()];
@@ -136,7 +137,7 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
         return fail(edges, "a vertex has fewer than three faces");
     }
     if vertex_count + loops.len() != edges + 2 {
-        return fail(edges, "it has holes or several parts");
+        return fail(edges, "it has holes or several parts, so that vertices - edges + faces is not 2");
     }
     Ok(joined)
 }
@@ -173,7 +174,8 @@ fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> V
     endpoints.iter().zip(faces).map(edge).collect()
 }
 
-/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally.
+/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally. The offset
+/// of a plane is the middle of the smallest and the largest offset of its vertices.
 fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
     let mut first = 0;
     let mut faces = Vec::with_capacity(loops.len());
@@ -182,11 +184,8 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
         let center = (0..corners.len()).map(at).sum::<DVec3>() / corners.len() as f64;
         let area: DVec3 = (0..corners.len()).map(|i| (at(i) - center).cross(at(i + 1) - center)).sum();
         let normal = area / area.length();
-        // The offset is the middle of the smallest and largest offset of the vertices.
-        let (low, high) = (0..corners.len())
-            .map(|i| normal.dot(at(i)))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
-        faces.push(FaceRecord { first, count: corners.len(), normal, offset: 0.5 * (low + high) });
+        let offset = middle_coordinate((0..corners.len()).map(at), normal);
+        faces.push(FaceRecord { first, count: corners.len(), normal, offset });
         first += corners.len();
     }
     faces

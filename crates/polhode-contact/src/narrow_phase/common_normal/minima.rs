@@ -14,7 +14,7 @@
 //! most four such angles.
 //!
 //! A minimum and a maximum that are about to merge are arbitrarily close to each other, so that no number of samples is
-//! enough. an `Interval` of half width `w` about its middle `t` has no minimum when
+//! enough. An `Interval` of half width `w` about its middle `t` has no minimum when
 //! `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or when `h''(t) < -M w`, and at most one when
 //! `h''(t) > M w`; else it is halved. `M` follows from the harmonics of the square of the length, so that it is as
 //! small as `h'` itself where the height is almost constant.

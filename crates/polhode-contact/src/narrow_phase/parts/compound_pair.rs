@@ -116,7 +116,7 @@ fn of_compound(
     reach: f64,
     found: &mut Manifold,
 ) {
-    // About A's origin.
+    // The poses relative to A's origin.
     let near_a = Pose { translation: glam::DVec3::ZERO, ..*poses[0] };
     let near_b = Pose { translation: poses[1].translation - poses[0].translation, ..*poses[1] };
     let near = [&near_a, &near_b];
@@ -148,7 +148,7 @@ fn of_compound(
             keep(&of_parts.contacts);
         }
     }
-    if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
+    if found.is_beyond(reach) {
         return found.set_empty(found.separation, SeparatingAxis::None);
     }
     let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE_OF_PARTS * tolerance };

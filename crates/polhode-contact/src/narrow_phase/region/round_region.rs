@@ -32,7 +32,7 @@ use glam::DVec3;
 
 /// The support set of a body along a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Part {
+enum SupportSet {
     /// A face or disc.
     Flat(u32),
     /// A torus that lies flat.
@@ -145,86 +145,88 @@ fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &G
 }
 
 /// The support set of a shape along an outward unit vector in the world.
-fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
+fn support_set(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> SupportSet {
     let outward = pose.rotation.inverse_rotate(outward);
     let side = |axis: DVec3, sine: f64| {
         let lies = (outward.dot(axis) - sine).abs() <= ALIKE_SINE;
-        if lies { Part::Line(SurfaceFeature::Side(0)) } else { Part::Point }
+        if lies { SupportSet::Line(SurfaceFeature::Side(0)) } else { SupportSet::Point }
     };
     match shape {
-        Shape::HalfSpace(_) => Part::Flat(0),
+        Shape::HalfSpace(_) => SupportSet::Flat(0),
         Shape::Convex(polyhedron) => {
             let along = |f: &usize| polyhedron.faces[*f].normal.dot(outward);
             let best = (0..polyhedron.faces.len()).max_by(|f, g| along(f).total_cmp(&along(g)));
             match best.filter(|f| along(f) >= ALIKE) {
-                Some(face) => Part::Flat(face as u32),
+                Some(face) => SupportSet::Flat(face as u32),
                 None => edge_along(polyhedron, outward),
             }
         }
-        Shape::Cylinder(c) if outward.dot(c.axis).abs() >= ALIKE => Part::Flat(u32::from(outward.dot(c.axis) > 0.0)),
-        Shape::Cone(c) if -outward.dot(c.axis) >= ALIKE => Part::Flat(0),
-        Shape::Torus(t) if outward.dot(t.axis).abs() >= ALIKE => Part::Ring,
+        Shape::Cylinder(c) if outward.dot(c.axis).abs() >= ALIKE => {
+            SupportSet::Flat(u32::from(outward.dot(c.axis) > 0.0))
+        }
+        Shape::Cone(c) if -outward.dot(c.axis) >= ALIKE => SupportSet::Flat(0),
+        Shape::Torus(t) if outward.dot(t.axis).abs() >= ALIKE => SupportSet::Ring,
         Shape::Cylinder(c) => side(c.axis, 0.0),
         Shape::Cone(c) => side(c.axis, c.radius / libm::hypot(c.radius, c.height)),
         Shape::Capsule(c) => side((c.ends[1] - c.ends[0]).normalize(), 0.0),
-        _ => Part::Point,
+        _ => SupportSet::Point,
     }
 }
 
 /// The edge of a polyhedron that is perpendicular to a direction at the support point, if there is one.
-fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> Part {
+fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> SupportSet {
     let height = |v: u32| outward.dot(polyhedron.vertices[v as usize]);
     let top = (0..polyhedron.vertices.len() as u32).map(height).fold(f64::NEG_INFINITY, f64::max);
     let drop = |edge: &crate::Edge| top - height(edge.vertices[0]).min(height(edge.vertices[1]));
     let lying = polyhedron.edges.iter().enumerate().filter(|(_, edge)| drop(edge) <= ALIKE_SINE * edge.length);
     lying
         .min_by(|(_, e), (_, f)| drop(e).total_cmp(&drop(f)))
-        .map_or(Part::Point, |(index, _)| Part::Line(SurfaceFeature::Edge(index as u32)))
+        .map_or(SupportSet::Point, |(index, _)| SupportSet::Line(SurfaceFeature::Edge(index as u32)))
 }
 
 /// Calls `visit` with the corners of a part.
-fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature)) {
+fn each_corner(shape: &Shape, part: SupportSet, mut visit: impl FnMut(SurfaceFeature)) {
     use SurfaceFeature::{Cap, Edge, Rim, Vertex};
     match (shape, part) {
-        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+        (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.vertices).for_each(|&v| visit(Vertex(v)));
         }
-        (Shape::Convex(polyhedron), Part::Line(Edge(edge))) => {
+        (Shape::Convex(polyhedron), SupportSet::Line(Edge(edge))) => {
             let edge = polyhedron.edges.get(edge as usize);
             edge.iter().flat_map(|edge| edge.vertices).for_each(|v| visit(Vertex(v)));
         }
-        (Shape::Cylinder(_), Part::Flat(face)) => {
+        (Shape::Cylinder(_), SupportSet::Flat(face)) => {
             (0..RIM_POINTS).for_each(|k| visit(Vertex(face * RIM_POINTS + k)));
             visit(Rim(face));
         }
-        (Shape::Cone(_), Part::Flat(_)) => {
+        (Shape::Cone(_), SupportSet::Flat(_)) => {
             (1..=RIM_POINTS).for_each(|k| visit(Vertex(k)));
             visit(Rim(0));
         }
-        (Shape::Torus(_), Part::Ring) => {
+        (Shape::Torus(_), SupportSet::Ring) => {
             (0..RIM_POINTS).for_each(|k| visit(Vertex(k)));
             visit(Rim(0));
         }
-        (Shape::Cylinder(_), Part::Line(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
-        (Shape::Cone(_), Part::Line(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
-        (Shape::Capsule(_), Part::Line(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
+        (Shape::Cylinder(_), SupportSet::Line(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
+        (Shape::Cone(_), SupportSet::Line(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
+        (Shape::Capsule(_), SupportSet::Line(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
         _ => {}
     }
 }
 
 /// Calls `visit` with each border of a part as a pair of features: an edge or side twice, or the two crossings of a
 /// rim.
-fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature; 2])) {
+fn each_border(shape: &Shape, part: SupportSet, mut visit: impl FnMut([SurfaceFeature; 2])) {
     use SurfaceFeature::{Edge, RimEntry, RimExit};
     match (shape, part) {
-        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+        (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.edges).for_each(|&edge| visit([Edge(edge); 2]));
         }
-        (Shape::Cylinder(_) | Shape::Cone(_), Part::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
-        (Shape::Torus(_), Part::Ring) => visit([RimExit(0), RimEntry(0)]),
-        (_, Part::Line(line)) => visit([line; 2]),
+        (Shape::Cylinder(_) | Shape::Cone(_), SupportSet::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
+        (Shape::Torus(_), SupportSet::Ring) => visit([RimExit(0), RimEntry(0)]),
+        (_, SupportSet::Line(line)) => visit([line; 2]),
         _ => {}
     }
 }
@@ -232,16 +234,18 @@ fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature;
 impl Region<'_> {
     /// Lists the candidates.
     fn collect(&mut self, normal: DVec3) {
-        let (part_a, part_b) = (part_of(self.a, -normal), part_of(self.b, normal));
+        let (part_a, part_b) = (support_set(self.a, -normal), support_set(self.b, normal));
         let (shape_a, shape_b) = (self.a.shape, self.b.shape);
-        let base = |part: Part| match part {
-            Part::Flat(face) => Some(SurfaceFeature::Face(face)),
-            Part::Line(line) => Some(line),
-            Part::Ring | Part::Point => None,
+        let base = |part: SupportSet| match part {
+            SupportSet::Flat(face) => Some(SurfaceFeature::Face(face)),
+            SupportSet::Line(line) => Some(line),
+            SupportSet::Ring | SupportSet::Point => None,
         };
         // The corners of a line lie on a plane under it; of two lines each has its corners on the other when they are
         // parallel.
-        let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Line(_));
+        let wider = |this: SupportSet, other: SupportSet| {
+            matches!(this, SupportSet::Flat(_)) || matches!(other, SupportSet::Line(_))
+        };
         if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
             each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));
         }
