@@ -1,31 +1,10 @@
 //! Separations of capsules, cylinders and cones: closed forms, and random pairs between bounds that share no code with
 //! the search for the best axis.
 
-use crate::support::{Random, at, cuboid, prism};
+use crate::support::{Random, at, ball, capsule, cone, cuboid, cylinder, floor, hull, prism, ring, turned};
 use polhode_contact::{ConvexPolyhedron, Shape, manifold, separation};
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+use polhode_spatial::{DVec3, Pose, Rotation};
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-pub(crate) fn capsule(radius: f64, height: f64) -> Shape {
-    Shape::capsule(radius, height).expect("a capsule")
-}
-
-pub(crate) fn cylinder(radius: f64, height: f64) -> Shape {
-    Shape::cylinder(radius, height).expect("a cylinder")
-}
-
-pub(crate) fn cone(radius: f64, height: f64) -> Shape {
-    Shape::cone(radius, height).expect("a cone")
-}
-
-fn ball(radius: f64) -> Shape {
-    Shape::sphere(radius).expect("a ball")
-}
-
-/// About an axis by an angle, at a place.
-pub(crate) fn turned(axis: DVec3, angle: f64, place: DVec3) -> Pose {
-    Pose::new(Rotation::from_rotation_vector(axis * angle), place)
-}
 
 /// Asserts a known separation: in both orders, at three scales, near and far from the origin, and mirrored.
 fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pose, expected: f64) {
@@ -57,7 +36,7 @@ fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pos
 fn closed_forms() {
     let still = Pose::IDENTITY;
     let lying = |place: DVec3| turned(DVec3::X, FRAC_PI_2, place);
-    let floor = |_| Shape::half_space(UnitVector::Z);
+    let floor = |_| floor();
     let slope = 0.5_f64;
     for gap in [-0.05, -1e-12, 0.0, 1e-9, 0.3] {
         let up = |z: f64| at(0.1, -0.2, z + gap);
@@ -69,7 +48,7 @@ fn closed_forms() {
         assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), tilted, still, gap);
         assert_known(|s| (cone(0.3 * s, 1.2 * s), floor(s)), up(0.3), still, gap);
         assert_known(|s| (capsule(0.3 * s, 1.2 * s), floor(s)), up(0.9), still, gap);
-        assert_known(|s| (Shape::torus(s, 0.25 * s).expect("a ring"), floor(s)), up(0.25), still, gap);
+        assert_known(|s| (ring(s, 0.25 * s), floor(s)), up(0.25), still, gap);
         // On top of each other.
         let z = DVec3::Z;
         assert_known(|s| (cylinder(0.3 * s, s), cylinder(0.7 * s, s)), at(0.1, 0.2, 1.0 + gap), still, gap);
@@ -181,7 +160,7 @@ fn reach(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
 #[test]
 fn against_brute_force() {
     let mut random = Random(99);
-    let stones: Vec<DVec3> = (0..40).map(|_| random.direction() * DVec3::new(0.5, 0.3, 0.4)).collect();
+    let corners: Vec<DVec3> = (0..40).map(|_| random.direction() * DVec3::new(0.5, 0.3, 0.4)).collect();
     let shapes = [
         capsule(0.2, 0.7),
         cylinder(0.4, 0.6),
@@ -192,7 +171,7 @@ fn against_brute_force() {
         cuboid(0.5, 0.4, 0.7),
         prism(5, 0.4, 0.3),
         // Many edges, most of which the search must exclude correctly.
-        Shape::convex(ConvexPolyhedron::from_points(&stones).expect("a hull")),
+        hull(&corners),
     ];
     let mut worst: f64 = 0.0;
     for (i, a) in shapes.iter().enumerate() {

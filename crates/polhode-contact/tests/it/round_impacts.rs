@@ -1,15 +1,10 @@
 //! Times of impact of round shapes: closed forms, and random spinning shots that are never late and never missed.
 
 use crate::impact_random::{Tally, shoot, shoot_within, shooter};
-use crate::round_gaps::{capsule, cone, cylinder, turned};
-use crate::support::{Flight, Random, at, cuboid, prism};
+use crate::support::{Flight, Random, at, ball, capsule, cone, cuboid, cylinder, floor, prism, turned};
 use polhode_contact::{ImpactSearch, Shape, find_impact};
-use polhode_spatial::{DVec3, Pose, Rotation, Still, UnitVector};
+use polhode_spatial::{DVec3, Pose, Rotation, Still};
 use std::f64::consts::FRAC_PI_2;
-
-fn floor() -> Shape {
-    Shape::half_space(UnitVector::Z)
-}
 
 fn slab() -> Shape {
     cuboid(20.0, 20.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")
@@ -88,7 +83,7 @@ fn head_on() {
     let upright = Rotation::IDENTITY;
     let along = turned(DVec3::Y, FRAC_PI_2, DVec3::ZERO).rotation;
     let point = Shape::points(vec![DVec3::ZERO]).expect("a point");
-    let ball = Shape::sphere(0.5).expect("a ball");
+    let ball = ball(0.5);
     // Shape, attitude and extents towards -x and +x.
     let shooters = [
         (capsule(0.2, 1.0), upright, 0.2),
@@ -132,7 +127,7 @@ fn spinning_shots() {
     let others = [
         cuboid(0.5, 0.3, 0.2),
         prism(6, 0.3, 0.2),
-        Shape::sphere(0.2).expect("radius"),
+        ball(0.2),
         Shape::points((0..4).map(|_| random.vector() * 0.3).collect()).expect("points"),
         floor(),
         cuboid(2.0, 2.0, 1e-3),
