@@ -7,7 +7,7 @@ use thiserror::Error;
 /// rounding.
 pub(crate) const ROUNDING_ULPS: f64 = 16.0;
 
-/// Why two corners make no box.
+/// Why a box cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum AabbError {
     /// A coordinate is NaN or a lower bound exceeds its upper bound.

@@ -10,14 +10,14 @@ pub fn joint_size(shape_a: &Shape, shape_b: &Shape) -> f64 {
     smaller_size(shape_a.size(), shape_b.size())
 }
 
-/// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, of both radii about the
-/// centres of mass, and of the distance of the centres of mass.
+/// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, both radii about the centres
+/// of mass, and the distance of the centres of mass. A half-space contributes the distance of its plane from its origin.
 pub fn scale(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
-    let reach = |shape: &Shape| match shape {
+    let lengths = |shape: &Shape| match shape {
         Shape::HalfSpace(h) => h.offset().abs(),
         _ => shape.size() + shape.radius(),
     };
-    reach(shape_a) + reach(shape_b) + (pose_a.translation - pose_b.translation).length()
+    lengths(shape_a) + lengths(shape_b) + (pose_a.translation - pose_b.translation).length()
 }
 
 /// Separations up to this are zero within rounding, m: `4 eps` times the scale.

@@ -67,32 +67,33 @@ impl Cuts {
         self.made
     }
 
-    /// How long all pieces certainly stay clear, s, at most `window`. The piece with the shortest time is cut (`cut`
-    /// adds its parts to a list) until all are clear for the whole window, a cut gains too little, or no cuts are left.
+    /// How long all parts certainly stay clear, s, at most `window`. The part with the shortest time is replaced by
+    /// smaller ones, which `cut` adds to a list, until all are clear for the whole window, a cut gains too little, or
+    /// no cuts are left.
     pub(crate) fn clear<P>(
         &mut self,
-        pieces: Vec<ClearPart<P>>,
+        parts: Vec<ClearPart<P>>,
         window: f64,
         mut cut: impl FnMut(&P, &mut Vec<ClearPart<P>>),
     ) -> f64 {
-        let mut pieces = BinaryHeap::from(pieces);
-        let mut parts = Vec::new();
+        let mut parts = BinaryHeap::from(parts);
+        let mut smaller = Vec::new();
         let most = MOST.min(EACH + self.spare);
         let mut made = 0;
         while made < most {
-            let Some(ClearPart { part, clear }) = pieces.peek().filter(|worst| worst.clear < window) else { break };
-            cut(part, &mut parts);
+            let Some(ClearPart { part, clear }) = parts.peek().filter(|worst| worst.clear < window) else { break };
+            cut(part, &mut smaller);
             made += 1;
-            let better = parts.iter().map(|piece| piece.clear).fold(f64::INFINITY, f64::min);
+            let better = smaller.iter().map(|part| part.clear).fold(f64::INFINITY, f64::min);
             let enough = *clear > 0.0 && better < GAIN * clear;
-            pieces.pop();
-            pieces.extend(parts.drain(..));
+            parts.pop();
+            parts.extend(smaller.drain(..));
             if enough {
                 break;
             }
         }
         self.made = self.made.saturating_add(made);
         self.spare -= made.saturating_sub(EACH);
-        pieces.peek().map_or(window, |worst| worst.clear.min(window))
+        parts.peek().map_or(window, |worst| worst.clear.min(window))
     }
 }

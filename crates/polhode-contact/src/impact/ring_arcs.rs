@@ -7,11 +7,13 @@
 //!
 //! Along any direction, the triangle (inflated by the radius of the tube) and the hull of the body stay separated for
 //! the time given by the bounds of `impact_bounds.rs`. The direction used is that from the body's closest point to the
-//! middle of the arc. It is tried in two ways:
+//! middle of the arc. It is tried in three ways:
 //!
-//! - fixed in the world, which is better for a ring that spins above a corner;
 //! - rotating with the body, so that the rotation of the body causes no loss of first order. A ring that slides over a
-//!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch.
+//!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch;
+//! - staying perpendicular to the tangent at the middle of the arc and to the body's line, where the closest feature of
+//!   the body is straight;
+//! - fixed in the world, which is better for a ring that spins above a corner.
 //!
 //! The arc with the shortest time is cut in two (`arc_cuts.rs`). The gap of the chord is smaller than the gap of the
 //! arc by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance
@@ -75,7 +77,7 @@ impl<'a> RingArcs<'a> {
         })
     }
 
-    /// An arc between two angles.
+    /// The arc between two angles, and how long it stays clear.
     fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> ClearPart<(f64, f64)> {
         let middle = 0.5 * (from + to);
         let nearest = self.ring.nearest(self.ring.place(middle));

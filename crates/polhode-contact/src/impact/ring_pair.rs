@@ -78,12 +78,13 @@ struct ArcPoint {
 }
 
 impl ArcPoint {
-    fn reach(&self) -> f64 {
+    /// Arc length to the farther end, m.
+    fn farther_end(&self) -> f64 {
         self.to_ends[0].max(self.to_ends[1])
     }
 
     /// Bounds of the decrease of the distance along the arc: a constant (m), and a slope that acts over the whole arc.
-    /// A slope that falls towards a near end is bounded by its decrease at that end, as a constant.
+    /// One of the two is zero: where the distance decreases towards a near end, its decrease up to that end is used.
     fn loss(&self, slope: f64, stiffness: f64) -> (f64, f64) {
         let at_end = slope.abs() * if slope > 0.0 { self.to_ends[0] } else { self.to_ends[1] };
         if at_end <= 0.5 * slope * slope / stiffness { (at_end, 0.0) } else { (0.0, slope) }
@@ -112,7 +113,7 @@ impl<'a> RingPair<'a> {
         let arcs = || (0..ARCS).map(|k| Arc { from: step * f64::from(k), to: step * f64::from(k + 1) });
         let mut pairs = Vec::with_capacity((ARCS * ARCS) as usize);
         for arc_a in arcs() {
-            pairs.extend(arcs().map(|arc_b| self.piece(window, [arc_a, arc_b])));
+            pairs.extend(arcs().map(|arc_b| self.pair(window, [arc_a, arc_b])));
         }
         let length = window.length();
         cuts.clear(pairs, length, |&[a, b], pairs| {
@@ -122,13 +123,13 @@ impl<'a> RingPair<'a> {
             let parts_a = if long_a < MUCH_SHORTER * long_b { &[a][..] } else { &halves_a };
             let parts_b = if long_b < MUCH_SHORTER * long_a { &[b][..] } else { &halves_b };
             for &part_a in parts_a {
-                pairs.extend(parts_b.iter().map(|&part_b| self.piece(window, [part_a, part_b])));
+                pairs.extend(parts_b.iter().map(|&part_b| self.pair(window, [part_a, part_b])));
             }
         })
     }
 
     /// Two arcs, and how long they stay clear.
-    fn piece(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> ClearPart<[Arc; 2]> {
+    fn pair(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> ClearPart<[Arc; 2]> {
         let [a, b] = &self.rings;
         let [pose_a, pose_b] = &self.poses;
         // B's centre of mass relative to A's, in world axes.
@@ -176,7 +177,7 @@ impl<'a> RingPair<'a> {
     /// arcs are too long for this bound.
     fn convex(&self, window: &Window<'_>, [a, b]: &[ArcPoint; 2], apart: DVec3) -> f64 {
         let distance = apart.length();
-        let way = a.reach() + b.reach();
+        let way = a.farther_end() + b.farther_end();
         if distance.is_nan() || way > NEAR * distance {
             return 0.0;
         }
@@ -196,7 +197,7 @@ impl<'a> RingPair<'a> {
         // Derivatives of `n.v` along the arcs: exact at the pair, and a bound of their change.
         let first = (a.tangent - n * slopes[0]).dot(velocity) / distance + n.dot(of_a.angular.cross(a.tangent));
         let second = (b.tangent + n * slopes[1]).dot(velocity) / distance + n.dot(of_b.angular.cross(b.tangent));
-        let (speed, least) = (velocity.length() + spin_a * a.reach() + spin_b * b.reach(), distance - way);
+        let (speed, least) = (velocity.length() + spin_a * a.farther_end() + spin_b * b.farther_end(), distance - way);
         let bends = 1.0 / a.radius + 1.0 / b.radius;
         let change = speed / least * (3.0 / least + bends)
             + 2.0 * (spin_a + spin_b) / least
@@ -219,7 +220,7 @@ fn least_stiffness([a, b]: [&ArcPoint; 2], apart: DVec3, way: f64, aside: f64) -
     let distance = apart.length();
     let n = apart / distance;
     let (x_a, x_b) = (n.dot(a.tangent), n.dot(b.tangent));
-    let (turn_a, turn_b) = (a.reach() / a.radius, b.reach() / b.radius);
+    let (turn_a, turn_b) = (a.farther_end() / a.radius, b.farther_end() / b.radius);
     let (change_a, change_b) = (aside + turn_a, aside + turn_b);
     let of_square = |x: f64, change: f64| change * (2.0 * x.abs() + change);
     let of_bend = |on: &ArcPoint, turn: f64| (way + (distance + way) * turn) / on.radius;

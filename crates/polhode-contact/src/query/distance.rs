@@ -74,10 +74,10 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     }
     let mut best: Option<ClosestPoints> = None;
     let least = |best: &Option<ClosestPoints>| best.map_or(f64::INFINITY, |best| best.distance);
-    let beyond_a = distance_from(shape_b, &here, &there);
-    offer_nearest(shape_a, &here, f64::INFINITY, &beyond_a, &mut |a| {
-        let ball = a.bounds_in(&there);
-        offer_nearest(shape_b, &there, least(&best), &|bounds| box_distance(bounds, &ball), &mut |b| {
+    let from_b = distance_from(shape_b, &here, &there);
+    offer_nearest(shape_a, &here, f64::INFINITY, &from_b, &mut |a| {
+        let around_a = a.bounds_in(&there);
+        offer_nearest(shape_b, &there, least(&best), &|bounds| box_distance(bounds, &around_a), &mut |b| {
             if best.is_none_or(|best| a.bound(b) <= best.distance) {
                 let found = with_radii(a, b, &of_cores(a, b));
                 if best.is_none_or(|best| found.order() < best.order()) {

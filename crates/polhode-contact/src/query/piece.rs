@@ -42,8 +42,8 @@ pub(crate) struct Piece<'a> {
 
 impl<'a> Piece<'a> {
     pub(crate) fn new(core: Core<'a>, radius: f64, part: u32, pose: Pose) -> Self {
-        let (center, reach) = core.ball();
-        let ball = (pose.transform_point(center), reach);
+        let (center, around) = core.ball();
+        let ball = (pose.transform_point(center), around);
         Self { core, radius, part, pose, ball }
     }
 
@@ -61,8 +61,8 @@ impl<'a> Piece<'a> {
 
     /// Lower bound of the distance from another piece, m.
     pub(crate) fn bound(&self, other: &Self) -> f64 {
-        let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
-        (self.ball.0 - other.ball.0).length() - reach
+        let radii = self.ball.1 + self.radius + other.ball.1 + other.radius;
+        (self.ball.0 - other.ball.0).length() - radii
     }
 
     /// Whether it is a point of a cloud.

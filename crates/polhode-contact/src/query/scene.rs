@@ -146,8 +146,8 @@ impl<'a> QueryScene<'a> {
         let mut best: Option<(usize, RayHit)> = None;
         let offer = |best: &mut Option<(usize, RayHit)>, body: usize| {
             let (shape, pose) = &self.bodies[body];
-            let reach = best.map_or(max_distance, |(_, hit)| hit.distance);
-            if let Some(hit) = ray_cast(shape, pose, ray, reach)
+            let limit = best.map_or(max_distance, |(_, hit)| hit.distance);
+            if let Some(hit) = ray_cast(shape, pose, ray, limit)
                 && best.is_none_or(|(other, first)| (hit.distance, body) < (first.distance, other))
             {
                 *best = Some((body, hit));
@@ -157,9 +157,9 @@ impl<'a> QueryScene<'a> {
             offer(&mut best, body);
         }
         // A missed box has an infinite bound; the limit must be finite to exclude it.
-        let reach = max_distance.min(f64::MAX);
+        let limit = max_distance.min(f64::MAX);
         let bound = |bounds: &Aabb| entry_distance(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
-        let nearest = |best: &Option<(usize, RayHit)>| best.map_or(reach, |(_, hit)| hit.distance);
+        let nearest = |best: &Option<(usize, RayHit)>| best.map_or(limit, |(_, hit)| hit.distance);
         self.tree.least(nearest(&best), 0.0, &bound, &mut |item, least| {
             if bound(&self.boxes[item as usize]) <= least {
                 offer(&mut best, self.bounded[item as usize]);

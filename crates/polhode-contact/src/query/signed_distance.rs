@@ -17,9 +17,9 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
     match core {
         Core::Point(p) => away(point - *p, DVec3::Z, SurfaceFeature::Sphere),
         Core::Segment([p, q]) => {
-            let (place, part) = on_segment(*p, *q, point);
+            let (place, at) = on_segment(*p, *q, point);
             let feature =
-                if let TriangleFeature::Corner(k) = part { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
+                if let TriangleFeature::Corner(k) = at { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
             away(point - place, (*q - *p).any_orthogonal_vector(), feature)
         }
         Core::Triangle(corners) => from_flat(corners, point),
@@ -69,13 +69,13 @@ fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
 /// whichever has the smaller rounding error: that of the normal is relative to the area over the two shortest sides,
 /// that of the direction relative to the point's height over its distance from a corner.
 fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
-    let (w, part) = from_triangle(corners, point);
-    if part != TriangleFeature::Face && w != DVec3::ZERO {
-        return away(w, w, feature_of(part));
+    let (w, at) = from_triangle(corners, point);
+    if at != TriangleFeature::Face && w != DVec3::ZERO {
+        return away(w, w, feature_of(at));
     }
     let normal = area_vector(*corners);
-    let found = away(w, normal, feature_of(part));
-    if part != TriangleFeature::Face {
+    let found = away(w, normal, feature_of(at));
+    if at != TriangleFeature::Face {
         return found;
     }
     let [ab, bc, ca] = [0, 1, 2].map(|k: usize| corners[k].distance(corners[(k + 1) % 3]));
@@ -87,9 +87,9 @@ fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     NearestFeature { normal: side.try_normalize().unwrap_or(found.normal), ..found }
 }
 
-/// The feature of a triangle.
-fn feature_of(part: TriangleFeature) -> SurfaceFeature {
-    match part {
+/// A feature of a triangle, as queries name it.
+fn feature_of(of_triangle: TriangleFeature) -> SurfaceFeature {
+    match of_triangle {
         TriangleFeature::Face => SurfaceFeature::Face(0),
         TriangleFeature::Edge(k) => SurfaceFeature::Edge(k as u32),
         TriangleFeature::Corner(k) => SurfaceFeature::Vertex(k as u32),
@@ -102,19 +102,19 @@ fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> NearestFeature {
     let radial = across(w, cylinder.axis);
     let outward = radial_direction(radial, cylinder.axis);
     let side = outward.dot(radial) - cylinder.radius;
-    let cap = along.abs() - cylinder.half_height;
+    let disc = along.abs() - cylinder.half_height;
     let end = u32::from(along >= 0.0);
     let up = if along < 0.0 { -cylinder.axis } else { cylinder.axis };
-    if cap > 0.0 && side > 0.0 {
-        let out = outward * side + up * cap;
+    if disc > 0.0 && side > 0.0 {
+        let out = outward * side + up * disc;
         return NearestFeature {
             distance: out.length(),
             normal: out / out.length(),
             feature: SurfaceFeature::Rim(end),
         };
     }
-    if cap >= side {
-        NearestFeature { distance: cap, normal: up, feature: SurfaceFeature::Face(end) }
+    if disc >= side {
+        NearestFeature { distance: disc, normal: up, feature: SurfaceFeature::Face(end) }
     } else {
         NearestFeature { distance: side, normal: outward, feature: SurfaceFeature::Side(0) }
     }

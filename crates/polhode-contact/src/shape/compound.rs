@@ -50,7 +50,7 @@ impl Compound {
         self.size
     }
 
-    /// The part that owns a feature, its shape, and the feature's number within it. `first` selects the kind of number.
+    /// The part that owns a feature, its shape, and the feature's number within it. `of` selects the kind of feature.
     pub(crate) fn owner(&self, number: u32, of: impl Fn(&FirstElements) -> u32) -> Option<(usize, &Shape, u32)> {
         // A part without such features has the same first number as the next part; the last of them owns the feature.
         let part = self.first.partition_point(|first| of(first) <= number).checked_sub(1)?;

@@ -23,8 +23,9 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
     if vertices.len() < 4 {
         return Err(ShapeError::TooFewPoints { count: vertices.len(), limit: 4 });
     }
-    if u32::try_from(vertices.len().max(loops.len())).is_err() {
-        return Err(ShapeError::TooManyPoints { count: vertices.len(), limit: u32::MAX as usize });
+    let count = vertices.len().max(loops.len());
+    if u32::try_from(count).is_err() {
+        return Err(ShapeError::TooManyPoints { count, limit: u32::MAX as usize });
     }
     vertices.iter().try_for_each(|&v| check_point("vertex", v))?;
     let corner_edges = join_edges(vertices.len(), &loops)?;
@@ -101,7 +102,7 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     let mut joined = JoinedEdges { endpoints: Vec::new(), faces: Vec::new(), edges: Vec::new() };
     let fail =
         |edges: usize, reason| Err(ShapeError::NotClosed { vertices: vertex_count, edges, faces: loops.len(), reason });
-    // Maps a directed edge to its edge and whether the opposite one has occurred.
+    // The number of the edge for every directed edge whose opposite has not occurred yet.
     let mut open: BTreeMap<(u32, u32), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(u32, u32)> = BTreeSet::new();
     let mut uses = vec![0_usize; vertex_count];
@@ -115,7 +116,10 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
                 Some(count) => *count += 1,
                 None => return fail(joined.endpoints.len(), "a face names a vertex that does not exist"),
             }
-            if from == to || !seen.insert((from, to)) {
+            if from == to {
+                return fail(joined.endpoints.len(), "a face has the same vertex twice in a row");
+            }
+            if !seen.insert((from, to)) {
                 return fail(joined.endpoints.len(), "two faces run along an edge in the same direction");
             }
             if let Some(edge) = open.remove(&(to, from)) {

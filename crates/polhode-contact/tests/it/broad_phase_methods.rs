@@ -29,6 +29,7 @@ struct Methods(Vec<Asked>);
 
 impl Methods {
     fn new() -> Self {
+        // The first call must replace what the list of pairs holds.
         let asked = |method: BroadPhaseMethod| Asked { method, broad_phase: method.build(), pairs: vec![(7, 3)] };
         Self(BroadPhaseMethod::ALL.into_iter().map(asked).collect())
     }

@@ -231,7 +231,7 @@ fn kinematics_of_contacts_of_parts_are_the_derivatives_of_their_separation() {
             }
         }
     }
-    assert_eq!(kinds.len(), 2, "contacts of two spheres and others were both met");
+    assert_eq!(kinds.len(), 2, "contacts of two spheres and others must both occur");
 }
 
 #[test]

@@ -80,7 +80,7 @@ fn check(name: &str, feature: ContactFeature, shape_a: &Shape, shape_b: &Shape, 
     check_at(60, name, feature, shape_a, shape_b, random);
 }
 
-/// Checks at this many random poses, of which at least 20 must have the contact.
+/// Checks at this many random poses, of which more than 20 must have the contact.
 pub(crate) fn check_at(
     poses: u32,
     name: &str,

@@ -209,9 +209,9 @@ fn closed_forms_of_curved_shapes() {
         ("rim over rim", cylinder.clone(), at(1.3, 0.0, 2.4), cylinder.clone(), Pose::IDENTITY, 0.5),
         ("cylinder standing", cylinder.clone(), at(0.0, 0.0, 1.5), floor.clone(), Pose::IDENTITY, 0.5),
         ("cylinder lying", cylinder.clone(), turned(right, DVec3::Z * 0.75), floor.clone(), Pose::IDENTITY, 0.25),
-        ("apex under a cap", cylinder.clone(), at(0.1, 0.0, 2.0), cone.clone(), Pose::IDENTITY, 1.0 - 0.3),
+        ("apex under a disc", cylinder.clone(), at(0.1, 0.0, 2.0), cone.clone(), Pose::IDENTITY, 1.0 - 0.3),
         ("cone on its base", cone.clone(), at(0.0, 0.0, h + 0.5), floor.clone(), Pose::IDENTITY, 0.5),
-        ("cone over a cap", cone.clone(), at(0.2, 0.0, 1.0 + h + 0.25), cylinder.clone(), Pose::IDENTITY, 0.25),
+        ("cone over a disc", cone.clone(), at(0.2, 0.0, 1.0 + h + 0.25), cylinder.clone(), Pose::IDENTITY, 0.25),
         ("ball over a rim", ball.clone(), at(0.8, 0.0, 1.4), cylinder.clone(), Pose::IDENTITY, 0.5 - 0.125),
         ("ball in a ring", ball.clone(), Pose::IDENTITY, torus.clone(), Pose::IDENTITY, 2.0 - 0.5 - 0.125),
         ("rings coaxial", torus.clone(), at(0.0, 0.0, 2.0), torus.clone(), Pose::IDENTITY, 1.0),
@@ -221,13 +221,13 @@ fn closed_forms_of_curved_shapes() {
         ("capsules crossed", capsule.clone(), turned(right, DVec3::X), capsule.clone(), Pose::IDENTITY, 0.5),
         ("capsules parallel", capsule.clone(), at(0.75, 0.0, 0.5), capsule.clone(), Pose::IDENTITY, 0.25),
         ("capsule beside a cylinder", capsule.clone(), at(0.0, 1.0, 0.2), cylinder.clone(), Pose::IDENTITY, 0.25),
-        ("box over a cap", cuboid(1.0, 1.0, 1.0), at(0.7, 0.1, 1.75), cylinder.clone(), Pose::IDENTITY, 0.25),
+        ("box over a disc", cuboid(1.0, 1.0, 1.0), at(0.7, 0.1, 1.75), cylinder.clone(), Pose::IDENTITY, 0.25),
         ("box beside a cylinder", cuboid(1.0, 1.0, 1.0), at(1.25, 0.1, 0.2), cylinder.clone(), Pose::IDENTITY, 0.25),
-        ("deep in a cap", cylinder.clone(), at(0.3, 0.2, 1.75), cylinder.clone(), Pose::IDENTITY, -0.25),
+        ("deep in a disc", cylinder.clone(), at(0.3, 0.2, 1.75), cylinder.clone(), Pose::IDENTITY, -0.25),
         ("deep in a side", cylinder.clone(), at(0.75, 0.0, 0.1), cylinder.clone(), Pose::IDENTITY, -0.25),
         ("deep crossed", cylinder.clone(), turned(right, DVec3::X * 0.75), cylinder.clone(), Pose::IDENTITY, -0.25),
         ("capsules deep", capsule.clone(), turned(right, DVec3::X * 0.375), capsule.clone(), Pose::IDENTITY, -0.125),
-        ("capsule in a cap", capsule, at(0.1, 0.0, 1.5), cylinder, Pose::IDENTITY, -0.25),
+        ("capsule in a disc", capsule, at(0.1, 0.0, 1.5), cylinder, Pose::IDENTITY, -0.25),
         ("rings deep", torus.clone(), at(0.0, 0.0, 0.75), torus, Pose::IDENTITY, -0.25),
     ];
     let mut random = Random(9);
@@ -282,7 +282,7 @@ fn round_bodies_that_touch_overlap() {
 
 /// Bodies on one axis, after a half turn that made an axis longer or shorter than one by rounding (fuzz findings: the
 /// remainder of a direction along the axis was taken for one perpendicular to it, so that a cylinder extended beyond
-/// its cap and a torus had its centre circle on its axis): the distances are those of the closed forms.
+/// its disc and a torus had its centre circle on its axis): the distances are those of the closed forms.
 #[test]
 fn axes_of_unit_length_to_rounding_have_no_component_perpendicular_to_themselves() {
     let ball = ball(0.1);

@@ -56,7 +56,7 @@ pub(crate) fn shoot_within(
     tally.most = tally.most.max(report.evaluations);
 }
 
-/// At the time of impact there is a contact within the touch tolerance, and at one of them the bodies approach.
+/// At the time of impact there are contacts within the touch tolerance, and at one of them the bodies approach.
 fn assert_contact(a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, t: f64) {
     let (pose_a, pose_b) = (motion_a.pose(t), motion_b.pose(t));
     let reach = touch_tolerance(a, &pose_a, b, &pose_b, 1e-11);

@@ -124,7 +124,7 @@ fn bodies_that_touch_a_mesh_at_the_start() {
     for case in 0..12 {
         let flat = grid(20, 4.0, 0.3, &mut random, |_, _| 0.0);
         let ramp = grid(20, 4.0, 0.0, &mut random, |x, _| (x - 0.6).max(0.0));
-        for (name, body, height, reach) in &bodies {
+        for (name, body, height, front) in &bodies {
             for side in [1.0, -1.0] {
                 let start = DVec3::new(random.between(-0.4, 0.0), random.between(-0.3, 0.3), height * side);
                 let fly = |velocity: DVec3| Flight::new(Pose::from_translation(start), velocity, DVec3::ZERO);
@@ -138,7 +138,7 @@ fn bodies_that_touch_a_mesh_at_the_start() {
                 let away = time(&fly(DVec3::new(0.3, 0.1, side)), &flat);
                 let along = time(&fly(DVec3::new(0.3, 0.1, 0.0)), &flat);
                 let struck = if side > 0.0 { time(&fly(DVec3::X), &ramp) } else { None };
-                let expected = 0.6 - reach - start.x;
+                let expected = 0.6 - front - start.x;
                 let right = into.is_some_and(|t| t < 1e-9) == !matches!(body, Shape::Points(_))
                     && away.is_none()
                     && along.is_none()

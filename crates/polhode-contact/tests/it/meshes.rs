@@ -194,7 +194,7 @@ fn a_ball_on_a_flat_grid_has_one_contact_with_the_plane_s_normal() {
     }
 }
 
-/// Ridge and valley along y, both with slopes of 45 degrees.
+/// A ground with one fold along y: a ridge where the slope `up` is negative, a valley where it is positive.
 fn folded(up: f64, random: &mut Random) -> Shape {
     grid(10, 4.0, 0.0, random, |x, _| up * x.abs())
 }

@@ -1,5 +1,5 @@
 //! Needle triangles of the least height that a mesh admits, 1e-12 of their length. The normal of such a triangle is
-//! uncertain, but its distance from a point is not: rounding of its corners moves no point of it farther.
+//! uncertain, but its distance from a point is not: no point of it moves farther by rounding than its corners do.
 
 use crate::support::{Random, off_segment};
 use polhode_contact::{Ray, Shape, closest_point, ray_cast};
@@ -25,7 +25,7 @@ fn off_triangle([a, b, c]: [DVec3; 3], x: DVec3) -> f64 {
 /// A fuzz finding: a point on a needle of 5.1 m x 4e-11 m was 3.4e-6 m off it, because the normal was computed from the
 /// long sides.
 #[test]
-fn a_point_is_as_far_from_a_needle_as_in_its_plane() {
+fn the_distance_from_a_needle_is_that_computed_in_its_plane() {
     let (mut random, mut worst) = (Random(41), 0.0_f64);
     for case in 0..40_000 {
         let corners = flat_triangle(&mut random);

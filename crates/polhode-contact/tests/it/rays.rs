@@ -32,7 +32,7 @@ fn closed_forms() {
         ("box behind", &brick, ray(DVec3::Z * 3.0, DVec3::Z), None),
         ("floor", &floor, down(0.0, 3.0), Some((3.0, DVec3::Z))),
         ("floor left", &floor, ray(DVec3::Z, DVec3::Z), None),
-        ("cap", &cylinder, down(0.2, 3.0), Some((2.0, DVec3::Z))),
+        ("disc", &cylinder, down(0.2, 3.0), Some((2.0, DVec3::Z))),
         ("side", &cylinder, across(0.5), Some((8.5, -DVec3::X))),
         ("side missed", &cylinder, across(1.5), None),
         ("side of a capsule", &capsule, across(0.5), Some((8.5, -DVec3::X))),
@@ -213,8 +213,8 @@ fn a_ray_from_far_away_hits_the_triangle_that_it_aims_at() {
 }
 
 /// Rays that deviate from the direction of an axis by any angle down to the smallest number (a fuzz finding: the square
-/// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its cap): they hit the end of the body if they start over
-/// it, and otherwise miss it.
+/// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its disc): they hit the end of the body if they start
+/// over it, and otherwise miss it.
 #[test]
 fn rays_almost_along_an_axis_hit_only_bodies_under_their_origin() {
     let bodies = [cylinder(0.5, 0.3), capsule(0.5, 0.3)];

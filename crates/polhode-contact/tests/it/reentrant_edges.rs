@@ -57,9 +57,10 @@ fn a_knife_at_the_bottom_of_a_groove_touches_both_sides() {
     for shift in [0.0, 3e-13, -3e-13] {
         assert_counts(&knife, at(shift, 0.0, 0.0), &grooved(), &both, &format!("shifted by {shift} m"));
     }
-    // Shorter than the groove, so that its ends are the ends of the region; and upside down, a point.
+    // A knife shorter than the groove, whose ends are the ends of the contact region.
     let short = over(&[[0.0, 0.0], [0.2, -1.5], [-0.2, -1.5]], 0.25);
     assert_counts(&short, Pose::IDENTITY, &grooved(), &both, "short");
+    // A spike that touches the bottom with its tip alone.
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, z)| DVec3::new(0.1 * x, -1.0, 0.1 * z));
     let spike = hull(&[corners.as_slice(), &[DVec3::ZERO]].concat());
     assert_counts(&spike, Pose::IDENTITY, &grooved(), &sides.map(|side| (side, 1)), "spike");

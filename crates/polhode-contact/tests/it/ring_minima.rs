@@ -135,8 +135,8 @@ impl Case<'_> {
         Minimum { place: self.place(middle), separation: self.distance(middle) - self.minor }
     }
 
-    /// A description of the first error of the manifold within `reach` (m), if any: a minimum without a contact, or a
-    /// contact deeper than any minimum or off the centre circle.
+    /// A description of the first error of the manifold within `reach` (m), if any: a wrong separation, a minimum
+    /// without a contact, or a contact deeper than any minimum.
     fn first_error(&self, world: &Pose, reach: f64, minima: &[Minimum]) -> Option<String> {
         let ring = Shape::torus(self.major, self.minor).ok()?;
         let size = self.body.size().max(self.major);

@@ -77,8 +77,8 @@ fn on_a_floor() {
     assert_eq!(tip.len(), 1);
     assert_eq!(tip[0].feature, ContactFeature::VertexFace { vertex_of: Side::A, vertex: 0, face: 0 });
     let tilt = 0.3;
-    let reach = 0.5 * libm::cos(tilt) + 0.3 * libm::sin(tilt);
-    let edge = touching(&cylinder(0.3, 1.0), &turned(DVec3::X, tilt, DVec3::Z * reach), &floor(), &still);
+    let height = 0.5 * libm::cos(tilt) + 0.3 * libm::sin(tilt);
+    let edge = touching(&cylinder(0.3, 1.0), &turned(DVec3::X, tilt, DVec3::Z * height), &floor(), &still);
     assert_eq!(edge.len(), 1);
     assert_eq!(edge[0].feature, ContactFeature::Elements { a: SurfaceFeature::Rim(0), b: SurfaceFeature::Face(0) });
 }

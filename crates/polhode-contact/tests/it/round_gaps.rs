@@ -43,8 +43,8 @@ fn closed_forms() {
         // Above a floor: standing, lying, tilted.
         assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), up(0.6), still, gap);
         assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), lying(DVec3::Z * (0.3 + gap)), still, gap);
-        let reach = 0.6 * libm::cos(slope) + 0.3 * libm::sin(slope);
-        let tilted = turned(DVec3::X, slope, DVec3::Z * (reach + gap));
+        let lowest = 0.6 * libm::cos(slope) + 0.3 * libm::sin(slope);
+        let tilted = turned(DVec3::X, slope, DVec3::Z * (lowest + gap));
         assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), tilted, still, gap);
         assert_known(|s| (cone(0.3 * s, 1.2 * s), floor(s)), up(0.3), still, gap);
         assert_known(|s| (capsule(0.3 * s, 1.2 * s), floor(s)), up(0.9), still, gap);
@@ -112,7 +112,7 @@ fn faceted(shape: &Shape, sides: u32, grow: f64) -> Option<Shape> {
 /// Distance of two convex bodies by their support functions alone: the largest of `-h_A(-n) - h_B(n)` over directions,
 /// searched on a sphere of samples and then in ever smaller circles about the best ones.
 fn brute_force(random: &mut Random, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> f64 {
-    let gap = |n: DVec3| -reach(a, pose_a, -n) - reach(b, pose_b, n);
+    let gap = |n: DVec3| -support(a, pose_a, -n) - support(b, pose_b, n);
     let mut samples: Vec<(f64, DVec3)> = Vec::new();
     for _ in 0..3000 {
         let n = random.direction();
@@ -141,7 +141,7 @@ fn brute_force(random: &mut Random, a: &Shape, pose_a: &Pose, b: &Shape, pose_b:
 }
 
 /// Support of a shape about z, from its definition.
-fn reach(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
+fn support(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
     let local = pose.rotation.inverse_rotate(n);
     let across = libm::hypot(local.x, local.y);
     let own = match shape {
@@ -187,7 +187,7 @@ fn against_brute_force() {
                     "{k}: {found} is less than {brute} for {a:?} {pose_a:?} {b:?} {pose_b:?}"
                 );
                 let result = manifold(a, &pose_a, b, &pose_b, 10.0);
-                let apart = |n: DVec3| -reach(a, &pose_a, -n) - reach(b, &pose_b, n);
+                let apart = |n: DVec3| -support(a, &pose_a, -n) - support(b, &pose_b, n);
                 // Bodies that overlap by more than their radii have no single place where they touch.
                 let deep = found < -0.1;
                 let attained = deep || result.contacts.iter().any(|c| (apart(c.geometry.normal) - found).abs() < 1e-13);
@@ -201,7 +201,8 @@ fn against_brute_force() {
     println!("largest difference {worst:e} m");
 }
 
-/// Between prisms inside and outside, whose separations come from the search over faces and edges.
+/// The separation lies between those of an inscribed and a circumscribed prism or pyramid, which come from the search
+/// over faces and edges.
 #[test]
 fn between_prisms() {
     let mut random = Random(17);

@@ -62,11 +62,11 @@ fn falls() {
 #[test]
 fn rim_swings_onto_a_floor() {
     let (radius, half, spin) = (0.3, 0.5, 3.0);
-    let reach = libm::hypot(radius, half);
+    let diagonal = libm::hypot(radius, half);
     for height in [0.51, 0.55, 0.58] {
         let swing = Flight::new(at(0.0, 0.0, height), DVec3::ZERO, DVec3::X * spin);
-        // half cos + radius sin = reach cos(angle - offset).
-        let expected = (libm::atan2(radius, half) - libm::acos(height / reach)) / spin;
+        // half cos + radius sin = diagonal cos(angle - offset).
+        let expected = (libm::atan2(radius, half) - libm::acos(height / diagonal)) / spin;
         for ground in [floor(), slab()] {
             let still = Still(Pose::IDENTITY);
             let report =
@@ -101,14 +101,14 @@ fn head_on() {
         (cylinder(0.3, 1.0), along, 0.5),
         (cone(0.3, 1.0), along, 0.25),
     ];
-    for (a, turn_a, reach_a) in &shooters {
-        for (b, turn_b, reach_b) in &targets {
+    for (a, turn_a, extent_a) in &shooters {
+        for (b, turn_b, extent_b) in &targets {
             for speed in [1e-2, 1.0, 300.0] {
                 let flight = Flight::new(Pose::new(*turn_a, DVec3::X * -3.0), DVec3::X * speed, DVec3::ZERO);
                 let still = Still(Pose::new(*turn_b, DVec3::ZERO));
                 let settings = ImpactSearch::default();
                 let time = find_impact(a, &flight, b, &still, 0.0, 1e3, &settings).expect("an answer").time;
-                let expected = (3.0 - reach_a - reach_b) / speed;
+                let expected = (3.0 - extent_a - extent_b) / speed;
                 let found = time.expect("an impact");
                 assert!((found - expected).abs() <= 1e-14 * expected, "{found} {expected} {a:?} {b:?}");
                 let swapped = find_impact(b, &still, a, &flight, 0.0, 1e3, &settings).expect("an answer").time;

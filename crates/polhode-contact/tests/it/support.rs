@@ -107,8 +107,8 @@ pub(crate) fn floor() -> Shape {
 /// first, fourth, fifth and sixth are those of two rectangles.
 pub(crate) fn l_prism(outline: [[f64; 2]; 6], height: f64) -> SolidMesh {
     let vertices = [0.0, height].iter().flat_map(|&z| outline.map(|[x, y]| DVec3::new(x, y, z))).collect();
-    let cap = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
-    let mut triangles: Vec<[u32; 3]> = cap.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + 6, b + 6, c + 6]]).collect();
+    let base = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+    let mut triangles: Vec<[u32; 3]> = base.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + 6, b + 6, c + 6]]).collect();
     for i in 0..6 {
         let j = (i + 1) % 6;
         triangles.extend([[i, j, j + 6], [i, j + 6, i + 6]]);

@@ -50,7 +50,8 @@ fn a_tangent_basis_of_swapped_and_of_mirrored_bodies() {
     }
 }
 
-/// While the normal does not cross 0.9 along x, the basis turns at most a little more than twice as far as the normal.
+/// While the x component of the normal does not cross 0.9 or -0.9, the basis turns at most a little more than twice as
+/// far as the normal.
 #[test]
 fn a_tangent_basis_is_smooth_within_either_part_of_the_sphere() {
     let mut random = Random(41);

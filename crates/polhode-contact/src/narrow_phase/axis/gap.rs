@@ -163,9 +163,9 @@ impl Search<'_, '_> {
                 if better {
                     (self.found, self.supporting) = (true, supports);
                     self.best = Gap { separation, normal, a: feature_a, b: feature_b, ..self.best };
-                    let reach = place.on_a.distance(place.on_b);
-                    let within = element_a.margin(place.on_a, -normal, reach) >= 0.0
-                        && element_b.margin(place.on_b, normal, reach) >= 0.0;
+                    let apart = place.on_a.distance(place.on_b);
+                    let within = element_a.margin(place.on_a, -normal, apart) >= 0.0
+                        && element_b.margin(place.on_b, normal, apart) >= 0.0;
                     self.certain = supports && within && separation > self.best.tolerance;
                 }
             }
@@ -176,8 +176,8 @@ impl Search<'_, '_> {
 /// A common normal; for two curves also the opposite one, because the curves may have passed through each other.
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
-    let open = curve(a.locus) && curve(b.locus);
-    [Some(place), open.then(|| place.reversed())]
+    let curves = curve(a.locus) && curve(b.locus);
+    [Some(place), curves.then(|| place.reversed())]
 }
 
 /// The best axis of a pair, at least one of them round, with the normal in the world; for a cloud that of its nearest

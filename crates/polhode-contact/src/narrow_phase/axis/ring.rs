@@ -274,18 +274,18 @@ impl<'a> Ring<'a> {
             let beside = (from - self.circle.axis * height).length() - self.circle.radius;
             (beside * beside + height * height).sqrt()
         };
-        let (nearest, reach) = match feature {
+        let (nearest, half) = match feature {
             SurfaceFeature::Vertex(index) => (distance(polyhedron.vertices[index as usize]), 0.0),
-            // The distance changes by at most the displacement of the point.
+            // The middles of the parts of the edge: every point of it is at most half a part from one of them.
             SurfaceFeature::Edge(index) => {
                 let edge = &polyhedron.edges[index as usize];
-                let (from, reach) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
-                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (reach * f64::from(2 * k + 1)));
-                (places.map(distance).fold(f64::INFINITY, f64::min), reach)
+                let (from, half) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
+                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (half * f64::from(2 * k + 1)));
+                (places.map(distance).fold(f64::INFINITY, f64::min), half)
             }
             _ => return (f64::NEG_INFINITY, f64::INFINITY),
         };
-        (nearest - reach - self.tolerance, nearest + self.tolerance)
+        (nearest - half - self.tolerance, nearest + self.tolerance)
     }
 
     /// Whether an edge of a polyhedron may be the nearest element to some point of the centre circle: such a point lies

@@ -139,7 +139,7 @@ fn walk(
     }
 }
 
-/// `value + amplitude cos(a - phase)`: the lower bound of the distance from one sample.
+/// `value + east cos(a) + north sin(a)`: the lower bound of the distance at the angle a from one sample.
 #[derive(Clone, Copy)]
 struct Cosine {
     value: f64,

@@ -145,13 +145,13 @@ impl Height {
 
     /// How many minima an interval can contain, from half its width and the derivatives at its middle.
     fn count_minima_from(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> MinimaCount {
-        let reach = TAU * half;
-        let steepest = self.steepest(square - self.of_square[0] * reach);
-        if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
+        let half_angle = TAU * half;
+        let steepest = self.steepest(square - self.of_square[0] * half_angle);
+        if slope.abs() > half_angle * (bend.abs() + 0.5 * steepest * half_angle) {
             MinimaCount::None
-        } else if bend > steepest * reach {
+        } else if bend > steepest * half_angle {
             MinimaCount::AtMostOne
-        } else if bend < -steepest * reach {
+        } else if bend < -steepest * half_angle {
             MinimaCount::None
         } else {
             MinimaCount::Unknown

@@ -76,8 +76,8 @@ pub(crate) fn on_whole(
     let part = candidate.parts[at];
     let probe = probe_length(compound.parts[part].size(), tolerance);
     near.clear();
-    let reach = Aabb::of_point(x).widened(2.0 * probe);
-    compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
+    let around = Aabb::of_point(x).widened(2.0 * probe);
+    compound.tree.overlaps(&around, &mut |other| near.push(other as usize));
     near.retain(|&other| other != part);
     if near.is_empty() {
         return Some(candidate);
@@ -100,12 +100,12 @@ pub(crate) fn on_whole(
             let local = |direction: DVec3| poses[1 - at].rotation.inverse_rotate(pose.rotation.rotate(direction));
             let x_other = poses[1 - at]
                 .inverse_transform_point(geometry.point + geometry.normal * (0.5 * sign * geometry.separation));
-            let border = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
+            let on_face = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
                 PlaceOnFace::Inside
             } else {
                 place_on_face(shapes[1 - at], candidate.feature, x_other, SAME_PLACE_OF_PARTS * tolerance)
             };
-            match border {
+            match on_face {
                 PlaceOnFace::AtVertex(other) if !candidate.replaced => {
                     let face = own
                         .faces_at
@@ -166,7 +166,7 @@ impl PlaceOnPart<'_> {
         })
     }
 
-    /// Whether a region of the face beside the place has no other part above it.
+    /// Whether a region of the face beside the place has no other part above it; true where no probe lies on the face.
     fn is_exposed(&self, own: &ConvexPolyhedron, face: u32) -> bool {
         let Some(face) = own.face(face as usize) else { return false };
         let mut probed = false;

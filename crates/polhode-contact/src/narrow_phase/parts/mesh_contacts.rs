@@ -29,7 +29,7 @@ use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// A triangle gives contacts up to this ratio of the penetration along its own axes to that of the whole pair.
+/// A triangle gives contacts when the penetration along its own axes is at most this many times that of the whole pair.
 pub(crate) const DEEPER: f64 = 1.5;
 
 /// A contact of a mesh (A) in its frame.
@@ -49,6 +49,7 @@ pub(crate) struct MeshPair<'a> {
     pub(crate) shape: &'a Shape,
     pub(crate) mesh: &'a TriangleMesh,
     pub(crate) other: &'a Shape,
+    /// Pose of the other body.
     pub(crate) x: Pose,
     pub(crate) tolerance: f64,
     pub(crate) reach: f64,
@@ -257,15 +258,15 @@ impl OnTriangle<'_> {
                 stands.then_some(MeshContact { contact, order: 0, on_convex_edge: false })
             }
             _ => {
-                let part = self.part_at(place);
-                let supported = self.supports(part, outward, 0.0);
-                Some(MeshContact { contact, order: 0, on_convex_edge: part != TriangleFeature::Face && supported })
+                let at = self.feature_at(place);
+                let supported = self.supports(at, outward, 0.0);
+                Some(MeshContact { contact, order: 0, on_convex_edge: at != TriangleFeature::Face && supported })
             }
         }
     }
 
     /// The feature of the triangle (corner, edge or face) on which a place lies.
-    fn part_at(&self, place: DVec3) -> TriangleFeature {
+    fn feature_at(&self, place: DVec3) -> TriangleFeature {
         let limit = SAME_PLACE_OF_PARTS * self.pair.tolerance;
         let corners = self.triangle.corners;
         if let Some(k) = corners.iter().position(|c| c.distance(place) <= limit) {
@@ -277,8 +278,8 @@ impl OnTriangle<'_> {
             .map_or(TriangleFeature::Face, TriangleFeature::Edge)
     }
 
-    fn supports(&self, part: TriangleFeature, v: DVec3, slope: f64) -> bool {
-        self.pair.mesh.supports_at(self.triangle.index, part, v, self.pair.tolerance, slope)
+    fn supports(&self, at: TriangleFeature, v: DVec3, slope: f64) -> bool {
+        self.pair.mesh.supports_at(self.triangle.index, at, v, self.pair.tolerance, slope)
     }
 }
 
@@ -302,13 +303,13 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
             continue;
         }
         let slope = tolerance / near.distance.abs().max(tolerance);
-        let supported = on_triangle.supports(near.part, near.direction, slope);
+        let supported = on_triangle.supports(near.feature, near.direction, slope);
         let over_face = near.lateral <= SAME_PLACE_OF_PARTS * tolerance;
         if !(supported || over_face) {
             continue;
         }
         let number = number as u32;
-        let against = match near.part {
+        let against = match near.feature {
             TriangleFeature::Edge(k) if !over_face => SurfaceFeature::Edge(mesh.edges_of[index][k]),
             TriangleFeature::Corner(k) if !over_face => SurfaceFeature::Vertex(mesh.joined[index][k]),
             _ => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
@@ -319,7 +320,7 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
             }
             _ => ContactFeature::Smooth { center_of: Side::B, center: number, against },
         };
-        let on_convex_edge = near.part != TriangleFeature::Face && supported;
+        let on_convex_edge = near.feature != TriangleFeature::Face && supported;
         contacts.extend(on_triangle.measure_whole(feature).map(|contact| MeshContact {
             contact,
             order: 0,
@@ -343,9 +344,10 @@ fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Opti
     (above - below > 4.0 * tolerance).then(|| u32::from(below < -above))
 }
 
-/// A point and a triangle.
+/// A point beside or below a triangle.
 struct NearTriangle {
-    part: TriangleFeature,
+    /// The feature that is nearest to the point.
+    feature: TriangleFeature,
     side: u32,
     /// Signed, m: negative beyond the face on its side.
     distance: f64,
@@ -356,7 +358,7 @@ struct NearTriangle {
 
 impl NearTriangle {
     fn new(triangle: &Triangle, point: DVec3, side: Option<u32>, tolerance: f64) -> Self {
-        let (away, part) = from_triangle(&triangle.corners, point);
+        let (away, feature) = from_triangle(&triangle.corners, point);
         let height = triangle.normal.dot(point) - triangle.offset;
         let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
         let length = away.length();
@@ -366,11 +368,11 @@ impl NearTriangle {
             None => u32::from(height < -POINT_DEPTH * tolerance),
         };
         let outward = triangle.outward(side);
-        if over || part == TriangleFeature::Face {
+        if over || feature == TriangleFeature::Face {
             let distance = if side == 0 { height } else { -height };
-            return Self { part, side, distance, direction: outward, lateral };
+            return Self { feature, side, distance, direction: outward, lateral };
         }
-        Self { part, side, distance: length, direction: away / length, lateral }
+        Self { feature, side, distance: length, direction: away / length, lateral }
     }
 }
 
@@ -378,7 +380,7 @@ impl NearTriangle {
 const POINT_DEPTH: f64 = 64.0;
 
 /// The separation of a triangle from a body that is no polyhedron, m.
-pub(crate) fn separation_of_part(
+pub(crate) fn triangle_separation(
     search: &mut AxisSearch,
     mesh: &TriangleMesh,
     triangle: &Triangle,
@@ -400,7 +402,7 @@ pub(crate) fn separation_of_part(
 
 /// Adds the contacts of a triangle with a curved body, found as those of a flat polyhedron with that body. Returns the
 /// separation, m.
-pub(crate) fn of_parts(
+pub(crate) fn of_curved(
     buffers: &mut PairBuffers,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
@@ -415,17 +417,13 @@ pub(crate) fn of_parts(
     for local in &manifold.contacts {
         let Some(contact) = on_triangle.measure(local.feature) else { continue };
         let place = local.geometry.point + local.geometry.normal * (0.5 * local.geometry.separation);
-        let part = on_triangle.part_at(place);
-        let flat_edge = matches!(part, TriangleFeature::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
-        let supported = on_triangle.supports(part, -local.geometry.normal, SLOPE);
+        let at = on_triangle.feature_at(place);
+        let flat_edge = matches!(at, TriangleFeature::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
+        let supported = on_triangle.supports(at, -local.geometry.normal, SLOPE);
         // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have
         // contacts.
         if is_on_face(local.feature) || (supported && !flat_edge) {
-            contacts.push(MeshContact {
-                contact,
-                order: 0,
-                on_convex_edge: part != TriangleFeature::Face && supported,
-            });
+            contacts.push(MeshContact { contact, order: 0, on_convex_edge: at != TriangleFeature::Face && supported });
         } else {
             lost = true;
         }

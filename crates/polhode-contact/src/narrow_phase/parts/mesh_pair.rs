@@ -14,8 +14,8 @@
 use crate::clearance::place_tolerance_of_sizes;
 use crate::narrow_phase::pair::measure::measure_again;
 use crate::narrow_phase::parts::mesh_contacts::{
-    DEEPER, FlatTriangle, MeshContact, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other,
-    separation_of_part,
+    DEEPER, FlatTriangle, MeshContact, MeshPair, deciding_contact, of_centers, of_curved, of_polyhedron, place_other,
+    triangle_separation,
 };
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, crossings};
 use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
@@ -58,7 +58,7 @@ pub(crate) fn mesh_separation(buffers: &mut MeshBuffers, shapes: [&Shape; 2], po
                 let limits = (tolerance, best.max(0.0));
                 triangle_axes(&bodies.search, axes, offsets, mesh, &triangle, polyhedron, limits).separation
             }
-            _ => separation_of_part(&mut bodies.search, mesh, &triangle, other, &x, flat),
+            _ => triangle_separation(&mut bodies.search, mesh, &triangle, other, &x, flat),
         }
     };
     Some(mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure))
@@ -81,7 +81,7 @@ pub(crate) struct MeshBuffers {
     contacts: Vec<MeshContact>,
     flat: FlatTriangle,
     /// Contacts of one triangle.
-    of_part: Manifold,
+    of_triangle: Manifold,
     ridges: RidgeBuffers,
     same_places: SamePlaces,
 }
@@ -116,7 +116,8 @@ pub(crate) fn mesh_manifold(
 
 /// The separation of the triangles within reach, and their contacts when the other body is not a polyhedron.
 fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
-    let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_part, .. } = buffers;
+    let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_triangle, .. } =
+        buffers;
     let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
     place_other(&mut bodies.search, other, x, offsets);
     triangles.clear();
@@ -145,7 +146,7 @@ fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Mani
                 note(of_centers(pair, &triangle, contacts), SeparatingAxis::Nearest);
             }
             _ => {
-                let least = of_parts(bodies, pair, &triangle, (flat, of_part), contacts);
+                let least = of_curved(bodies, pair, &triangle, (flat, of_triangle), contacts);
                 note(least, SeparatingAxis::Nearest);
             }
         }

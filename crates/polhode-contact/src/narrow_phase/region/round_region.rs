@@ -1,11 +1,11 @@
 //! All contacts of the region in which two bodies touch, at least one of them round.
 //!
-//! The support set of each body along the separating normal is one of three parts: flat (a face or disc whose normal is
+//! The support set of each body along the separating normal is flat (a face, a disc or a torus whose normal or axis is
 //! within 0.01 rad of it), a line (a side or edge perpendicular to it within 0.01 rad), or a point. The overlap of the
-//! two parts has corners of three kinds, as for polygons (thesis 3.4, figure 17): a corner of A's part over B's, one of
+//! two sets has corners of three kinds, as for polygons (thesis 3.4, figure 17): a corner of A's set over B's, one of
 //! B's over A's, and crossings of their borders.
 //!
-//! | part | corners | border |
+//! | support set | corners | border |
 //! |---|---|---|
 //! | face | its vertices | its edges |
 //! | disc | its sample points ([`crate::shape::round`]) and the lowest point of its rim when it is tilted | its rim |
@@ -30,7 +30,7 @@ use crate::shape::round::circles;
 use crate::{Contact, ContactFeature, Shape, SurfaceFeature};
 use glam::DVec3;
 
-/// The support set of a body along a direction.
+/// The support set of a body along a direction, up to 0.01 rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum SupportSet {
     /// A face or disc.
@@ -184,10 +184,10 @@ fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> SupportSe
         .map_or(SupportSet::Point, |(index, _)| SupportSet::Line(SurfaceFeature::Edge(index as u32)))
 }
 
-/// Calls `visit` with the corners of a part.
-fn each_corner(shape: &Shape, part: SupportSet, mut visit: impl FnMut(SurfaceFeature)) {
+/// Calls `visit` with the corners of a support set.
+fn each_corner(shape: &Shape, set: SupportSet, mut visit: impl FnMut(SurfaceFeature)) {
     use SurfaceFeature::{Cap, Edge, Rim, Vertex};
-    match (shape, part) {
+    match (shape, set) {
         (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.vertices).for_each(|&v| visit(Vertex(v)));
@@ -215,11 +215,11 @@ fn each_corner(shape: &Shape, part: SupportSet, mut visit: impl FnMut(SurfaceFea
     }
 }
 
-/// Calls `visit` with each border of a part as a pair of features: an edge or side twice, or the two crossings of a
-/// rim.
-fn each_border(shape: &Shape, part: SupportSet, mut visit: impl FnMut([SurfaceFeature; 2])) {
+/// Calls `visit` with each border of a support set as a pair of features: an edge or side twice, or the two crossings
+/// of a rim.
+fn each_border(shape: &Shape, set: SupportSet, mut visit: impl FnMut([SurfaceFeature; 2])) {
     use SurfaceFeature::{Edge, RimEntry, RimExit};
-    match (shape, part) {
+    match (shape, set) {
         (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.edges).for_each(|&edge| visit([Edge(edge); 2]));
@@ -234,9 +234,9 @@ fn each_border(shape: &Shape, part: SupportSet, mut visit: impl FnMut([SurfaceFe
 impl Region<'_> {
     /// Lists the candidates.
     fn collect(&mut self, normal: DVec3) {
-        let (part_a, part_b) = (support_set(self.a, -normal), support_set(self.b, normal));
+        let (set_a, set_b) = (support_set(self.a, -normal), support_set(self.b, normal));
         let (shape_a, shape_b) = (self.a.shape, self.b.shape);
-        let base = |part: SupportSet| match part {
+        let base = |set: SupportSet| match set {
             SupportSet::Flat(face) => Some(SurfaceFeature::Face(face)),
             SupportSet::Line(line) => Some(line),
             SupportSet::Ring | SupportSet::Point => None,
@@ -246,14 +246,14 @@ impl Region<'_> {
         let wider = |this: SupportSet, other: SupportSet| {
             matches!(this, SupportSet::Flat(_)) || matches!(other, SupportSet::Line(_))
         };
-        if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
-            each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));
+        if let Some(base_b) = base(set_b).filter(|_| wider(set_b, set_a)) {
+            each_corner(shape_a, set_a, |corner| self.features.push(named(corner, base_b)));
         }
-        if let Some(base_a) = base(part_a).filter(|_| wider(part_a, part_b)) {
-            each_corner(shape_b, part_b, |corner| self.features.push(named(base_a, corner)));
+        if let Some(base_a) = base(set_a).filter(|_| wider(set_a, set_b)) {
+            each_corner(shape_b, set_b, |corner| self.features.push(named(base_a, corner)));
         }
-        each_border(shape_a, part_a, |[first_a, second_a]| {
-            each_border(shape_b, part_b, |[first_b, second_b]| {
+        each_border(shape_a, set_a, |[first_a, second_a]| {
+            each_border(shape_b, set_b, |[first_b, second_b]| {
                 self.features.push(named(first_a, first_b));
                 if (first_a, first_b) != (second_a, second_b) {
                     self.features.push(named(second_a, second_b));
