@@ -84,7 +84,7 @@ fn head_on() {
     let along = turned(DVec3::Y, FRAC_PI_2, DVec3::ZERO).rotation;
     let point = Shape::points(vec![DVec3::ZERO]).expect("a point");
     let ball = ball(0.5);
-    // Shape, attitude and extents towards -x and +x.
+    // Shape, attitude, and extent towards the other body: +x of the shooters, -x of the targets.
     let shooters = [
         (capsule(0.2, 1.0), upright, 0.2),
         (capsule(0.2, 1.0), along, 0.7),

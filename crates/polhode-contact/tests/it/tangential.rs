@@ -135,7 +135,6 @@ fn a_block_on_a_turning_table() {
 #[test]
 fn a_ball_that_rolls_over_a_ball() {
     let (big, small) = (0.7, 0.3);
-    let ball = |radius: f64| ball(radius);
     for angle in [0.0, 0.4, 2.0, 4.0] {
         let up = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
         let around = DVec3::Y.cross(up);
@@ -168,7 +167,6 @@ fn shapes() -> Vec<Shape> {
         DVec3::new(-1.0, 1.0, -0.1),
     ];
     let moved = |shape: Shape, by: DVec3| shape.translated(by).expect("moved");
-    let ball = |radius: f64| ball(radius);
     vec![
         cuboid(0.5, 0.4, 0.3),
         prism(6, 0.3, 0.4),
