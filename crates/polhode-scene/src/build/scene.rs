@@ -71,6 +71,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
             force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
         SceneError::IntegratorTakesNoVelocities { .. } => KeyPath::of(&["method", "integrator"]),
+        SceneError::ThesisFriction => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }
 }

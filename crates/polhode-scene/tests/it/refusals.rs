@@ -138,9 +138,14 @@ fn materials() {
     }
     let friction = |value: &str| BASE.replace("restitution = 0.5", &format!("friction = {value}"));
     check(&friction("-1"), "materials.ice.friction", "friction", "at least 0");
-    check(&friction("0.3"), "materials.ice.friction", "friction", "not yet available");
-    let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"ice\"]\nfriction = 0.02\n");
-    check(&pair, "pairs.0.friction", "friction = 0.02", "not yet available");
+    check(&friction("nan"), "materials.ice.friction", "friction", "at least 0");
+    let below = friction("0.3\nstatic_friction = 0.2");
+    check(&below, "materials.ice.static_friction", "static_friction = 0.2", "at least its kinetic friction 0.3");
+    let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"ice\"]\nfriction = -0.02\n");
+    check(&pair, "pairs.0.friction", "friction = -0.02", "at least 0");
+    let thesis = friction("0.3").replace("format = 1", "format = 1\nmethod.tier = \"thesis\"");
+    let thesis = thesis.replace("fixed = true", "fixed = true\nmaterial = \"ice\"");
+    check(&thesis, "method.tier", "thesis", "has no friction: use tier `accurate`");
 }
 
 /// A key or value that the format does not have is named, with those that it has.

@@ -1,7 +1,7 @@
 //! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
-use super::{Body, DEFAULT_GRAVITY, Force, Method, PairRule, Scene, SceneError, force};
+use super::{Body, DEFAULT_GRAVITY, Force, Method, PairRule, Scene, SceneError, Tier, force};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -122,6 +122,9 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
+        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().largest_friction > 0.0 {
+            return Err(SceneError::ThesisFriction);
+        }
         Ok(scene)
     }
 }

@@ -40,6 +40,9 @@ pub enum SceneError {
         /// The coefficient of kinetic friction.
         kinetic: f64,
     },
+    /// Friction in the tier of the thesis, which has none.
+    #[error("the tier `thesis` has no friction: use tier `accurate` or `stepped`, or friction 0 in all materials")]
+    ThesisFriction,
     /// A coefficient of restitution is outside [0, 1].
     #[error("restitution of material {material} is {value}: a number in [0, 1] is needed")]
     Restitution {
