@@ -43,7 +43,7 @@ fn restored(scene: &Scene, effects: Effects, bytes: &[u8]) -> Simulation {
 }
 
 /// Stops a run at the ends of some of its steps, events among them, and at random times between.
-fn check(scene: &Scene, effects: Effects) {
+pub(crate) fn check(scene: &Scene, effects: Effects) {
     let name = scene.name();
     let duration = scene.duration_s();
     let mut whole = Recorder::default();
