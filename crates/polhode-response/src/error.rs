@@ -68,6 +68,20 @@ pub enum ResponseError {
         /// The value found.
         value: f64,
     },
+    /// A coefficient of tangential restitution is outside `[-1, 1]`.
+    #[error("the coefficient of tangential restitution of contact {contact} must be between -1 and 1, found {value}")]
+    TangentialRestitution {
+        /// The contact.
+        contact: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// The collision matrix of a contact is not one.
+    #[error("the collision matrix must be symmetric and positive semidefinite, with an entry above 0 for the normal")]
+    CollisionMatrix,
+    /// A contact that slides has no slip.
+    #[error("a contact that slides needs a slip other than 0; a contact without slip sticks or starts to slide")]
+    NoSlip,
     /// A setting is out of its range.
     #[error("setting {field} must be {accepted}, found {value}")]
     Setting {
@@ -91,6 +105,52 @@ pub enum ResponseError {
     FrictionNotAvailable {
         /// Its coefficient.
         friction: f64,
+    },
+    /// A block has no rows, or more than a contact has.
+    #[error(
+        "block {block} has {rows} rows, a contact or a hold has 1 to 3; give a joint of more rows as several blocks"
+    )]
+    FrictionRows {
+        /// The block.
+        block: usize,
+        /// Its rows.
+        rows: usize,
+    },
+    /// A coefficient of friction is negative or not finite.
+    #[error("the coefficient of friction of contact {contact} must be at least 0 and finite, found {friction}")]
+    Friction {
+        /// The contact.
+        contact: usize,
+        /// The coefficient found.
+        friction: f64,
+    },
+    /// A block of a matrix is given twice.
+    #[error("block ({row}, {column}) of the Delassus matrix is given twice; add the two first")]
+    RepeatedBlock {
+        /// Its block row.
+        row: usize,
+        /// Its block column.
+        column: usize,
+    },
+    /// A Delassus matrix is not symmetric.
+    #[error("the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}")]
+    Asymmetric {
+        /// Row of the entry.
+        row: usize,
+        /// Column of the entry.
+        column: usize,
+        /// The entry.
+        value: f64,
+        /// The entry with row and column exchanged.
+        other: f64,
+    },
+    /// A Delassus matrix has a negative entry on its diagonal.
+    #[error("the Delassus matrix must be positive semidefinite: diagonal entry {row} is {value:e}")]
+    NegativeDiagonal {
+        /// The row.
+        row: usize,
+        /// The entry.
+        value: f64,
     },
     /// Rows that were independent no longer are.
     #[error("row {row} depends on the rows before it (relative pivot {pivot:e}); choose the independent rows afresh")]

@@ -14,7 +14,9 @@
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide |
+//! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
+//! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -23,7 +25,7 @@
 //!
 //! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
 //! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
-//! `newtons_cradle` (an impact law) and `box_on_the_floor` (contact forces).
+//! `newtons_cradle` (an impact law), `rod_on_a_rough_floor` (one with friction) and `box_on_the_floor` (contact forces).
 //!
 //! ```
 //! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};
@@ -62,13 +64,23 @@
 //! | impulses | strikes rows by the law, each solve by the active set above | `impact/reflection.rs`, `impact/simultaneous.rs`, `impact/propagation.rs` |
 //! | end | checks that no row approaches, and computes the change of energy | `impact/finish.rs` |
 //! | outcome | returns impulses, status and energy | `impact/outcome.rs` |
+//!
+//! Impacts with friction:
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | groups | parts contacts that do not move each other | `impact/friction/multiple.rs` |
+//! | one contact | follows its slip, stick, reversal and jam as the normal impulse grows | `impact/friction/single.rs`, `impact/friction/path.rs` |
+//! | several | chooses normal velocities, solves cone problems, and keeps the energy from rising | `impact/friction/simultaneous.rs` |
+//! | or one at a time | strikes them in order | `impact/friction/sequence.rs` |
+//! | outcome | returns impulses, works, status and energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
 
 pub mod certificate;
 pub mod complementarity;
-pub mod coulomb;
 pub mod delassus;
 mod dense;
 pub mod error;
+pub mod friction;
 pub mod held_rows;
 pub mod impact;
 mod interior_point;
@@ -83,10 +95,14 @@ pub mod settings;
 pub mod sliding;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
-pub use coulomb::{ContactLaw, CoulombContact, CoulombSolution, solve_coulomb};
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
+pub use impact::friction::{
+    CollisionMatrix, FrictionalImpact, FrictionalImpactLaw, FrictionalImpactStatus, ImpactPhase,
+    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
+    PhaseKind, SingleFrictionalImpact, SlidingContact, SlidingForce,
+};
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
 };

@@ -48,6 +48,8 @@ impl EventList {
             EventKind::Rest => format!("{a} comes to rest"),
             EventKind::Wake => format!("{a} begins to move"),
             EventKind::Detach => format!("a contact of {a} and {b} opens"),
+            EventKind::Stick => format!("a contact of {a} and {b} sticks"),
+            EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),
         };
         self.events.push(ListedEvent { t: event.t, kind, bodies, text });
     }

@@ -17,6 +17,10 @@ pub enum EventKind {
     Wake,
     /// The force of one contact point has reached zero, and the contact opens.
     Detach,
+    /// The slip of a contact point with friction has vanished, and the contact sticks.
+    Stick,
+    /// A contact point that stuck begins to slide.
+    Slide,
 }
 
 impl EventKind {
@@ -29,6 +33,8 @@ impl EventKind {
             Self::Rest => "rest",
             Self::Wake => "wake",
             Self::Detach => "detach",
+            Self::Stick => "stick",
+            Self::Slide => "slide",
         }
     }
 }

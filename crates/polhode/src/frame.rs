@@ -46,6 +46,8 @@ pub struct ContactView {
     /// the tiers of fixed steps it is the mean force of the last step; in the tier `thesis` it is zero before the first
     /// step.
     pub normal_force_n: f64,
+    /// Force of friction on A, in the tangent plane, world, N. Zero without friction and in the tiers of fixed steps.
+    pub friction_n: DVec3,
 }
 
 /// The force that holds a body at its pivot.
@@ -93,9 +95,15 @@ pub struct Frame {
 }
 
 impl World {
-    /// Adds the view of a contact with this force (N). In planar motion a contact may stand for its mirror image too;
+    /// Adds the view of a contact with this force along its normal and this friction (N). In planar motion a contact may represent its mirror image too;
     /// then two views are added, each with half of the force.
-    pub(crate) fn view_contact(&self, states: &[BodyState], touch: &Touch, force_n: f64, views: &mut Vec<ContactView>) {
+    pub(crate) fn view_contact(
+        &self,
+        states: &[BodyState],
+        touch: &Touch,
+        (force_n, friction_n): (f64, DVec3),
+        views: &mut Vec<ContactView>,
+    ) {
         let (id, geometry) = (touch.id, touch.kinematics.geometry);
         let view = ContactView {
             body_a: BodyId::new(id.a),
@@ -105,6 +113,7 @@ impl World {
             normal: geometry.normal,
             separation_m: geometry.separation,
             normal_force_n: force_n,
+            friction_n,
         };
         let Some(aside) = self.mirrored(states, id) else { return views.push(view) };
         for point_m in [view.point_m - aside, view.point_m + aside] {

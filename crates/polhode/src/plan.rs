@@ -116,7 +116,7 @@ impl Plan {
     pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
         let scene = &world.scene;
         let tier_reason = match (scene.method().tier, settings.tier) {
-            (Some(_), _) => "asked for".to_owned(),
+            (Some(_), _) => "the scene names it".to_owned(),
             (None, _) => "the default: located events and exact contact forces".to_owned(),
         };
         Self {
@@ -289,7 +289,8 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
         Effects::All => decision(
             Effect::Rest,
             false,
-            "all effects asked for: contacts and forces of resting islands are computed at every step".to_owned(),
+            "the run simulates all effects: contacts and forces of resting islands are computed at every step"
+                .to_owned(),
             "nothing",
         ),
     };

@@ -24,10 +24,12 @@
 //! | `single_contact` | equation (14): one row struck alone |
 //! | `impact_problem` | what a law resolves, and its check: [`ImpactProblem`] |
 //! | `finish` | what all laws share: inelastic solves, the end of an impact, its energy |
+//! | [`friction`] | impacts with friction, at one contact and at several |
 //! | `settings` | tolerances and limits: [`ImpactSettings`] |
 //! | `outcome` | what a law did: [`ImpactOutcome`] |
 
 mod finish;
+pub mod friction;
 mod impact_problem;
 mod law;
 mod outcome;

@@ -164,10 +164,11 @@ impl Books {
         Balance { energy_j: kinetic + potential, momentum }
     }
 
-    /// Books an impact: the change of energy (J) by its impulses in relative velocities, the impulses that fixed and
-    /// kinematic bodies gave, and the work of prescribed motions (J) by them.
-    pub(crate) fn impact(&mut self, energy_change_j: f64, support: Momentum, work_j: f64) {
+    /// Books an impact: the change of energy (J) by its impulses along normals in relative velocities, the energy lost to
+    /// friction (J), the impulses that fixed and kinematic bodies gave, and the work of prescribed motions (J) by them.
+    pub(crate) fn impact(&mut self, (energy_change_j, friction_j): (f64, f64), support: Momentum, work_j: f64) {
         self.ledger.impact.add(-energy_change_j);
+        self.ledger.friction.add(friction_j);
         self.ledger.external.add(work_j);
         self.ledger.momentum.support.add(support);
     }

@@ -45,6 +45,17 @@ pub(super) struct Forces {
     known_modes: Vec<Option<FrictionMode>>,
 }
 
+/// Whether a contact sticks or slides from an instant on.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum FoundMode {
+    /// As was known before its forces.
+    Known(FrictionMode),
+    /// It begins to slide in this direction (unit vector, world).
+    Begins(DVec3),
+    /// It sticks.
+    Sticks,
+}
+
 /// Friction of a contact at one instant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactFriction {
@@ -120,9 +131,15 @@ impl Forces {
         }
     }
 
-    /// Whether a contact, by its place in the list, was known to slide.
-    pub(super) fn known_mode(&self, contact: usize) -> Option<FrictionMode> {
-        *self.known_modes.get(contact)?
+    /// Whether a contact, by its place in the list, sticks or slides from this instant on; none without friction.
+    pub(super) fn mode(&self, contact: usize) -> Option<FoundMode> {
+        let sliding = self.friction(contact)?.sliding;
+        let known = self.known_modes.get(contact).copied().flatten();
+        Some(match (known, sliding) {
+            (Some(mode), _) => FoundMode::Known(mode),
+            (None, Some(direction)) => FoundMode::Begins(direction),
+            (None, None) => FoundMode::Sticks,
+        })
     }
 
     /// Friction of a contact, by its place in the list; none without friction.

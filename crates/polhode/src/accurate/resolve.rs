@@ -5,7 +5,7 @@
 //! body its mode until the next event; report. Only the bodies of the instant (`instant.rs`) take part.
 
 use super::engine::{Engine, Mode};
-use super::hold::Forces;
+use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
@@ -135,17 +135,16 @@ impl Engine {
         let settings = ImpactSettings::default();
         let struck = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
-        let outcome = struck.outcome;
+        let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
-        let impulses = group.contacts.iter().zip(&outcome.impulses);
-        let impulses = impulses.map(|(&i, &p)| (instant.touches[i].id, &instant.touches[i].kinematics.geometry, p));
+        let impulses = struck.impulses(group.contacts.iter().map(|&i| &instant.touches[i]));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
         let about = core.accounts.books.ledger.momentum.about;
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = support(&core.world, about, impulses) + by_pivots;
-        core.accounts.books.impact(outcome.energy_change, given, work);
+        core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -161,7 +160,7 @@ impl Engine {
                 touch.id,
             );
         }
-        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, &outcome);
+        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
             let names = core.world.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
@@ -202,15 +201,8 @@ impl Engine {
                 Err(_) => Hold::Open,
             };
             self.set_hold(core, instant, i, hold);
-            let friction = candidates.binary_search(&i).ok().and_then(|row| forces.friction(row));
-            let known = candidates.binary_search(&i).ok().and_then(|row| forces.known_mode(row));
-            let held = friction.filter(|_| hold == Hold::Held);
-            let noise = slip_noise(core, instant.speed_scale, &instant.touches[i]);
-            instant.touches[i].friction = held.map(|friction| match (known, friction.sliding) {
-                (Some(mode), _) => mode,
-                (None, Some(direction)) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
-                (None, None) => FrictionMode::Sticking,
-            });
+            let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
+            self.set_friction(core, instant, i, row.and_then(|row| forces.mode(row)));
         }
         self.settle(core, instant, group, &candidates, &forces)
     }
@@ -301,6 +293,27 @@ impl Engine {
         instant.touches[i].known = true;
     }
 
+    /// Sets whether an active contact sticks or slides, and reports a change.
+    fn set_friction(&self, core: &mut Core, instant: &mut Instant, i: usize, found: Option<FoundMode>) {
+        let noise = slip_noise(core, instant.speed_scale, &instant.touches[i]);
+        let mode = found.map(|found| match found {
+            FoundMode::Known(mode) => mode,
+            FoundMode::Begins(direction) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
+            FoundMode::Sticks => FrictionMode::Sticking,
+        });
+        let touch = instant.touches[i];
+        let kind = match (touch.friction, mode) {
+            (Some(FrictionMode::Sliding(_)), Some(FrictionMode::Sticking)) => Some(EventKind::Stick),
+            (Some(FrictionMode::Sticking), Some(FrictionMode::Sliding(_))) => Some(EventKind::Slide),
+            _ => None,
+        };
+        if let Some(kind) = kind {
+            let event = contact_event(instant.t, kind, &touch);
+            core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
+        }
+        instant.touches[i].friction = mode;
+    }
+
     /// Contacts that separate so slowly that they would close again without exceeding the touch distance. Their
     /// infinite sequence of bounces is replaced by its end. A contact with restitution 1 never stops bouncing and is
     /// not included.
@@ -386,7 +399,9 @@ impl Engine {
             let scale = instant.speed_scale;
             let rests = allow_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
-                    balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
+                    balanced.contains(&body)
+                        && self.is_slow(core, scale, body)
+                        && self.forces_stay_constant(core, scale, body)
                 });
             for &body in &component.bodies {
                 if rests {
@@ -508,7 +523,7 @@ impl Engine {
 
     /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
     /// by forces rest too or are slow enough to rest.
-    fn forces_last(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
+    fn forces_stay_constant(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
         let couplings = core.world.couplings_of(body);
         let still =
             |&other: &usize| matches!(self.tracks[other].mode, Mode::Rest) || self.is_slow(core, speed_scale, other);

@@ -16,6 +16,7 @@ use crate::tier::{Reached, Tier};
 use crate::{Acceleration, BodyId, Effects, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
+use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
 /// Samples between two returns to the caller while all bodies are in free flight and cannot collide.
@@ -196,8 +197,14 @@ impl Tier for Engine {
         let mut forces_by_id = BTreeMap::new();
         for (group, members) in self.present_groups(core, states) {
             let solved = Forces::solve(&core.world, t, states, &group, &members, &mut solver);
-            let forces = solved.map_or_else(|_| vec![f64::NAN; members.len()], |solved| solved.solution.forces);
-            forces_by_id.extend(members.iter().map(|touch| touch.id).zip(forces));
+            forces_by_id.extend(members.iter().enumerate().map(|(index, touch)| match &solved {
+                Ok(forces) => {
+                    let normal = forces.solution.forces.get(index).copied().unwrap_or(f64::NAN);
+                    let friction = forces.friction(index).map_or(DVec3::ZERO, |friction| friction.force);
+                    (touch.id, (normal, friction))
+                }
+                Err(_) => (touch.id, (f64::NAN, DVec3::NAN)),
+            }));
         }
         let mut views = Vec::new();
         for touch in self.present_contacts(core, states) {
@@ -207,7 +214,7 @@ impl Tier for Engine {
             if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
                 continue;
             }
-            core.world.view_contact(states, &touch, force.unwrap_or(0.0), &mut views);
+            core.world.view_contact(states, &touch, force.unwrap_or_default(), &mut views);
         }
         views
     }

@@ -6,23 +6,22 @@
 //! one, and the problem is solved again until no further contact begins to slide.
 
 use super::assembly::{Assembly, TangentRow};
+use super::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::{
-    ContactLaw, ContactSolution, CoulombContact, CoulombSolution, Method, ResponseError, SolverReport, SolverStatus,
-    WarmStart, solve_coulomb,
-};
+use polhode_response::friction::FrictionBlock;
+use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
 const STICKING_RELATIVE: f64 = 1e-11;
 
-/// Residual, relative to the largest relative acceleration without contact forces, up to which an answer is accepted.
-const ACCEPTED_RESIDUAL: f64 = 1e-10;
+/// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
+const ROUNDING_UNITS: f64 = 16.0;
 
 /// Forces and accelerations of some contacts, of which at least one has friction.
 #[derive(Debug)]
@@ -79,6 +78,15 @@ impl Frictional {
         Some(Self { coefficients, terms, sliding })
     }
 
+    /// What its rows ask for together.
+    fn block(friction: Option<&Self>) -> FrictionBlock {
+        match friction {
+            None => FrictionBlock::Contact { rows: 1, friction: 0.0 },
+            Some(Self { sliding: Some((_, friction)), .. }) => FrictionBlock::Sliding { friction: *friction },
+            Some(Self { coefficients, .. }) => FrictionBlock::Contact { rows: 3, friction: coefficients.at_rest },
+        }
+    }
+
     /// The directions of its rows in the tangent plane.
     fn tangents(&self) -> Vec<DVec3> {
         self.sliding.map_or_else(|| self.terms.basis.to_vec(), |(direction, _)| vec![direction])
@@ -115,86 +123,156 @@ impl FrictionalAccelerations {
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
-        let held = assembly.problem.len();
-        let mut laws = Vec::with_capacity(contacts.len());
+        let mut blocks = FrictionBlocks::default();
         for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
             let first = assembly.problem.len();
-            let law = match friction {
-                None => ContactLaw::Frictionless,
-                Some(Frictional { sliding: Some((_, coefficient)), .. }) => {
-                    ContactLaw::Sliding { tangent: first, coefficient: *coefficient }
-                }
-                Some(Frictional { coefficients, .. }) => {
-                    ContactLaw::Coulomb { tangents: [first, first + 1], coefficient: coefficients.at_rest }
-                }
-            };
-            laws.push(CoulombContact { normal, law });
             let tangents = friction.iter().flat_map(|friction| {
                 let geometry = &touch.kinematics.geometry;
                 let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
                 friction.tangents().into_iter().map(row)
             });
             assembly.push_tangents(states, tangents)?;
+            let tangents = first..assembly.problem.len();
+            blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
         }
+        blocks.push_held(contacts.len()..assembly.first_tangent());
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-        let solved = solve_coulomb(&assembly.problem.delassus(), &constants, &laws)?;
-        let mut accelerations = assembly.problem.response(&solved.forces)?;
+        let delassus = assembly.problem.delassus();
+        let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+        let sticking = if any_slides { None } else { all_stick(&assembly, &delassus, &constants, frictional)? };
+        let solved = match sticking {
+            Some(sticking) => sticking,
+            None => {
+                let solved = blocks.solve(&delassus, &constants, None)?;
+                let of = (world, states, contacts);
+                if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
+            }
+        };
+        let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
             *acceleration += free;
         }
-        let tangential = laws
-            .iter()
-            .zip(frictional)
-            .map(|(contact, friction)| friction.as_ref().map(|friction| contact_tangent(&solved, contact, friction)));
+        let mut first = assembly.first_tangent();
+        let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
+            let friction = friction.as_ref()?;
+            let found = contact_tangent(&solved, (normal, first), friction);
+            first += friction.tangents().len();
+            Some(found)
+        });
+        let tangential = tangential.collect();
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
-        Ok(Self {
-            contacts: tangential.collect(),
-            solution: contact_solution(&solved, held),
-            accelerations,
-            scale,
-            assembly,
-        })
+        let solution = contact_solution(&solved, assembly.first_tangent());
+        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
     }
 }
 
-/// What friction does at a contact, from the solution of all rows.
-fn contact_tangent(solved: &CoulombSolution, contact: &CoulombContact, friction: &Frictional) -> ContactTangent {
-    let first = match contact.law {
-        ContactLaw::Frictionless => solved.forces.len(),
-        ContactLaw::Coulomb { tangents, .. } => tangents[0],
-        ContactLaw::Sliding { tangent, .. } => tangent,
-    };
+/// The least forces with which every contact holds and sticks, if they lie in the cones of static friction: they are an
+/// answer, and exact to rounding at any ratio of masses.
+fn all_stick(
+    assembly: &Assembly,
+    delassus: &Delassus,
+    constants: &[f64],
+    frictional: &[Option<Frictional>],
+) -> Result<Option<RowSolution>, ResponseError> {
+    let forces = least_norm_forces(&assembly.problem, delassus, constants)?.forces;
+    let mut tangents = forces.iter().skip(assembly.first_tangent());
+    for (&normal, friction) in forces.iter().zip(frictional) {
+        let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
+        let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| sum.hypot(*force));
+        let limit = friction.as_ref().map_or(0.0, |friction| friction.coefficients.at_rest) * normal;
+        if normal < 0.0 || tangential > limit {
+            return Ok(None);
+        }
+    }
+    let mut left = delassus.times(&forces)?;
+    for (left, constant) in left.iter_mut().zip(constants) {
+        *left += constant;
+    }
+    let most = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let scale = most(constants);
+    if most(&left) > STICKING_RELATIVE * scale + rounding_of(delassus, &forces) {
+        return Ok(None);
+    }
+    let residual = if scale > 0.0 { most(&left) / scale } else { 0.0 };
+    let report = SolverReport { method: Method::ActiveSet, residual, ..SolverReport::default() };
+    Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, report }))
+}
+
+/// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
+fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
+    let terms = |row: usize| delassus.row(row).iter().zip(forces).map(|(g, f)| (g * f).abs()).sum::<f64>();
+    ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
+}
+
+/// The solution with the least change of the forces of contacts that stick with which they stick exactly: at large ratios
+/// of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies.
+fn refined(
+    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (delassus, constants): (&Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+    mut solved: RowSolution,
+) -> Result<RowSolution, ResponseError> {
+    let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
+    let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
+    let mut first = assembly.first_tangent();
+    let (mut pressed, mut rows) = (Vec::new(), Vec::new());
+    let mut tangents = Vec::new();
+    for (normal, friction) in frictional.iter().enumerate() {
+        let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
+        first = own.end;
+        if solved.reactions[normal] <= 0.0 {
+            continue;
+        }
+        let slips = own.clone().chain([normal]).any(|row| solved.velocities[row].abs() > limit);
+        if slips {
+            return Ok(solved);
+        }
+        pressed.push(normal);
+        tangents.extend(own);
+    }
+    rows.extend(pressed.iter().copied());
+    rows.extend(contacts.len()..assembly.first_tangent());
+    rows.extend(tangents.iter().copied());
+    let normals = pressed.iter().map(|&index| (contacts[index].id, contacts[index].kinematics.geometry));
+    let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
+    let along = tangents.iter().filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
+    active.push_tangents(states, along)?;
+    let left: Vec<f64> = rows.iter().map(|&row| solved.velocities[row]).collect();
+    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &left)?.forces;
+    for (&row, change) in rows.iter().zip(&change) {
+        solved.reactions[row] += change;
+        solved.velocities[row] = 0.0;
+    }
+    Ok(solved)
+}
+
+/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one.
+fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), friction: &Frictional) -> ContactTangent {
     let sum = |of: &[f64]| {
         let along = friction.tangents().into_iter().zip(of.iter().skip(first));
         along.map(|(tangent, value)| tangent * *value).sum::<DVec3>()
     };
     ContactTangent {
-        force: sum(&solved.forces),
-        slip_acceleration: sum(&solved.accelerations),
+        force: sum(&solved.reactions),
+        slip_acceleration: sum(&solved.velocities),
         sliding: friction.sliding.map(|(direction, _)| direction),
-        is_pressed: solved.forces.get(contact.normal).is_some_and(|&force| force > 0.0),
+        is_pressed: solved.reactions.get(normal).is_some_and(|&force| force > 0.0),
     }
 }
 
 /// The solution of the first rows, those of contacts and pivots.
-fn contact_solution(solved: &CoulombSolution, rows: usize) -> ContactSolution {
-    let forces: Vec<f64> = solved.forces.iter().take(rows).copied().collect();
+fn contact_solution(solved: &RowSolution, rows: usize) -> ContactSolution {
+    let forces: Vec<f64> = solved.reactions.iter().take(rows).copied().collect();
     let carry = forces.iter().enumerate().filter(|&(_, &force)| force > 0.0).map(|(row, _)| row);
-    let status = if solved.residual <= ACCEPTED_RESIDUAL { SolverStatus::Solved } else { SolverStatus::Inaccurate };
     ContactSolution {
-        residual_accelerations: solved.accelerations.iter().take(rows).copied().collect(),
+        residual_accelerations: solved.velocities.iter().take(rows).copied().collect(),
         held: forces.iter().map(|&force| force > 0.0).collect(),
         squeeze: Vec::new(),
         warm_start: WarmStart::new(carry.collect()),
-        report: SolverReport {
-            status,
-            method: Method::ActiveSet,
-            iterations: solved.iterations,
-            residual: solved.residual,
-            ..SolverReport::default()
-        },
+        report: solved.report,
         forces,
     }
 }

@@ -4,6 +4,7 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::constraint::ConstraintId;
+use crate::interaction::frictional_impact::{self, FrictionalImpact};
 use crate::interaction::groups::Group;
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
@@ -54,6 +55,22 @@ pub(crate) struct Struck {
     pub(crate) constraints: Vec<Option<ConstraintId>>,
     /// The pivots that took part, and the impulse of each (N s, world).
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
+    /// Impulses of friction, N s: the contact with a tangent in the place of its normal, and the impulse on A.
+    pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Energy lost to friction, J.
+    pub(crate) friction_j: f64,
+}
+
+impl Struck {
+    /// All impulses at contacts, which are in the order of the impact: along normals, then along tangents.
+    pub(crate) fn impulses<'a>(
+        &'a self,
+        contacts: impl Iterator<Item = &'a Touch> + Clone + 'a,
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone + 'a {
+        let normal = contacts.zip(&self.outcome.impulses);
+        let normal = normal.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p));
+        normal.chain(self.tangential.iter().map(|(id, along, p)| (*id, along, *p)))
+    }
 }
 
 /// Rounding error of a relative velocity as a fraction of the speeds that cancel in it: some sixteen rounding units.
@@ -113,6 +130,9 @@ pub(crate) fn strike(
     solver: &mut ComplementaritySolver,
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
+    if frictional_impact::have_friction(world, &members) {
+        return strike_with_friction(world, states, &group.bodies, &members, law);
+    }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
     let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
@@ -159,7 +179,31 @@ pub(crate) fn strike(
     }
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    Ok(Struck { outcome, constraints, pivots })
+    Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0 })
+}
+
+/// [`strike`] where contacts have friction.
+fn strike_with_friction(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    members: &[Touch],
+    law: ImpactLaw,
+) -> Result<Struck, ResponseError> {
+    let FrictionalImpact { assembly, outcome, tangential, friction_work_j } =
+        frictional_impact::solve(world, states, bodies, members, law)?;
+    let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
+    let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
+    let mut struck = Struck { outcome, constraints, pivots, tangential, friction_j: -friction_work_j };
+    if struck.outcome.status != ImpactStatus::NotSolved {
+        let impulses = struck.impulses(members.iter());
+        let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));
+        if apply_without_gain(world, states, bodies, (impulses, pivots)) {
+            return Ok(struck);
+        }
+    }
+    struck.outcome.status = ImpactStatus::NotSolved;
+    Ok(struck)
 }
 
 /// The event of one impulse at one contact point.

@@ -7,7 +7,9 @@
 pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;
 pub(crate) mod constraint;
+pub(crate) mod friction_blocks;
 pub(crate) mod frictional_accelerations;
+pub(crate) mod frictional_impact;
 pub(crate) mod groups;
 pub(crate) mod impact;
 pub(crate) mod locator;

@@ -167,7 +167,7 @@ impl Scene {
 
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
-        // Two neighbours in the list mostly may, which is a fast way to the answer.
+        // Two neighbours in the list usually may collide; testing them first saves the count of all pairs.
         (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 

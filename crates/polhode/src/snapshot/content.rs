@@ -183,6 +183,8 @@ pub(crate) enum EventKind {
     Rest,
     Wake,
     Detach,
+    Stick,
+    Slide,
 }
 
 /// The data from which the tier continues.

@@ -322,7 +322,8 @@ impl Tier for SteppedEngine {
     }
 
     fn stride(&self, core: &Core) -> f64 {
-        // The step ends on the grid at the latest, which the present plus one step may miss by a rounding.
+        // The step ends at the next multiple of its length at the latest. The present plus one length may miss that by
+        // a rounding.
         2.0 * core.settings.step_s
     }
 
@@ -365,7 +366,8 @@ impl Tier for SteppedEngine {
         for &(a, b) in &self.touching {
             for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
                 let id = touch.id;
-                core.world.view_contact(states, &touch, self.forces.get(&id).copied().unwrap_or(0.0), &mut views);
+                let force = self.forces.get(&id).copied().unwrap_or(0.0);
+                core.world.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
             }
         }
         views

@@ -89,7 +89,7 @@ impl ThesisEngine {
     pub(crate) fn restored(core: &Core, saved: &content::Thesis) -> Result<Self, SnapshotError> {
         let mut integrator = core.settings.build_integrator();
         let restored = integrator.restore(&core.world.free_motion(), &saved.integrator);
-        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator are not those of its bodies"))?;
+        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
         let bodies = core.world.bodies.len();
         Ok(Self {
             states: read_states(&saved.states, bodies)?,
@@ -161,7 +161,7 @@ impl ThesisEngine {
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
             let work = core.world.prescribed_work(&self.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
-            core.accounts.books.impact(outcome.energy_change, given, work);
+            core.accounts.books.impact((outcome.energy_change, 0.0), given, work);
             core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];
@@ -314,7 +314,8 @@ impl Tier for ThesisEngine {
         for touch in touching(core, states, &mut Boxes::new(&core.settings, states.len())).unwrap_or_default() {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
-            core.world.view_contact(states, &touch, resting.map_or(0.0, |(_, force)| *force), &mut views);
+            let force = resting.map_or(0.0, |(_, force)| *force);
+            core.world.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
         }
         views
     }

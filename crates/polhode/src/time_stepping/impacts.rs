@@ -12,11 +12,11 @@ use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{strike, support};
+use crate::interaction::impact::{Struck, strike, support};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
-use polhode_response::impact::{ImpactOutcome, ImpactSettings, ImpactStatus};
+use polhode_response::impact::{ImpactSettings, ImpactStatus};
 
 /// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
 /// others. Contacts that still close afterwards are stopped without restitution.
@@ -84,35 +84,28 @@ impl TimeStepper {
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
-        let outcome = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?.outcome;
-        if outcome.status == ImpactStatus::NotSolved {
+        let struck = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?;
+        if struck.outcome.status == ImpactStatus::NotSolved {
             report.fallbacks += 1;
             return Ok(false);
         }
         for &body in &group.bodies {
             world.keep_in_plane(body, &mut states[body]);
         }
-        note(world, states, &touches, &outcome, t, report);
+        note(world, states, &touches, &struck, t, report);
         Ok(true)
     }
 }
 
 /// Books an impact and records its impulses.
-fn note(
-    world: &World,
-    states: &[BodyState],
-    touches: &[Touch],
-    outcome: &ImpactOutcome,
-    t: f64,
-    report: &mut TimeStepReport,
-) {
+fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck, t: f64, report: &mut TimeStepReport) {
+    let outcome = &struck.outcome;
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
-    let impulses = touches.iter().zip(&outcome.impulses);
-    let impulses = impulses.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p));
+    let impulses = struck.impulses(touches.iter());
     let given = support(world, report.books.ledger.momentum.about, impulses.clone());
     let work = world.prescribed_work(states, impulses);
-    report.books.impact(outcome.energy_change, given, work);
+    report.books.impact((outcome.energy_change, struck.friction_j), given, work);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,
         id: touches[application.row].id,

@@ -18,12 +18,15 @@
 //! The energy condition holds for relative rates. The work of the prescribed motion, `-p` times its part of the rate,
 //! is booked as external work.
 //!
+//! Friction adds the rows of `sustained_friction.rs`.
+//!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts. Contacts that close because of
 //! the impulses are added until there are none.
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::TimeStepper;
+use super::sustained_friction::{self, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::groups::{Group, groups};
@@ -53,6 +56,8 @@ struct Row {
     half_fall: f64,
     /// Error of r by the rounding of the separation, m/s.
     rounding: f64,
+    /// None without friction.
+    friction: Option<TangentialRow>,
 }
 
 impl Row {
@@ -130,6 +135,13 @@ impl TimeStepper {
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         let constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
+        if members.iter().any(|row| row.friction.is_some()) {
+            let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
+            let found = sustained_friction::solve(assembly, states, constants, &friction)?;
+            report.residual = report.residual.max(found.report.residual);
+            report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
+            return Ok(SolvedGroup { group, impulses: found.normal, tangential: found.tangential });
+        }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         assembly.problem.delassus_into(&mut self.delassus);
         self.solver.set_settings(SolverSettings::default());
@@ -149,7 +161,7 @@ impl TimeStepper {
                 *impulse *= share;
             }
         }
-        Ok(SolvedGroup { group, impulses })
+        Ok(SolvedGroup { group, impulses, tangential: Vec::new() })
     }
 }
 
@@ -167,11 +179,19 @@ fn rows(
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
-    let assembly = Assembly::new(world, states, bodies, geometries)?;
+    let mut assembly = Assembly::new(world, states, bodies, geometries)?;
+    let of = |(contact, kinematics): &(usize, ContactKinematics)| {
+        TangentialRow::of(world, states, near[*contact].id, kinematics)
+    };
+    let friction: Vec<_> = here.iter().map(of).collect();
+    assembly.push_tangents(states, friction.iter().flatten().flat_map(TangentialRow::along))?;
     let free = assembly.free_accelerations(world, states, &Loads::default());
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
     let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
-    let row = |((contact, kinematics), acceleration): ((usize, ContactKinematics), f64)| {
+    let mut slip_rates = accelerations[assembly.first_tangent()..].as_chunks::<2>().0.iter();
+    let mut with_rates = |row: TangentialRow| slip_rates.next().map(|&rates| row.with_rates(rates, h));
+    let friction: Vec<_> = friction.into_iter().map(|row| row.and_then(&mut with_rates)).collect();
+    let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
@@ -179,9 +199,9 @@ fn rows(
         // A gap within rounding counts as zero.
         let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
         let bound = gap_bound.max(kinematics.separation_rate);
-        Row { contact, kinematics, bound, half_fall, rounding }
+        Row { contact, kinematics, bound, half_fall, rounding, friction }
     };
-    Ok(here.into_iter().zip(accelerations).map(row).collect())
+    Ok(here.into_iter().zip(accelerations).zip(friction).map(row).collect())
 }
 
 /// Books and records the impulses. Returns the contacts that carry one.
@@ -198,14 +218,15 @@ fn note(
     for group in solved {
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
         let work = world.prescribed_work(states, group.impulses_of(rows, near));
-        report.books.impact(group.energy_change(world, states, rows, near), given, work);
+        let changes = (group.energy_change(world, states, rows, near), group.lost_to_friction_j(world, states));
+        report.books.impact(changes, given, work);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
             }
             let row = &rows[index];
             let contact = &near[row.contact];
-            // Its speed of approach at the start of the step.
+            // The speed of approach of the contact at the start of the step.
             let approach = -(row.kinematics.separation_rate - row.half_fall);
             let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
                 let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
@@ -225,7 +246,10 @@ fn note(
 /// The impulses of one group.
 struct SolvedGroup {
     group: Group,
+    /// Along the normals, N s.
     impulses: Vec<f64>,
+    /// Of the contacts with friction.
+    tangential: Vec<TangentialImpulse>,
 }
 
 impl SolvedGroup {
@@ -247,10 +271,20 @@ impl SolvedGroup {
         rows: &'a [Row],
         near: &'a [NearContact],
     ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
+        let normal = self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
             let row = &rows[index];
             (near[row.contact].id, &row.kinematics.geometry, p)
-        })
+        });
+        normal.chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
+    }
+
+    /// Energy lost to friction, J, with the present slips of the bodies.
+    fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        let lost = |impulse: &TangentialImpulse| {
+            let terms = world.tangential_kinematics(states, impulse.id())?;
+            Some(impulse.lost_j(terms.slip_velocity))
+        };
+        self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
     /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
@@ -259,6 +293,7 @@ impl SolvedGroup {
         let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses);
         if !is_sound {
             self.impulses.fill(0.0);
+            self.tangential.clear();
         }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);

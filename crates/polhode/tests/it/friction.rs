@@ -421,7 +421,10 @@ fn runs_with_friction_go_on_with_the_same_bits() {
         &rough(0.3),
     );
     for builder in [boxes, pulled, shot] {
-        snapshots::check(&builder.duration_s(1.5).output_interval_s(0.013).build().unwrap(), Effects::Planned);
+        snapshots::check_restored_runs(
+            &builder.duration_s(1.5).output_interval_s(0.013).build().unwrap(),
+            Effects::Planned,
+        );
     }
 }
 

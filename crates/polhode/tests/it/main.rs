@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod bad_numbers;
-mod blind_programs;
 mod broad_phases;
 mod checks;
 mod constrained_methods;
@@ -30,6 +29,7 @@ mod pivots;
 mod planar;
 mod prescribed_motion;
 mod program;
+mod public_interface;
 mod refusals;
 mod round_bodies;
 mod snapshots;

@@ -1,0 +1,42 @@
+//! Contacts with friction: exact Coulomb, in cones and never in pyramids.
+//!
+//! The problem is `u = G r + q` with Coulomb's and Signorini's law for each contact, `K* contains u + mu |u_t| n _|_ r in K`
+//! (De Saxce). It serves velocities with impulses and accelerations with forces alike. These are plain functions for anyone who
+//! has a Delassus matrix: [`FrictionProblem::from_dense`], [`solve_friction`].
+//!
+//! | file | holds |
+//! |---|---|
+//! | `block` | [`FrictionBlock`]: contact or held rows |
+//! | `block_matrix` | [`BlockMatrix`]: the Delassus operator in blocks |
+//! | `problem` | [`FrictionProblem`], and the one residual of all methods |
+//! | `coulomb_cone` | projection, De Saxce's correction, natural map |
+//! | `single_contact` | one contact on its own, exactly |
+//! | `gauss_seidel` | [`gauss_seidel()`]: contact after contact |
+//! | `linearisation` | Coulomb's law, linearised; [`ContactStatus`] |
+//! | `elimination_order`, `multifrontal` | sparse elimination |
+//! | `newton` | the semismooth Newton method |
+//! | `solver` | [`solve_friction`]: the chain of methods |
+//! | `settings`, `solution` | [`FrictionSettings`], [`FrictionSolution`] |
+
+pub(crate) mod block;
+pub(crate) mod block_matrix;
+mod coulomb_cone;
+mod elimination_order;
+mod gauss_seidel;
+mod linearisation;
+mod multifrontal;
+mod newton;
+pub(crate) mod problem;
+mod settings;
+mod single_contact;
+mod solution;
+mod solver;
+
+pub use block::FrictionBlock;
+pub use block_matrix::BlockMatrix;
+pub use gauss_seidel::gauss_seidel;
+pub use linearisation::ContactStatus;
+pub use problem::FrictionProblem;
+pub use settings::FrictionSettings;
+pub use solution::{FrictionMethod, FrictionReport, FrictionSolution};
+pub use solver::solve_friction;

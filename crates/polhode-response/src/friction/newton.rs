@@ -1,0 +1,233 @@
+//! A semismooth Newton method for contacts with friction.
+//!
+//! Each step linearises the law of every block ([`linearise`]), eliminates what is known of open and sliding contacts, and
+//! solves the rest, `S (G + D) T y = right`, by sparse elimination. Redundant contacts make `G` singular: a small multiple of its
+//! diagonal is added, whose effect the next step removes, so that reactions change as little as they can in directions that move
+//! nothing. The step is shortened until the function no longer grows beyond its largest value of the last steps (Grippo,
+//! Lampariello and Lucidi 1986).
+//!
+//! Source: Alart and Curnier 1991; Qi and Sun 1993 (semismooth Newton). Converges quadratically once every contact has its status;
+//! from afar it may cycle, and then says so.
+
+use crate::dense::kernels::largest;
+use crate::friction::block::MOST_ROWS;
+use crate::friction::coulomb_cone::rows_of;
+use crate::friction::elimination_order::EliminationOrder;
+use crate::friction::linearisation::{ContactStatus, Linearised, linearise};
+use crate::friction::multifrontal::{BlockSystem, Multifrontal};
+use crate::friction::problem::FrictionProblem;
+
+/// Share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a direction that
+/// moves something.
+const REGULARISATION: f64 = 1e-10;
+
+/// The share after a step that led nowhere, at the most.
+const LARGEST_REGULARISATION: f64 = 1e-3;
+
+/// How much it grows then.
+const GROWTH: f64 = 100.0;
+
+/// Steps whose largest function the next one may reach.
+const MEMORY: usize = 6;
+
+/// Halvings of a step.
+const MOST_HALVINGS: usize = 6;
+
+/// Share of the decrease promised that a step must bring (no unit); the usual one of Armijo.
+const DECREASE: f64 = 1e-4;
+
+/// Where the method is.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Iterate {
+    /// `r`.
+    pub(crate) reactions: Vec<f64>,
+    /// `u = G r + q`.
+    pub(crate) velocities: Vec<f64>,
+    /// Natural map, relative.
+    pub(crate) residual: f64,
+}
+
+/// Limits of one run.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NewtonLimits {
+    /// Steps.
+    pub(crate) steps: usize,
+    /// The residual to reach.
+    pub(crate) tolerance: f64,
+}
+
+/// The method for one problem.
+#[derive(Debug)]
+pub(crate) struct Newton<'a> {
+    problem: &'a FrictionProblem,
+    order: &'a EliminationOrder,
+    /// `1 / rho` along normal and tangents of each block.
+    inverse_masses: Vec<[f64; 2]>,
+    laws: Vec<Linearised>,
+    regularisation: f64,
+}
+
+impl<'a> Newton<'a> {
+    /// For a problem.
+    pub(crate) fn new(problem: &'a FrictionProblem, order: &'a EliminationOrder) -> Self {
+        let matrix = problem.matrix();
+        let inverse_masses = |block| {
+            let normal = problem.inverse_mass(block);
+            let tangential = (1..matrix.size(block)).map(|row| matrix.diagonal_entry(block, row)).fold(0.0, f64::max);
+            [normal, if tangential > 0.0 { tangential } else { normal }]
+        };
+        let inverse_masses = (0..matrix.len()).map(inverse_masses).collect();
+        Self { problem, order, inverse_masses, laws: Vec::new(), regularisation: REGULARISATION }
+    }
+
+    /// Goes on from `iterate` until the tolerance is reached, steps lead nowhere or their number is used up; `iterate` is then the
+    /// best of all. Returns the number of steps.
+    pub(crate) fn run(&mut self, iterate: &mut Iterate, limits: NewtonLimits) -> usize {
+        let (mut reactions, mut velocities) = (iterate.reactions.clone(), iterate.velocities.clone());
+        let (mut trial, mut trial_velocities) = (Vec::new(), Vec::new());
+        let mut squares = vec![self.linearise(&reactions, &velocities)];
+        self.regularisation = REGULARISATION;
+        for step in 0..limits.steps {
+            if iterate.residual <= limits.tolerance {
+                return step;
+            }
+            let change = self.step(&velocities);
+            let recent = squares.iter().rev().take(MEMORY).fold(0.0, |most: f64, square| most.max(*square));
+            let mut length = 1.0;
+            let mut square = f64::INFINITY;
+            for _ in 0..=MOST_HALVINGS {
+                trial.clear();
+                trial.extend(reactions.iter().zip(&change).map(|(r, d)| r + length * d));
+                self.problem.matrix().times_plus(&trial, self.problem.constant(), &mut trial_velocities);
+                square = self.linearise(&trial, &trial_velocities);
+                if square <= (1.0 - DECREASE * length) * recent {
+                    break;
+                }
+                length *= 0.5;
+            }
+            if !square.is_finite() || (length < 1.0 && square > recent) {
+                if self.regularisation >= LARGEST_REGULARISATION || !square.is_finite() {
+                    return step + 1;
+                }
+                self.regularisation *= GROWTH;
+            } else {
+                self.regularisation = (self.regularisation / GROWTH).max(REGULARISATION);
+            }
+            std::mem::swap(&mut reactions, &mut trial);
+            std::mem::swap(&mut velocities, &mut trial_velocities);
+            squares.push(square);
+            let residual = self.problem.residual_of(&reactions, &velocities);
+            if residual < iterate.residual {
+                iterate.reactions.copy_from_slice(&reactions);
+                iterate.velocities.copy_from_slice(&velocities);
+                iterate.residual = residual;
+            }
+        }
+        limits.steps
+    }
+
+    /// The status of every block at the last linearisation.
+    pub(crate) fn statuses(&self) -> Vec<ContactStatus> {
+        self.laws.iter().map(|law| law.status).collect()
+    }
+
+    /// Linearises all blocks; returns the square of the function.
+    pub(crate) fn linearise(&mut self, reactions: &[f64], velocities: &[f64]) -> f64 {
+        self.laws.clear();
+        let mut sum = 0.0;
+        for (block, &kind) in self.problem.blocks().iter().enumerate() {
+            let range = self.problem.matrix().range(block);
+            let (r, u) = (rows_of(&reactions[range.clone()]), rows_of(&velocities[range]));
+            let law = linearise(kind, self.inverse_masses[block], r, u);
+            sum += law.square;
+            self.laws.push(law);
+        }
+        sum
+    }
+
+    /// The step `dr` of the linearised law.
+    fn step(&self, velocities: &[f64]) -> Vec<f64> {
+        let matrix = self.problem.matrix();
+        let mut change = vec![0.0; velocities.len()];
+        for (block, law) in self.laws.iter().enumerate() {
+            let size = matrix.size(block);
+            change[matrix.range(block)].copy_from_slice(&law.shift[..size]);
+        }
+        // What the shifts do to the velocities is known beforehand.
+        let mut known = Vec::new();
+        matrix.times_plus(&change, &vec![0.0; velocities.len()], &mut known);
+        let system = NewtonSystem { newton: self };
+        let factors = Multifrontal::factor(self.order, &system);
+        let mut unknowns = vec![0.0; factors.unknowns()];
+        let mut places = vec![0; matrix.len()];
+        for (node, blocks) in self.order.nodes.iter().enumerate() {
+            let mut at = factors.start(node);
+            for &block in blocks {
+                places[block] = at;
+                at += self.laws[block].unknowns;
+            }
+        }
+        for (block, law) in self.laws.iter().enumerate() {
+            let shifted = rows_of(&known[matrix.range(block)]);
+            for k in 0..law.unknowns {
+                unknowns[places[block] + k] = law.right[k] - inner(law.rows[k], shifted);
+            }
+        }
+        factors.solve(&mut unknowns);
+        for (block, law) in self.laws.iter().enumerate() {
+            let range = matrix.range(block);
+            for (row, target) in change[range].iter_mut().enumerate() {
+                *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
+            }
+        }
+        if largest(&change).is_finite() { change } else { vec![0.0; velocities.len()] }
+    }
+}
+
+fn inner(a: [f64; MOST_ROWS], b: [f64; MOST_ROWS]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `S (G + D) T` of the linearised laws.
+struct NewtonSystem<'a, 'b> {
+    newton: &'b Newton<'a>,
+}
+
+impl BlockSystem for NewtonSystem<'_, '_> {
+    fn unknowns(&self, block: usize) -> usize {
+        self.newton.laws[block].unknowns
+    }
+
+    fn neighbours(&self, block: usize) -> &[usize] {
+        self.newton.problem.matrix().neighbours(block)
+    }
+
+    fn write(&self, row: usize, column: usize, stride: usize, target: &mut [f64]) {
+        let matrix = self.newton.problem.matrix();
+        let Some(values) = matrix.block(row, column) else { return };
+        let (row_law, column_law) = (&self.newton.laws[row], &self.newton.laws[column]);
+        let (height, width) = (matrix.size(row), matrix.size(column));
+        if row_law.status == ContactStatus::Stick && column_law.status == ContactStatus::Stick {
+            for (i, line) in values.chunks_exact(width).enumerate() {
+                target[i * stride..i * stride + width].copy_from_slice(line);
+            }
+        } else {
+            for k in 0..column_law.unknowns {
+                let mut product = [0.0; MOST_ROWS];
+                for (i, line) in values.chunks_exact(width).enumerate().take(height) {
+                    product[i] = line.iter().zip(&column_law.columns[k]).map(|(a, b)| a * b).sum();
+                }
+                for i in 0..row_law.unknowns {
+                    target[i * stride + k] = inner(row_law.rows[i], product);
+                }
+            }
+        }
+        if row == column {
+            let [normal, tangential] = self.newton.inverse_masses[row];
+            for k in 0..row_law.unknowns {
+                let inverse_mass = if k == 0 { normal } else { tangential };
+                target[k * stride + k] += row_law.diagonal[k] + self.newton.regularisation * inverse_mass;
+            }
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Tolerances and limits of the frictional contact solver.
+
+use crate::error::ResponseError;
+use crate::settings::FallbackPolicy;
+
+/// Settings of [`solve_friction`](crate::friction::solve_friction).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionSettings {
+    /// The residual to reach: methods stop there.
+    pub tolerance: f64,
+    /// The largest residual that counts as solved, where the tolerance is not reached: rounding of large reactions.
+    pub acceptance: f64,
+    /// Sweeps of block Gauss-Seidel before Newton's method from a cold start.
+    pub sweeps: u32,
+    /// Steps of Newton's method from one start.
+    pub newton_steps: u32,
+    /// Sweeps of the last resort.
+    pub last_sweeps: u32,
+    /// What to do when Newton's method does not succeed.
+    pub fallback: FallbackPolicy,
+}
+
+impl Default for FrictionSettings {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-13,
+            acceptance: 1e-10,
+            sweeps: 10,
+            newton_steps: 30,
+            last_sweeps: 1000,
+            fallback: FallbackPolicy::InteriorPoint,
+        }
+    }
+}
+
+impl FrictionSettings {
+    /// Checks the range of every field.
+    ///
+    /// # Errors
+    /// When a tolerance is not in `[0, 1)`.
+    pub fn check(&self) -> Result<(), ResponseError> {
+        for (field, value) in [("tolerance", self.tolerance), ("acceptance", self.acceptance)] {
+            if !(0.0..1.0).contains(&value) {
+                return Err(ResponseError::Setting { field, accepted: "at least 0 and below 1", value });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! What comes out of a frictional contact problem.
+
+use crate::friction::linearisation::ContactStatus;
+use crate::report::SolverStatus;
+
+/// Which method gave the answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FrictionMethod {
+    /// Block Gauss-Seidel: one contact, or contacts that do not move each other, are solved by a sweep or two.
+    #[default]
+    GaussSeidel,
+    /// Newton's method from the start given.
+    WarmNewton,
+    /// Newton's method from some sweeps of block Gauss-Seidel.
+    Newton,
+    /// Newton's method from a convex cone programme.
+    ConeProgrammeNewton,
+    /// The last resort: many sweeps of block Gauss-Seidel, then Newton's method.
+    GaussSeidelNewton,
+}
+
+impl FrictionMethod {
+    /// The name of the method in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::GaussSeidel => "gauss-seidel",
+            Self::WarmNewton => "warm-newton",
+            Self::Newton => "newton",
+            Self::ConeProgrammeNewton => "cone-programme-newton",
+            Self::GaussSeidelNewton => "gauss-seidel-newton",
+        }
+    }
+
+    /// Whether the first methods tried did not succeed.
+    pub const fn is_fallback(self) -> bool {
+        matches!(self, Self::ConeProgrammeNewton | Self::GaussSeidelNewton)
+    }
+}
+
+/// The certificate of one solve.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FrictionReport {
+    /// How it ended.
+    pub status: SolverStatus,
+    /// Which method gave the answer.
+    pub method: FrictionMethod,
+    /// Steps of Newton's method, of all starts.
+    pub newton_steps: usize,
+    /// Sweeps of block Gauss-Seidel.
+    pub sweeps: usize,
+    /// Iterations of the interior point.
+    pub cone_iterations: usize,
+    /// See [`FrictionProblem::residual`](crate::friction::FrictionProblem::residual).
+    pub residual: f64,
+}
+
+impl FrictionReport {
+    /// Iterations of all methods.
+    pub const fn iterations(&self) -> usize {
+        self.newton_steps + self.sweeps + self.cone_iterations
+    }
+}
+
+/// Reactions that satisfy Coulomb's law.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FrictionSolution {
+    /// `r`: for each block the normal reaction, then the tangential ones.
+    pub reactions: Vec<f64>,
+    /// `u = G r + q`.
+    pub velocities: Vec<f64>,
+    /// What each contact does.
+    pub statuses: Vec<ContactStatus>,
+    /// When the problem is [infeasible](SolverStatus::Infeasible): normal reactions `z >= 0`, the largest 1, that move nothing,
+    /// `G z = 0`, and with `q.z < 0`. Since `z.u = z.(G r + q) = q.z` for all `r` (`G` symmetric), no reactions make all normal
+    /// velocities `u_n >= 0`: the contacts of its positive entries squeeze bodies between them. Otherwise empty.
+    pub squeeze: Vec<f64>,
+    /// The certificate.
+    pub report: FrictionReport,
+}

@@ -1,0 +1,165 @@
+//! The chain of methods for contacts with friction, and one residual for all of them.
+//!
+//! Newton's method from the start given; some sweeps of block Gauss-Seidel and Newton's method; the convex cone programme and
+//! Newton's method; many sweeps and Newton's method. What is best of all is returned, with its residual and what became of it.
+
+use crate::error::{ResponseError, check_finite, check_length};
+use crate::friction::block::FrictionBlock;
+use crate::friction::coulomb_cone::{project, rows_of};
+use crate::friction::elimination_order::EliminationOrder;
+use crate::friction::gauss_seidel::GaussSeidel;
+use crate::friction::newton::{Iterate, Newton, NewtonLimits};
+use crate::friction::problem::FrictionProblem;
+use crate::friction::settings::FrictionSettings;
+use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
+use crate::report::SolverStatus;
+
+/// Solves a frictional contact problem. `start` are reactions of a similar problem, one for each row.
+///
+/// ```
+/// use polhode_response::SolverStatus;
+/// use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionProblem, FrictionSettings, solve_friction};
+/// // A point of 2 kg on a floor of friction 0.5 that comes down with 3 m/s and along with 4 m/s slides on with 2.5 m/s.
+/// let contact = FrictionBlock::Contact { rows: 3, friction: 0.5 };
+/// let matrix = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5];
+/// let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-3.0, 4.0, 0.0])?;
+/// let solution = solve_friction(&problem, None, &FrictionSettings::default())?;
+/// assert_eq!(solution.report.status, SolverStatus::Solved);
+/// assert_eq!(solution.reactions, [6.0, -3.0, 0.0]);
+/// assert_eq!(solution.velocities, [0.0, 2.5, 0.0]);
+/// assert_eq!(solution.statuses, [ContactStatus::Slide]);
+/// # Ok::<(), polhode_response::ResponseError>(())
+/// ```
+///
+/// A problem that is not solved is no error: see the status of the report.
+///
+/// # Errors
+/// When the start has another length or a number that is not finite, or a setting is out of range.
+pub fn solve_friction(
+    problem: &FrictionProblem,
+    start: Option<&[f64]>,
+    settings: &FrictionSettings,
+) -> Result<FrictionSolution, ResponseError> {
+    settings.check()?;
+    if let Some(start) = start {
+        check_length("start", problem.rows(), start.len())?;
+        check_finite("start", start)?;
+    }
+    let order = EliminationOrder::of(problem.matrix());
+    let mut solver = Solver {
+        problem,
+        settings,
+        newton: Newton::new(problem, &order),
+        gauss_seidel: GaussSeidel::new(problem),
+        best: Iterate::default(),
+        report: FrictionReport::default(),
+    };
+    solver.run(start);
+    Ok(solver.finish())
+}
+
+/// The methods with the best answer so far.
+#[derive(Debug)]
+struct Solver<'a> {
+    problem: &'a FrictionProblem,
+    settings: &'a FrictionSettings,
+    newton: Newton<'a>,
+    gauss_seidel: GaussSeidel,
+    best: Iterate,
+    report: FrictionReport,
+}
+
+impl Solver<'_> {
+    fn run(&mut self, start: Option<&[f64]>) {
+        self.best = self.iterate(vec![0.0; self.problem.rows()]);
+        if let Some(start) = start {
+            let reactions = self.within_cones(start);
+            if self.newton_from(reactions, FrictionMethod::WarmNewton) {
+                return;
+            }
+        }
+        let mut reactions = self.best.reactions.clone();
+        if self.sweep(&mut reactions, self.settings.sweeps as usize)
+            || self.newton_from(reactions.clone(), FrictionMethod::Newton)
+        {
+            return;
+        }
+        for _ in 0..self.settings.last_sweeps / 50 {
+            self.sweep(&mut reactions, 50);
+            if self.newton_from(reactions.clone(), FrictionMethod::GaussSeidelNewton) {
+                return;
+            }
+        }
+    }
+
+    /// Sweeps; whether the tolerance is reached.
+    fn sweep(&mut self, reactions: &mut [f64], count: usize) -> bool {
+        for sweep in 0..count {
+            self.gauss_seidel.sweep(self.problem, reactions);
+            self.report.sweeps += 1;
+            // Contacts that do not move each other are solved now.
+            if sweep == 0 || sweep + 1 == count {
+                let iterate = self.iterate(reactions.to_vec());
+                if self.keep(iterate, FrictionMethod::GaussSeidel) {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// Newton's method; whether the tolerance is reached.
+    fn newton_from(&mut self, reactions: Vec<f64>, method: FrictionMethod) -> bool {
+        let mut iterate = self.iterate(reactions);
+        let limits = NewtonLimits { steps: self.settings.newton_steps as usize, tolerance: self.settings.tolerance };
+        self.report.newton_steps += self.newton.run(&mut iterate, limits);
+        self.keep(iterate, method)
+    }
+
+    fn iterate(&self, reactions: Vec<f64>) -> Iterate {
+        let mut velocities = Vec::new();
+        self.problem.matrix().times_plus(&reactions, self.problem.constant(), &mut velocities);
+        let residual = self.problem.residual_of(&reactions, &velocities);
+        Iterate { reactions, velocities, residual }
+    }
+
+    /// Keeps an answer if it is the best; whether the tolerance is reached.
+    fn keep(&mut self, iterate: Iterate, method: FrictionMethod) -> bool {
+        if iterate.residual < self.best.residual || self.best.residual.is_nan() {
+            self.best = iterate;
+            self.report.method = method;
+        }
+        self.best.residual <= self.settings.tolerance
+    }
+
+    /// Each reaction moved into its cone.
+    fn within_cones(&self, start: &[f64]) -> Vec<f64> {
+        let mut reactions = start.to_vec();
+        for (block, kind) in self.problem.blocks().iter().enumerate() {
+            let range = self.problem.range(block);
+            let own = rows_of(&reactions[range.clone()]);
+            let within = match *kind {
+                FrictionBlock::Contact { friction, .. } => project(friction, own),
+                FrictionBlock::Sliding { friction } => [own[0].max(0.0), -friction * own[0].max(0.0), 0.0],
+                FrictionBlock::Bilateral { .. } => own,
+            };
+            let size = range.len();
+            reactions[range].copy_from_slice(&within[..size]);
+        }
+        reactions
+    }
+
+    fn finish(mut self) -> FrictionSolution {
+        self.newton.linearise(&self.best.reactions, &self.best.velocities);
+        self.report.residual = self.best.residual;
+        let is_solved = self.best.residual <= self.settings.acceptance;
+        self.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+        FrictionSolution {
+            statuses: self.newton.statuses(),
+            reactions: self.best.reactions,
+            velocities: self.best.velocities,
+            squeeze: Vec::new(),
+            report: self.report,
+        }
+    }
+}

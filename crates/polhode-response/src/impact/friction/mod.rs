@@ -1,0 +1,56 @@
+//! Impacts with friction.
+//!
+//! The impulse `p = (p_n, p_t)` of a contact is in Coulomb's cone, `|p_t| <= mu p_n`, and opposes the slip `u_t`. In the
+//! short time of an impact the slip may turn, stop and reverse, so that a law on the velocities before and after is not
+//! enough: the velocity is followed as the normal impulse grows (Routh 1905; Keller 1986), and with friction the three
+//! measures of restitution (Newton, Poisson, Stronge) differ. Newton's may raise the energy, Stronge's never does, which
+//! is why it is the default here.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `law` | [`FrictionalImpactLaw`]: Stronge, Poisson, Newton, Whittaker, Chatterjee and Ruina |
+//! | `single` | [`SingleFrictionalImpact`]: an impact at one contact |
+//! | `outcome`, `phase` | [`FrictionalImpact`]: what it did; slip, stick, reversal, jam |
+//! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
+//! | `multiple_outcome` | [`MultipleImpact`]: what it did |
+//! | `simultaneous`, `sequence` | contacts struck together, and one at a time ([`MultipleImpactLaw`]) |
+//! | `without_collision` | impacts of contacts that jam, at one or several |
+//! | `part` | contacts that move each other, and their cone problems |
+//! | `sliding` | [`SlidingContact`]: whether a contact that slides has a finite force (Painleve) |
+//! | `collision_matrix` | [`CollisionMatrix`]: velocity by impulse at a contact |
+//! | `coulomb` | Coulomb's law as rates in the normal impulse |
+//! | `path` | the path of an impact through its phases |
+//! | `straight`, `turning` | its pieces: in closed form, and as Taylor series where slip turns |
+//! | `restitution` | compression and restitution: where an impact ends |
+//! | `algebraic` | Whittaker's law, Chatterjee and Ruina's |
+//! | `plane`, `root` | vectors of the tangent plane; zeros of functions |
+
+mod algebraic;
+mod collision_matrix;
+mod coulomb;
+mod law;
+mod multiple;
+mod multiple_outcome;
+mod outcome;
+mod part;
+mod path;
+mod phase;
+mod plane;
+mod restitution;
+mod root;
+mod sequence;
+mod simultaneous;
+mod single;
+mod sliding;
+mod straight;
+mod turning;
+mod without_collision;
+
+pub use collision_matrix::CollisionMatrix;
+pub use law::{FrictionalImpactLaw, MultipleImpactLaw};
+pub use multiple::{MultipleFrictionalImpact, MultipleImpactSettings};
+pub use multiple_outcome::{MultipleImpact, MultipleImpactStatus};
+pub use outcome::{FrictionalImpact, FrictionalImpactStatus};
+pub use phase::{ImpactPhase, PhaseKind};
+pub use single::SingleFrictionalImpact;
+pub use sliding::{SlidingContact, SlidingForce};

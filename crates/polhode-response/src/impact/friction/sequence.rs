@@ -1,0 +1,151 @@
+//! Several contacts with friction struck one at a time, in the order of the blocks (thesis, section 3.3, with friction).
+//!
+//! The first contact that approaches gets the impulse of the law of a single contact; then the search starts again. Joints
+//! take part in each: their reactions to an impulse at the contact are found once, and the collision matrix is that with
+//! the joints held. Each impulse by itself keeps what its law promises, so that the energy does not rise by Stronge's.
+//!
+//! Assumption: the order of the blocks means something to the caller. Sequences that decay without end are cut off below
+//! a threshold relative to the first approach, and what is left is removed by one inelastic cone problem.
+
+use super::collision_matrix::CollisionMatrix;
+use super::law::FrictionalImpactLaw;
+use super::multiple_outcome::MultipleImpactStatus;
+use super::outcome::FrictionalImpactStatus;
+use super::part::{Part, Struck};
+use super::single::SingleFrictionalImpact;
+use crate::error::ResponseError;
+
+/// What an impulse at one contact does.
+#[derive(Debug, Clone)]
+struct Reaction {
+    collision: CollisionMatrix,
+    friction: f64,
+    /// For a unit impulse along each row of the contact: the impulses of all rows, those of joints included.
+    impulses: Vec<Vec<f64>>,
+    /// And the changes of velocity of all rows.
+    changes: Vec<Vec<f64>>,
+}
+
+/// Strikes contact after contact of a part, whose joints do not move, `limit` times at most.
+pub(super) fn strike_in_order(
+    part: &mut Part,
+    struck: &mut Struck,
+    law: FrictionalImpactLaw,
+    limit: usize,
+) -> Result<(), ResponseError> {
+    let blocks = part.contacts.len();
+    let mut reactions: Vec<Option<Reaction>> = vec![None; blocks];
+    while let Some(&block) = part.approaching(&struck.velocities).first() {
+        if struck.applications >= limit || part.status == MultipleImpactStatus::NotSolved {
+            part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
+            break;
+        }
+        let reaction = match reactions[block].take() {
+            Some(reaction) => reaction,
+            None => reaction_at(part, block)?,
+        };
+        apply(part, struck, block, &reaction, law)?;
+        reactions[block] = Some(reaction);
+    }
+    let approaches = |block: usize| !part.is_joint(block) && struck.velocities[part.normal_row(block)] < 0.0;
+    if (0..blocks).any(approaches) { finish(part, struck) } else { Ok(()) }
+}
+
+/// Strikes one contact of a part, whose joints do not move.
+pub(super) fn strike_alone(
+    part: &mut Part,
+    struck: &mut Struck,
+    block: usize,
+    law: FrictionalImpactLaw,
+) -> Result<(), ResponseError> {
+    let reaction = reaction_at(part, block)?;
+    apply(part, struck, block, &reaction, law)
+}
+
+/// What an impulse at `block` does, with all joints held.
+fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError> {
+    let (range, joints) = (part.contacts.range(block), part.joints());
+    let zero = vec![0.0; part.contacts.rows()];
+    let (mut impulses, mut changes) = (Vec::new(), Vec::new());
+    for row in range.clone() {
+        let mut unit = zero.clone();
+        unit[row] = 1.0;
+        let mut change = part.after(&zero, &unit);
+        if !joints.is_empty() {
+            let held = part.solve(&joints, &change, None)?;
+            unit.iter_mut().zip(&held.impulses).for_each(|(total, impulse)| *total += impulse);
+            change = part.after(&change, &held.impulses);
+            if !held.is_solved {
+                part.not_solved();
+            }
+        }
+        impulses.push(unit);
+        changes.push(change);
+    }
+    let entry = |i: usize, j: usize| 0.5 * changes[j][range.start + i] + 0.5 * changes[i][range.start + j];
+    let collision = match range.len() {
+        1 => CollisionMatrix::planar(entry(0, 0), 0.0, entry(0, 0))?,
+        2 => CollisionMatrix::planar(entry(0, 0), entry(0, 1), entry(1, 1))?,
+        _ => CollisionMatrix::new([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))?,
+    };
+    let friction = if range.len() == 1 { 0.0 } else { part.contacts.blocks()[block].friction().unwrap_or_default() };
+    Ok(Reaction { collision, friction, impulses, changes })
+}
+
+/// One impulse at one contact.
+fn apply(
+    part: &mut Part,
+    struck: &mut Struck,
+    block: usize,
+    reaction: &Reaction,
+    law: FrictionalImpactLaw,
+) -> Result<(), ResponseError> {
+    let range = part.contacts.range(block);
+    let mut velocity_before = [0.0; 3];
+    velocity_before[..range.len()].copy_from_slice(&struck.velocities[range.clone()]);
+    let impact = SingleFrictionalImpact {
+        collision: reaction.collision,
+        velocity_before,
+        friction: reaction.friction,
+        restitution: part.restitution[block],
+        law,
+    };
+    let outcome = impact.resolve()?;
+    if outcome.status == FrictionalImpactStatus::NotSolved {
+        part.status = part.status.and(MultipleImpactStatus::NotSolved);
+    }
+    for (k, &impulse) in outcome.impulse.iter().enumerate().take(range.len()) {
+        let pairs = reaction.impulses[k].iter().zip(&reaction.changes[k]);
+        for (row, (share, change)) in pairs.enumerate() {
+            struck.impulses[row] += impulse * share;
+            struck.velocities[row] += impulse * change;
+        }
+    }
+    // The law says where the contact ends; the sum above says so up to rounding.
+    struck.velocities[range.clone()].copy_from_slice(&outcome.velocity_after[..range.len()]);
+    part.hold_joints(&mut struck.velocities);
+    struck.normal_work[block] += outcome.normal_work;
+    struck.friction_work[block] += outcome.friction_work;
+    struck.energy_rises |= outcome.energy_rises;
+    struck.applications += 1;
+    Ok(())
+}
+
+/// Stops what still approaches by one inelastic cone problem.
+fn finish(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
+    let all: Vec<usize> = (0..part.contacts.len()).collect();
+    let answer = part.solve(&all, &struck.velocities, None)?;
+    if !answer.is_solved {
+        part.not_solved();
+        return Ok(());
+    }
+    let mut after = part.after(&struck.velocities, &answer.impulses);
+    for block in 0..part.contacts.len() {
+        let row = part.normal_row(block);
+        after[row] = after[row].max(0.0);
+    }
+    part.hold_joints(&mut after);
+    struck.add(part, &answer.impulses, after);
+    part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
+    Ok(())
+}

@@ -1,0 +1,236 @@
+//! Several contacts with friction struck together.
+//!
+//! Two questions are answered one after the other.
+//!
+//! 1. Which normal velocities? Those of the generalised reflection, as without friction: the mean of the inelastic impact
+//!    at all contacts and of the elastic rounds at those that approach, `w = (1 - e) u_inel + e u_el` contact by contact,
+//!    each step a cone problem with friction.
+//! 2. Which impulses? Those that obey Coulomb's law at the velocities afterwards and do not leave slower than asked:
+//!    `0 <= u_n+ - w _|_ p_n >= 0`, one cone problem.
+//!
+//! Without friction the second answer is the first one. With friction the normal velocities asked for may cost more work
+//! than the contacts took, as Newton's law does at a single contact. They are lowered to `lambda w`, with the largest
+//! `lambda` in `[0, 1]` for which
+//!
+//! - the kinetic energy does not rise: `p.(u- + u+)/2 <= 0`;
+//! - the normal impulses give back at most `e^2` of the work that the inelastic impact takes (Stronge), and what the
+//!   reflection gives to contacts that the inelastic impact opens.
+//!
+//! `lambda = 0` is the inelastic impact, which keeps both: with `p.u+ = -mu p_n |u_t+| <= 0` the energy changes by
+//! `p.u+ - p.G p / 2 <= 0`.
+//!
+//! Assumption: the cone problem has a solution; bodies that are squeezed between others have none, and the status says so.
+//! Source: Moreau 1988; Smith et al. 2012; Glocker 2001 (energy); Stronge 1990.
+
+use super::multiple_outcome::MultipleImpactStatus;
+use super::part::{ConeAnswer, ENERGY_ROUNDING, Part, Struck, energy};
+use crate::error::ResponseError;
+use crate::friction::{ContactStatus, FrictionSolution};
+
+/// Rounds of reflections after which bodies count as squeezed, where no rounds need ever end.
+const ROUNDS: usize = 64;
+
+/// Restitutions tried in a round of reflection that would raise the energy.
+const LOWERED: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
+
+/// Most steps to the largest `lambda`, and the width of its interval where they end (no unit).
+const LAMBDA_STEPS: usize = 40;
+const LAMBDA_WIDTH: f64 = 1e-12;
+
+/// An answer: impulses and velocities of all rows of a part.
+#[derive(Debug, Clone)]
+struct Answer {
+    impulses: Vec<f64>,
+    velocities: Vec<f64>,
+}
+
+/// An answer for some `lambda`.
+#[derive(Debug, Clone)]
+struct Attempt {
+    answer: Answer,
+    /// By how much it does more work than it may, relative to the work of all impulses (no unit); infinite where the cone
+    /// problem was not solved.
+    excess: f64,
+}
+
+/// What is asked of an impact.
+#[derive(Debug, Clone)]
+struct Asked<'a> {
+    /// Velocities before, m/s.
+    before: &'a [f64],
+    /// `w` of the normal rows, zero elsewhere, m/s.
+    velocities: Vec<f64>,
+    /// Work that all normal impulses together may do at most, J.
+    work: f64,
+}
+
+/// Strikes all contacts of a part, whose joints do not move. False when the cone problem of the inelastic impact was not
+/// solved, and nothing was done.
+pub(super) fn strike_together(part: &mut Part, struck: &mut Struck) -> Result<bool, ResponseError> {
+    let before = struck.velocities.clone();
+    let Some(answer) = answer(part, &before)? else { return Ok(false) };
+    struck.add(part, &answer.impulses, answer.velocities);
+    Ok(true)
+}
+
+fn answer(part: &mut Part, before: &[f64]) -> Result<Option<Answer>, ResponseError> {
+    let nothing = vec![0.0; part.contacts.rows()];
+    let Some(inelastic) = solved(part, before, &nothing, None)? else { return Ok(None) };
+    if part.restitution.iter().all(|e| *e == 0.0) {
+        return Ok(Some(inelastic));
+    }
+    let elastic = reflected(part, before)?;
+    let asked = Asked {
+        before,
+        velocities: asked_velocities(part, &inelastic, &elastic),
+        work: work_limit(part, before, &inelastic, &elastic),
+    };
+    let full = attempt(part, &asked, 1.0, &inelastic.impulses)?;
+    if full.excess <= ENERGY_ROUNDING {
+        return Ok(Some(full.answer));
+    }
+    part.status = part.status.and(MultipleImpactStatus::RestitutionLowered);
+    let excess = excess(part, &asked, &inelastic);
+    Ok(Some(lower(part, &asked, Attempt { answer: inelastic, excess }, full.excess)?))
+}
+
+/// The answer for `lambda w`; the inelastic one stands in where the cone problem is not solved.
+fn attempt(part: &mut Part, asked: &Asked<'_>, lambda: f64, start: &[f64]) -> Result<Attempt, ResponseError> {
+    let velocities: Vec<f64> = asked.velocities.iter().map(|velocity| lambda * velocity).collect();
+    Ok(match solved(part, asked.before, &velocities, Some(start))? {
+        Some(answer) => Attempt { excess: excess(part, asked, &answer), answer },
+        None => Attempt { excess: f64::INFINITY, answer: Answer { impulses: Vec::new(), velocities: Vec::new() } },
+    })
+}
+
+/// The answer for the largest `lambda` without excess: by false position, where an end that stays is halved (Illinois).
+/// Work is quadratic in `lambda` as long as no contact begins to stick or slide.
+fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: f64) -> Result<Answer, ResponseError> {
+    let (mut low, mut high) = ((0.0, inelastic.excess), (1.0, at_1));
+    let mut best = inelastic.answer;
+    let mut moved = None;
+    for _ in 0..LAMBDA_STEPS {
+        if high.0 - low.0 <= LAMBDA_WIDTH || low.1 >= 0.0 {
+            break;
+        }
+        let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+        let is_inside = high.1.is_finite() && secant > low.0 && secant < high.0;
+        let lambda = if is_inside { secant } else { 0.5 * (low.0 + high.0) };
+        let Attempt { answer, excess } = attempt(part, asked, lambda, &best.impulses)?;
+        if excess.abs() <= ENERGY_ROUNDING {
+            return Ok(answer);
+        }
+        let below = excess < 0.0;
+        let stays = moved == Some(below);
+        moved = Some(below);
+        if below {
+            low = (lambda, excess);
+            best = answer;
+            high.1 *= if stays { 0.5 } else { 1.0 };
+        } else {
+            high = (lambda, excess);
+            low.1 *= if stays { 0.5 } else { 1.0 };
+        }
+    }
+    Ok(best)
+}
+
+/// The impulses that leave no contact slower than asked; none when the cone problem is not solved.
+fn solved(
+    part: &mut Part,
+    before: &[f64],
+    asked: &[f64],
+    start: Option<&[f64]>,
+) -> Result<Option<Answer>, ResponseError> {
+    let all: Vec<usize> = (0..part.contacts.len()).collect();
+    let constant: Vec<f64> = before.iter().zip(asked).map(|(u, asked)| u - asked).collect();
+    let ConeAnswer { impulses, solution, is_solved } = part.solve(&all, &constant, start)?;
+    Ok(is_solved.then(|| Answer { impulses, velocities: settled(part, &solution, asked) }))
+}
+
+/// The velocities of a solution: exactly those asked for where a contact carries, exactly 0 where it sticks.
+fn settled(part: &Part, solution: &FrictionSolution, asked: &[f64]) -> Vec<f64> {
+    let mut velocities: Vec<f64> = solution.velocities.iter().zip(asked).map(|(u, asked)| u + asked).collect();
+    for (block, status) in solution.statuses.iter().enumerate() {
+        let range = part.contacts.range(block);
+        if part.is_joint(block) {
+            velocities[range].fill(0.0);
+            continue;
+        }
+        let normal = range.start;
+        if *status != ContactStatus::Open {
+            velocities[normal] = asked[normal];
+        }
+        velocities[normal] = velocities[normal].max(asked[normal]);
+        if *status == ContactStatus::Stick {
+            velocities[normal + 1..range.end].fill(0.0);
+        }
+    }
+    velocities
+}
+
+/// The elastic rounds: contacts that approach leave as fast as they came, until none approaches.
+fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
+    let mut total = Answer { impulses: vec![0.0; before.len()], velocities: before.to_vec() };
+    let joints = part.joints();
+    for _ in 0..ROUNDS {
+        let mut chosen = part.approaching(&total.velocities);
+        if chosen.is_empty() {
+            break;
+        }
+        chosen.extend(&joints);
+        for restitution in LOWERED {
+            let mut constant = total.velocities.clone();
+            for &block in chosen.iter().filter(|&&block| !part.is_joint(block)) {
+                constant[part.normal_row(block)] *= 1.0 + restitution;
+            }
+            let ConeAnswer { impulses, is_solved, .. } = part.solve(&chosen, &constant, None)?;
+            if !is_solved && restitution == 0.0 {
+                // What has been reached is what is asked for.
+                return Ok(total);
+            }
+            let after = part.after(&total.velocities, &impulses);
+            let (change, size) = energy(&impulses, &total.velocities, &after);
+            if is_solved && (change <= ENERGY_ROUNDING * size || restitution == 0.0) {
+                total.velocities = after;
+                total.impulses.iter_mut().zip(&impulses).for_each(|(total, impulse)| *total += impulse);
+                break;
+            }
+        }
+        part.hold_joints(&mut total.velocities);
+    }
+    Ok(total)
+}
+
+/// `w` of the normal rows, zero elsewhere.
+fn asked_velocities(part: &Part, inelastic: &Answer, elastic: &Answer) -> Vec<f64> {
+    let mut asked = vec![0.0; part.contacts.rows()];
+    for block in (0..part.contacts.len()).filter(|&block| !part.is_joint(block)) {
+        let (row, e) = (part.normal_row(block), part.restitution[block]);
+        let mean = (1.0 - e) * inelastic.velocities[row] + e * elastic.velocities[row].max(0.0);
+        asked[row] = if mean > part.tolerance { mean } else { 0.0 };
+    }
+    asked
+}
+
+/// Work that all normal impulses together may do at most, J.
+fn work_limit(part: &Part, before: &[f64], inelastic: &Answer, elastic: &Answer) -> f64 {
+    let (mut limit, mut all) = (0.0, 0.0);
+    for block in (0..part.contacts.len()).filter(|&block| !part.is_joint(block)) {
+        let (row, e) = (part.normal_row(block), part.restitution[block]);
+        let taken = 0.5 * inelastic.impulses[row] * (before[row] + inelastic.velocities[row]);
+        all += taken;
+        limit += (1.0 - e * e) * taken + (e - e * e) * inelastic.velocities[row] * elastic.impulses[row];
+    }
+    limit.max(all)
+}
+
+/// By how much an answer does more work than it may, relative to the work of all its impulses (no unit); negative where
+/// it does less.
+fn excess(part: &Part, asked: &Asked<'_>, answer: &Answer) -> f64 {
+    let contacts = (0..part.contacts.len()).filter(|&block| !part.is_joint(block));
+    let work = |row: usize| 0.5 * answer.impulses[row] * (asked.before[row] + answer.velocities[row]);
+    let normal: f64 = contacts.map(|block| work(part.normal_row(block))).sum();
+    let (change, size) = energy(&answer.impulses, asked.before, &answer.velocities);
+    if size > 0.0 { (normal - asked.work).max(change) / size } else { 0.0 }
+}

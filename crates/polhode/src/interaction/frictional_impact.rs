@@ -1,0 +1,111 @@
+//! Impacts of a group in which contacts have friction.
+//!
+//! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
+//! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
+//! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
+//! kinetic friction.
+
+use super::assembly::{Assembly, TangentRow};
+use super::friction_blocks::FrictionBlocks;
+use crate::collision::contact_set::{ContactId, Touch};
+use crate::scene::ImpactLaw;
+use crate::world::World;
+use polhode_contact::ContactGeometry;
+use polhode_dynamics::BodyState;
+use polhode_response::friction::FrictionBlock;
+use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
+use polhode_response::{
+    FrictionalImpactLaw, MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
+    ResponseError,
+};
+
+/// An impact with friction.
+#[derive(Debug)]
+pub(crate) struct FrictionalImpact {
+    pub(crate) assembly: Assembly,
+    /// Of the rows of contacts and pivots; changes of energy without the work of friction.
+    pub(crate) outcome: ImpactOutcome,
+    /// Impulses along tangents, N s: the contact with the tangent in the place of its normal, and the impulse on A.
+    pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Work of the impulses along tangents, J; negative when energy is lost.
+    pub(crate) friction_work_j: f64,
+}
+
+/// Whether one of some contacts has friction.
+pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
+    world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some())
+}
+
+/// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending); `before` are the velocities
+/// of their rows, m/s.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn solve(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    contacts: &[Touch],
+    law: ImpactLaw,
+) -> Result<FrictionalImpact, ResponseError> {
+    let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+    let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    let mut blocks = FrictionBlocks::default();
+    let mut restitution = Vec::with_capacity(contacts.len());
+    for (normal, touch) in contacts.iter().enumerate() {
+        let friction = world.friction_of(touch.id.a, touch.id.b).map_or(0.0, |friction| friction.sliding);
+        let terms = (friction > 0.0).then(|| world.tangential_kinematics(states, touch.id)).flatten();
+        let first = assembly.problem.len();
+        if let Some(terms) = terms {
+            let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
+            assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
+            before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
+        }
+        let tangents = first..assembly.problem.len();
+        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction };
+        blocks.push(block, std::iter::once(normal).chain(tangents));
+        restitution.push(world.scene.pair_material(touch.id.a, touch.id.b).restitution());
+    }
+    blocks.push_held(contacts.len()..assembly.first_tangent());
+    // Pivots have no restitution.
+    restitution.resize(blocks.len(), 0.0);
+    let problem = blocks.problem(&assembly.problem.delassus(), &before)?;
+    let impact = MultipleFrictionalImpact {
+        contacts: &problem,
+        restitution: &restitution,
+        law: if law == ImpactLaw::Propagation { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
+        single: FrictionalImpactLaw::Stronge,
+        settings: &MultipleImpactSettings::default(),
+    };
+    let struck = impact.resolve()?;
+    let impulses = blocks.in_rows(&struck.impulses);
+    let first = assembly.first_tangent();
+    let along = assembly.tangents().iter().zip(impulses.iter().skip(first));
+    let tangential = along.map(|(row, &impulse)| (row.id, row.along, impulse)).collect();
+    let applications = (0..contacts.len()).filter(|&row| impulses[row] != 0.0).map(|row| Application {
+        row,
+        impulse: impulses[row],
+        energy_change: struck.normal_work[row] + struck.friction_work[row],
+    });
+    let applications = applications.collect();
+    let friction_work_j: f64 = struck.friction_work.iter().sum();
+    let outcome = ImpactOutcome {
+        applications,
+        finishing: Vec::new(),
+        velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
+        status: match struck.status {
+            MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
+            MultipleImpactStatus::Separated | MultipleImpactStatus::StruckInOrder => ImpactStatus::Separated,
+            MultipleImpactStatus::RestitutionLowered => ImpactStatus::RestitutionLowered,
+            MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
+            MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,
+        },
+        energy_change: struck.energy_change - friction_work_j,
+        solves: struck.solves,
+        residual: struck.residual,
+        impulses: impulses.into_iter().take(first).collect(),
+    };
+    Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j })
+}
