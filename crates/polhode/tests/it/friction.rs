@@ -1,7 +1,7 @@
 //! Friction in the tier `accurate`, against closed forms of Coulomb's law: boxes that slide, stop and stick, forces that
 //! exceed static friction, balls that come to roll; what friction takes is booked, and directions of axes do not matter.
 
-use crate::checks::{assert_closes, heavy_brick, worst_place};
+use crate::checks::{assert_closes, heavy_brick, max_position_error};
 use crate::snapshots;
 use crate::support::{accurate, ball, brick, run};
 use polhode::contact::Shape;
@@ -90,7 +90,7 @@ fn box_stops_at_the_same_distance_in_any_direction() {
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
         let z = 0.5 * size.z;
-        let worst = worst_place(&recorder, 0, |t| {
+        let worst = max_position_error(&recorder, 0, |t| {
             let t = t.min(time);
             along * (speed * t - 0.5 * friction * G * t * t) + DVec3::Z * z
         });
@@ -194,7 +194,7 @@ fn growing_force_moves_a_box_when_it_exceeds_static_friction() {
             .build()
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
-        let worst = worst_place(&recorder, 0, |t| {
+        let worst = max_position_error(&recorder, 0, |t| {
             let t = (t - start).max(0.0);
             let x = growth / (6.0 * mass) * t.powi(3) + 0.5 * (at_rest - sliding) * G * t * t;
             direction * x + DVec3::Z * 0.05
@@ -259,7 +259,7 @@ fn check_slip_to_roll(body: Body, k: f64, (speed, friction, radius): (f64, f64, 
     let scene =
         on_slope(Rotation::IDENTITY, body, &rough(friction)).duration_s(3.0).output_interval_s(0.05).build().unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    let worst = worst_place(&recorder, 0, |t| {
+    let worst = max_position_error(&recorder, 0, |t| {
         let slipping = t.min(time);
         let x = speed * slipping - 0.5 * friction * G * slipping * slipping + rolling * (t - slipping);
         DVec3::new(x, 0.0, radius)
@@ -286,7 +286,7 @@ fn balls_roll_or_slip_down_a_slope() {
             let scene = on_slope(turn, round(k, radius, Velocity::ZERO), &rough(friction)).build().unwrap();
             let (report, recorder) = run(&scene, Effects::Planned);
             let start = turn.rotate(DVec3::Z * radius);
-            let worst = worst_place(&recorder, 0, |t| start + turn.rotate(DVec3::X * (0.5 * linear * t * t)));
+            let worst = max_position_error(&recorder, 0, |t| start + turn.rotate(DVec3::X * (0.5 * linear * t * t)));
             assert!(worst < 1e-11, "{worst:e}");
             let spin = turn.inverse_rotate(report.bodies[0].1.velocity.angular) * radius / scene.duration_s();
             assert!((spin - DVec3::Y * angular).length() < 1e-11, "{spin} {angular}");
@@ -308,7 +308,7 @@ fn billiard_ball_moves_on_a_parabola() {
         .build()
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    let worst = worst_place(&recorder, 0, |t| {
+    let worst = max_position_error(&recorder, 0, |t| {
         let slipping = t.min(time);
         let rolling = linear - along * (friction * G * time);
         let curve = linear * slipping - along * (0.5 * friction * G * slipping * slipping);

@@ -1,6 +1,6 @@
 //! Friction between bodies that move: conveyors, turntables, planks, and balls on a box that is pulled.
 
-use crate::checks::{assert_closes, heavy_brick, worst_place};
+use crate::checks::{assert_closes, heavy_brick, max_position_error};
 use crate::friction::rough;
 use crate::support::{accurate, ball, floor, run};
 use polhode::contact::Shape;
@@ -38,7 +38,7 @@ fn conveyor_takes_a_box_along() {
         .build()
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    let worst = worst_place(&recorder, 0, |t| {
+    let worst = max_position_error(&recorder, 0, |t| {
         let slipping = t.min(time);
         belt * t + slip * slipping - slip.normalize() * (0.2 * G * slipping * slipping) + DVec3::Z * 0.05
     });
@@ -67,7 +67,7 @@ fn turntable_carries_a_box_round() {
             .build()
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
-        let worst = worst_place(&recorder, 0, |t| {
+        let worst = max_position_error(&recorder, 0, |t| {
             DVec3::new((rate * t).cos(), (rate * t).sin(), 0.0) * radius + DVec3::Z * 0.05
         });
         assert_eq!(worst < 1e-11, stays, "{worst:e}");
@@ -98,7 +98,7 @@ fn ball_on_a_turntable_moves_on_a_circle() {
         let (report, recorder) = run(&scene, Effects::Planned);
         let orbit = rate * k / (1.0 + k);
         let center = place + DVec3::Z.cross(linear) / orbit;
-        let worst = worst_place(&recorder, 0, |t| {
+        let worst = max_position_error(&recorder, 0, |t| {
             let (sin, cos) = (orbit * t).sin_cos();
             let arm = place - center;
             center + arm * cos + DVec3::Z.cross(arm) * sin + DVec3::Z * radius
