@@ -3,8 +3,8 @@
 use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs,
-    mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
+    free_rotation, friction_invariances, frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger,
+    long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
     random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding,
     sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, stackings, stacks, table_edge, thesis_tier,
     tunnelling, valleys,
@@ -126,6 +126,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "random slopes", rows: slopes::random_slopes },
     Case { name: "slope of 26.565 degrees", rows: slopes::rigid_ipc_slope },
     Case { name: "ten hours on a slope", rows: slopes::ten_hours_on_a_slope },
+    Case { name: "friction elsewhere", rows: friction_invariances::settings },
     Case { name: "SimBenchmark rolling", rows: slipping_and_rolling::simbenchmark_rolling },
     Case { name: "falling shapes", rows: falling_shapes::times },
     Case { name: "resting shapes", rows: falling_shapes::rest },

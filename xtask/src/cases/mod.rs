@@ -33,6 +33,7 @@ mod exact_drift;
 mod falling_shapes;
 mod feature_numbers;
 mod free_rotation;
+mod friction_invariances;
 mod frictional_statics;
 mod heavy_tops;
 mod impact_chains;

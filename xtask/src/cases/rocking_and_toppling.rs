@@ -33,16 +33,48 @@ fn tip_of(sample: &BodySample) -> f64 {
     sample.pose.rotation.to_rotation_vector().y
 }
 
-/// The rocking block: half width, half height, m.
-const BLOCK: [f64; 2] = [0.25, 1.0];
+/// Half the width and half the height of a block, m.
+type Half = [f64; 2];
 
-fn rocking_block(tip: f64, duration_s: f64) -> Result<Scene, Box<dyn Error>> {
-    let size = DVec3::new(2.0 * BLOCK[0], 0.5, 2.0 * BLOCK[1]);
+/// The rocking block of FC-12.
+const BLOCK: Half = [0.25, 1.0];
+
+/// A block released at rest from a tip, rad.
+fn rocking([width, height]: Half, tip: f64, duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+    let size = DVec3::new(2.0 * width, 0.5, 2.0 * height);
     Ok(Scene::builder("rocking block")
         .body(tipped("block", size, tip, 0.0)?)
         .body(Plane::LEVEL.ground(ROUGH)?)
         .duration_s(duration_s)
         .build()?)
+}
+
+fn rocking_block(tip: f64, duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+    rocking(BLOCK, tip, duration_s)
+}
+
+/// Other blocks, released from a part of the angle at which they would topple: the rate at which they fall back by
+/// energy, and what the impact leaves of it (Housner 1963).
+fn other_blocks() -> CaseResult {
+    let mut rows = Vec::new();
+    for (half, part) in [([0.2, 0.5], 0.3), ([0.3, 2.0], 0.8), ([0.1, 0.8], 0.6)] {
+        let [width, height]: Half = half;
+        let critical = width.atan2(height);
+        let tip = part * critical;
+        let run = Run::of(&rocking(half, tip, 3.0)?, Effects::Planned)?;
+        let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
+        let rate =
+            |t: f64| -> Result<f64, Box<dyn Error>> { Ok(end_of(&rocking(half, tip, t)?)?.velocity.angular.length()) };
+        let (before, after) = (rate(impact * (1.0 - 1e-13))?, rate(impact * (1.0 + 1e-13))?);
+        let fallen = (critical - tip).cos() - critical.cos();
+        let expected = (1.5 * GRAVITY / width.hypot(height) * fallen).sqrt();
+        let kept = 1.0 - 1.5 * critical.sin().powi(2);
+        let block = format!("block {} x {} m", 2.0 * width, 2.0 * height);
+        let rate = Tolerance::Relative(1e-10);
+        rows.push(Row::compared("FC-12", &format!("{block}: w- at impact"), expected, before, rate));
+        rows.push(Row::compared("FC-12", &format!("{block}: w+/w-"), kept, after / before, Tolerance::Relative(1e-9)));
+    }
+    Ok(rows)
 }
 
 /// A block released from half the angle at which it would topple rocks from one edge to the other.
@@ -59,16 +91,17 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
     let run = Run::of(&scene, Effects::Planned)?;
     let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
     // Up to the impact the motion is that of a run which ends just before it.
-    let before = end_of(&rocking_block(0.5 * critical, impact * (1.0 - 1e-12))?)?;
-    let after = end_of(&rocking_block(0.5 * critical, impact * (1.0 + 1e-9))?)?;
+    let before = end_of(&rocking_block(0.5 * critical, impact * (1.0 - 1e-13))?)?;
+    let after = end_of(&rocking_block(0.5 * critical, impact * (1.0 + 1e-13))?)?;
     let (fast, slow) = (before.velocity.angular.length(), after.velocity.angular.length());
     let ratio = slow / fast;
-    // The greatest tip after the impact, by energy from the greatest of the samples on.
-    let later = run.record.times.iter().zip(&run.record.samples).filter(|(t, _)| **t > impact);
-    let highest = later.filter_map(|(_, row)| row.first()).map(|sample| tip_of(sample).abs()).fold(0.0, f64::max);
+    // It tips on until it stands still for an instant: about as long after the impact as before, or less.
+    let still =
+        zero([impact * 1.1, impact * 2.0], |t| Ok(end_of(&rocking_block(0.5 * critical, t)?)?.velocity.angular.y))?;
+    let highest = tip_of(&end_of(&rocking_block(0.5 * critical, still)?)?).abs();
     let start = reference.row("FC-12", "alpha, p", [critical, rate])?;
     let impulse = impulse_ratio(&run, impact);
-    Ok(vec![
+    let mut rows = vec![
         start,
         Row::compared(
             "FC-12",
@@ -85,14 +118,16 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
             "ratio horizontal/vertical impulse at the corner impact = (3/4) sin 2al/(2-(3/2) sin^2 al): smallest mu for no slip at impact",
             impulse,
         )?,
-    ])
+    ];
+    rows.extend(other_blocks()?);
+    Ok(rows)
 }
 
 /// Horizontal over vertical impulse of the first impact: the change of momentum.
 fn impulse_ratio(run: &Run, impact: f64) -> f64 {
     let scene = |t: f64| run.scene.clone().with_duration(t).map_err(|error| error.to_string());
     let velocity = |t: f64| -> Option<DVec3> { Some(end_of(&scene(t).ok()?).ok()?.velocity.linear) };
-    match (velocity(impact * (1.0 - 1e-12)), velocity(impact * (1.0 + 1e-9))) {
+    match (velocity(impact * (1.0 - 1e-13)), velocity(impact * (1.0 + 1e-13))) {
         (Some(before), Some(after)) => {
             let change = after - before;
             change.x.abs() / change.z.abs()

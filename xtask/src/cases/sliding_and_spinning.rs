@@ -21,7 +21,7 @@ fn on_feet(feet: Vec<DVec3>, moment: f64, velocity: Velocity) -> Result<Body, Bo
 }
 
 /// A tripod.
-fn tripod(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+pub(super) fn tripod(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     let feet = (0..3).map(|k| {
         let angle = TAU * f64::from(k) / 3.0;
         DVec3::new(angle.cos(), angle.sin(), 0.0) * 0.5

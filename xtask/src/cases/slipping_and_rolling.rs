@@ -25,7 +25,13 @@ fn slip(sample: &BodySample, radius: f64) -> DVec3 {
 }
 
 /// A solid ball on level ground.
-fn ball(radius: f64, linear: DVec3, angular: DVec3, friction: f64, duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+pub(super) fn ball(
+    radius: f64,
+    linear: DVec3,
+    angular: DVec3,
+    friction: f64,
+    duration_s: f64,
+) -> Result<Scene, Box<dyn Error>> {
     let body = Plane::LEVEL.round(sphere(radius)?, radius, Velocity::new(linear, angular));
     Ok(Plane::LEVEL.with(body, friction)?.duration_s(duration_s).build()?)
 }
