@@ -14,10 +14,12 @@
 //! | `setting` | the same scene set differently in the world |
 //! | `motion` | states at any time, zeros and angles of what moved |
 //! | `random_pairs` | pairs of bodies made from random numbers |
+//! | `rough_plane` | a rough plane, level or inclined, bodies on it, and thresholds |
 //! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
 //! | `strict_hash` | a hash of all bits of a run |
 //! | the others | the cases, one file per group |
 
+mod arches;
 mod bodies;
 mod case;
 mod context;
@@ -31,6 +33,8 @@ mod exact_drift;
 mod falling_shapes;
 mod feature_numbers;
 mod free_rotation;
+mod friction_invariances;
+mod frictional_statics;
 mod heavy_tops;
 mod impact_chains;
 mod impacts;
@@ -52,8 +56,15 @@ mod random_solids;
 mod reductions;
 mod resting_contact;
 mod rigid_ipc;
+mod rocking_and_toppling;
+mod rolling_disc;
+mod rough_plane;
 mod run;
 mod setting;
+mod sliding;
+mod sliding_and_spinning;
+mod slipping_and_rolling;
+mod slopes;
 mod snapshots;
 mod speed;
 mod stackings;

@@ -40,10 +40,10 @@ const NEGLIGIBLE_HEIGHT: f64 = 64.0;
 /// that of velocities that cancelled, over some thousand steps.
 const SLIP_NOISE: f64 = 1e-13;
 
-/// Rounding error of what a step changes slips by, as a fraction of the longest step under gravity (1e-15 to 1e-13):
-/// that of forces that cancel. A slip far slower than that is still a slip, but where it is turned by less, friction
-/// must not turn with it.
-const SLIP_CHANGE_NOISE: f64 = 1e-14;
+/// Component of a slip across its direction that friction does not resist, as a fraction of the speed that a body reaches
+/// when it falls by its own size (1e-13 to 1e-11). Rounding of forces that cancel gathers it in slips of long duration,
+/// however slow they are, and friction would resist it at the rate `mu g / |u_T|`, which no step could follow.
+const GATHERED_SLIP: f64 = 1e-12;
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -258,7 +258,7 @@ impl Engine {
     /// forces decide.
     fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
         let change = &instant.change;
-        let noise = slip_noise(core, instant.speed_scale);
+        let noise = slip_noise(core, instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
             Some(&direction) if core.world.friction_of(touch.id.a, touch.id.b).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
@@ -275,7 +275,7 @@ impl Engine {
         let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
         let speed = slip.length();
         let slides = speed > self.sustained_speed(core, speed_scale, touch);
-        let noise = slip_noise(core, speed_scale);
+        let noise = slip_noise(core, speed_scale, touch);
         slides.then(|| FrictionMode::Sliding(Slide { direction: slip / speed, speed, noise }))
     }
 
@@ -295,7 +295,7 @@ impl Engine {
 
     /// Sets whether an active contact sticks or slides, and reports a change.
     fn set_friction(&self, core: &mut Core, instant: &mut Instant, i: usize, found: Option<FoundMode>) {
-        let noise = slip_noise(core, instant.speed_scale);
+        let noise = slip_noise(core, instant.speed_scale, &instant.touches[i]);
         let mode = found.map(|found| match found {
             FoundMode::Known(mode) => mode,
             FoundMode::Begins(direction) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
@@ -584,9 +584,11 @@ fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
     contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.allows_rest(body, t))
 }
 
-/// Rounding error of slips of bodies whose largest speed has been `speed_scale`, m/s.
-fn slip_noise(core: &Core, speed_scale: f64) -> f64 {
-    SLIP_NOISE * speed_scale + SLIP_CHANGE_NOISE * core.world.gravity().length() * core.settings.step_s
+/// Rounding error of the slips of a contact of bodies whose largest speed has been `speed_scale`, m/s.
+fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+    let size = |body: usize| if core.world.bodies[body].rigid.is_some() { core.world.bodies[body].size } else { 0.0 };
+    let fall = core.world.gravity().length() * size(touch.id.a).max(size(touch.id.b));
+    SLIP_NOISE * speed_scale + GATHERED_SLIP * fall.sqrt()
 }
 
 /// Whether a candidate holds: it carries force, or it does not break and was not open before.

@@ -7,6 +7,7 @@
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::{FrictionBlocks, RowSolution};
+use super::least_sliding_forces::{RowFriction, least_sliding_forces};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::world::{Loads, World};
@@ -145,9 +146,13 @@ impl FrictionalAccelerations {
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
         let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-        let sticking = if any_slides { None } else { all_stick(&assembly, &delassus, &constants, frictional)? };
-        let solved = match sticking {
-            Some(sticking) => sticking,
+        let holding = if any_slides {
+            all_hold((world, states, contacts), &assembly, &constants, frictional)?
+        } else {
+            all_stick(&assembly, &delassus, &constants, frictional)?
+        };
+        let solved = match holding {
+            Some(holding) => holding,
             None => {
                 let solved = blocks.solve(&delassus, &constants, None)?;
                 let of = (world, states, contacts);
@@ -203,6 +208,40 @@ fn all_stick(
     let report = SolverReport { method: Method::ActiveSet, residual, ..SolverReport::default() };
     let statuses = vec![ContactStatus::Stick; frictional.len()];
     Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
+}
+
+/// The same where some contacts slide: the least forces with which every contact holds.
+fn all_hold(
+    of: (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    constants: &[f64],
+    frictional: &[Option<Frictional>],
+) -> Result<Option<RowSolution>, ResponseError> {
+    let friction = frictional.iter().map(|friction| match friction {
+        None => RowFriction::Frictionless,
+        Some(Frictional { sliding: Some((_, coefficient)), .. }) => RowFriction::Slides(*coefficient),
+        Some(Frictional { coefficients, .. }) => RowFriction::Sticks(coefficients.at_rest),
+    });
+    let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_RELATIVE * scale + rounding_of(delassus, forces);
+    let friction: Vec<RowFriction> = friction.collect();
+    let Some(reactions) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
+    let mut velocities = assembly.problem.delassus().times(&reactions)?;
+    for (velocity, constant) in velocities.iter_mut().zip(constants) {
+        *velocity += constant;
+    }
+    // What is held is at zero up to rounding.
+    let mut first = assembly.first_tangent();
+    velocities[..first].fill(0.0);
+    for friction in frictional.iter().flatten() {
+        let rows = friction.tangents().len();
+        if friction.sliding.is_none() {
+            velocities[first..first + rows].fill(0.0);
+        }
+        first += rows;
+    }
+    let report = SolverReport { method: Method::ActiveSet, ..SolverReport::default() };
+    Ok(Some(RowSolution { velocities, reactions, report }))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.

@@ -12,6 +12,7 @@ pub(crate) mod frictional_accelerations;
 pub(crate) mod frictional_impact;
 pub(crate) mod groups;
 pub(crate) mod impact;
+mod least_sliding_forces;
 pub(crate) mod locator;
 pub(crate) mod overlap;
 pub(crate) mod projection;

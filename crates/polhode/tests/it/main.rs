@@ -12,6 +12,8 @@ mod flight;
 mod forces;
 mod forces_with_contact;
 mod frames;
+mod friction;
+mod friction_on_moving_ground;
 mod impacts;
 mod integrators;
 mod invariance;

@@ -44,7 +44,7 @@ fn restored(scene: &Scene, effects: Effects, bytes: &[u8]) -> Simulation {
 
 /// Runs that are restored from snapshots give the samples, events and report of the run that was never stopped. The
 /// snapshots are taken at the ends of some steps, events among them, and at random times within steps.
-fn check_restored_runs(scene: &Scene, effects: Effects) {
+pub(crate) fn check_restored_runs(scene: &Scene, effects: Effects) {
     let name = scene.name();
     let duration = scene.duration_s();
     let mut whole = Recorder::default();
