@@ -20,7 +20,7 @@
 //! `p.u+ - p.G p / 2 <= 0`.
 //!
 //! Assumption: the cone problem has a solution; bodies that are squeezed between others have none, and the status says so.
-//! Source: Moreau 1988; Smith et al. 2012; Glocker 2001 (energy); Stronge 1990.
+//! Source: Moreau 1988; Smith et al. 2012; Glocker (energy); Stronge 1990.
 
 use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{ConeAnswer, ENERGY_ROUNDING, Part, Struck, energy};
@@ -36,6 +36,9 @@ const LOWERED: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 /// Most steps to the largest `lambda`, and the width of its interval where they end (no unit).
 const LAMBDA_STEPS: usize = 40;
 const LAMBDA_WIDTH: f64 = 1e-12;
+
+/// An excess that is zero to the residual of the cone problems (no unit).
+const EXCESS_ROUNDING: f64 = 1e-13;
 
 /// An answer: impulses and velocities of all rows of a part.
 #[derive(Debug, Clone)]
@@ -117,7 +120,7 @@ fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: f64) -> R
         let is_inside = high.1.is_finite() && secant > low.0 && secant < high.0;
         let lambda = if is_inside { secant } else { 0.5 * (low.0 + high.0) };
         let Attempt { answer, excess } = attempt(part, asked, lambda, &best.impulses)?;
-        if excess.abs() <= ENERGY_ROUNDING {
+        if excess.abs() <= EXCESS_ROUNDING {
             return Ok(answer);
         }
         let below = excess < 0.0;
