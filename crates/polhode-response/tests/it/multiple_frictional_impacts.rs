@@ -191,6 +191,10 @@ fn check(structure: &Structure, law: MultipleImpactLaw, single: FrictionalImpact
     let size = speeds(contacts.constant());
     let work: f64 = outcome.impulses.iter().map(|p| p.abs() * size).sum();
     assert!(outcome.energy_change <= 1e-10 * work, "{outcome:?}");
+    // And by the velocities that the impulses lead to, whatever the outcome says of them.
+    let pairs = contacts.constant().iter().zip(&after).zip(&outcome.impulses);
+    let change: f64 = pairs.map(|((before, after), impulse)| 0.5 * impulse * (before + after)).sum();
+    assert!(change <= 1e-14 * work, "{change:e} {work:e} {outcome:?}");
     assert!(!outcome.energy_rises);
     let works: f64 = outcome.normal_work.iter().chain(&outcome.friction_work).sum();
     assert!((works - outcome.energy_change).abs() <= 1e-9 * work, "{works} {outcome:?}");
