@@ -3,11 +3,11 @@
 use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_invariances, frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger,
-    long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
-    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding,
-    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, stackings, stacks, table_edge, thesis_tier,
-    tunnelling, valleys,
+    free_rotation, friction_invariances, frictional_impacts, frictional_statics, heavy_tops, impact_chains, impacts,
+    invariances, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times,
+    published_rotations, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc,
+    sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, stackings, stacks, table_edge,
+    thesis_tier, tunnelling, valleys,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -28,6 +28,7 @@ pub(crate) const QUICK: &[&str] = &[
     "IM-01",
     "IM-02",
     "IM-06",
+    "IM-08",
     "RC-02",
     "RC-05",
     "RC-07",
@@ -91,9 +92,14 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "IM-04", rows: impact_chains::im_04 },
     Case { name: "IM-05", rows: impacts::im_05 },
     Case { name: "IM-06", rows: pi_machine::im_06 },
+    Case { name: "IM-07", rows: frictional_impacts::im_07 },
+    Case { name: "IM-08", rows: frictional_impacts::im_08 },
+    Case { name: "IM-09", rows: frictional_impacts::im_09 },
+    Case { name: "IM-10", rows: frictional_impacts::im_10 },
     Case { name: "IM-12", rows: impacts::im_12 },
     Case { name: "IM-13", rows: impacts::im_13 },
     Case { name: "IM-14", rows: impacts::im_14 },
+    Case { name: "frictional impacts", rows: frictional_impacts::energy },
     Case { name: "RC-02", rows: diamonds::rc_02 },
     Case { name: "RC-03", rows: diamonds::rc_03 },
     Case { name: "RC-05", rows: stacks::rc_05 },

@@ -13,6 +13,7 @@
 //! | `bodies` | bodies that several cases are built from |
 //! | `setting` | the same scene set differently in the world |
 //! | `motion` | states at any time, zeros and angles of what moved |
+//! | `random_impacts` | impacts with friction made from random numbers |
 //! | `random_pairs` | pairs of bodies made from random numbers |
 //! | `rough_plane` | a rough plane, level or inclined, bodies on it, and thresholds |
 //! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
@@ -34,6 +35,7 @@ mod falling_shapes;
 mod feature_numbers;
 mod free_rotation;
 mod friction_invariances;
+mod frictional_impacts;
 mod frictional_statics;
 mod heavy_tops;
 mod impact_chains;
@@ -51,6 +53,7 @@ mod peers;
 mod pi_machine;
 mod polhode_times;
 mod published_rotations;
+mod random_impacts;
 mod random_pairs;
 mod random_solids;
 mod reductions;

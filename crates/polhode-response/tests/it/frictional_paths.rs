@@ -141,9 +141,13 @@ proptest! {
         let (impact, matrix) = random_impact(seed, Stronge);
         let restored = impact.resolve().unwrap();
         let compressed = SingleFrictionalImpact { restitution: 0.0, ..impact }.resolve().unwrap();
+        // Slip may turn into a jam while the bodies part, which compresses them once more: the last compression counts.
+        let once = (restored.compression_impulse - compressed.compression_impulse).abs() <= ROUNDING;
         let expected = (1.0 - e * e) * compressed.normal_work;
         let terms = restored.impulse[0] * velocity_size(&impact, &restored);
-        prop_assert!((restored.normal_work - expected).abs() <= ROUNDING * terms, "{:?} {:?}", matrix, restored);
+        let excess = restored.normal_work - expected;
+        prop_assert!(!once || excess.abs() <= ROUNDING * terms, "{:?} {:?}", matrix, restored);
+        prop_assert!(restored.normal_work <= ROUNDING * terms);
     }
 
     /// Turning the tangents turns the answer; mirroring them mirrors it.
@@ -195,7 +199,8 @@ proptest! {
         arm in (-2.0..2.0_f64, -2.0..2.0_f64),
         slip in -3.0..3.0_f64,
         friction in 0.0..2.5_f64,
-        e in 0.0..1.0_f64,
+        // Below that the diagram, which takes a difference of works, loses digits.
+        e in 0.01..1.0_f64,
     ) {
         let (k_nn, k_nt, k_tt) = (1.0 + arm.0 * arm.0 / inertia, arm.0 * arm.1 / inertia, 1.0 + arm.1 * arm.1 / inertia);
         // Pieces as (length in normal impulse, rate of u_n, rate of u_t, p_t per p_n).
@@ -272,6 +277,11 @@ proptest! {
         prop_assert!((outcome.velocity_after[0] - after).abs() <= 1e-13 * (after - driven));
         prop_assert_eq!(outcome.velocity_after[1], 0.0);
         prop_assert!(outcome.energy_change < 0.0);
+        for law in LAWS {
+            let outcome = contact.impact_without_collision(e, law).unwrap();
+            prop_assert_eq!(outcome.velocity_after[1], 0.0);
+            prop_assert!(outcome.velocity_after[0] >= 0.0 && outcome.energy_change < 0.0);
+        }
     }
 }
 

@@ -191,6 +191,10 @@ fn check(structure: &Structure, law: MultipleImpactLaw, single: FrictionalImpact
     let size = speeds(contacts.constant());
     let work: f64 = outcome.impulses.iter().map(|p| p.abs() * size).sum();
     assert!(outcome.energy_change <= 1e-10 * work, "{outcome:?}");
+    // And by the velocities that the impulses lead to, whatever the outcome says of them.
+    let pairs = contacts.constant().iter().zip(&after).zip(&outcome.impulses);
+    let change: f64 = pairs.map(|((before, after), impulse)| 0.5 * impulse * (before + after)).sum();
+    assert!(change <= 1e-14 * work, "{change:e} {work:e} {outcome:?}");
     assert!(!outcome.energy_rises);
     let works: f64 = outcome.normal_work.iter().chain(&outcome.friction_work).sum();
     assert!((works - outcome.energy_change).abs() <= 1e-9 * work, "{works} {outcome:?}");
@@ -399,4 +403,54 @@ fn jam_beside_a_wall() {
         // And resolve() says that nothing approaches.
         assert_eq!(impact.resolve().unwrap().status, MultipleImpactStatus::NoApproach);
     }
+}
+
+/// Turning the tangents of every contact, and other units of mass and speed, turn and scale the answer: boxes and heaps of
+/// balls with common friction.
+#[test]
+fn tangents_and_units_are_a_matter_of_choice() {
+    let mut compared = 0;
+    for seed in 0..300 {
+        let noise = &mut Noise::new(seed);
+        let structure = if seed % 2 == 0 { random_box(noise) } else { random_balls(noise) };
+        // With many contacts or much friction there may be several answers.
+        if structure.frictions.len() > 3 || structure.frictions.iter().any(|friction| *friction > 1.0) {
+            continue;
+        }
+        let (contacts, plain) = structure.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        let (mass, speed, angle) = (3.0, 7.0, 6.3 * noise.unit());
+        let (rows, delassus) = (contacts.rows(), structure.problem.delassus());
+        // Row by row: the normal stays, the tangents turn.
+        let turn = |row: usize| -> Vec<(usize, f64)> {
+            let (c, s, first) = (angle.cos(), angle.sin(), row - row % 3);
+            [vec![(first, 1.0)], vec![(first + 1, c), (first + 2, s)], vec![(first + 1, -s), (first + 2, c)]][row % 3]
+                .clone()
+        };
+        let mut entries = vec![0.0; rows * rows];
+        for i in 0..rows {
+            for j in 0..rows {
+                let terms = turn(i).into_iter().flat_map(|(a, x)| turn(j).into_iter().map(move |(b, y)| (a, b, x * y)));
+                entries[i * rows + j] = terms.map(|(a, b, x)| x * delassus.get(a, b) / mass).sum();
+            }
+        }
+        let turned = |values: &[f64]| -> Vec<f64> {
+            (0..rows).map(|row| turn(row).into_iter().map(|(k, x)| x * values[k]).sum()).collect()
+        };
+        let constant = turned(contacts.constant()).iter().map(|u| u * speed).collect();
+        let other = FrictionProblem::from_dense(contacts.blocks().to_vec(), &entries, constant).unwrap();
+        let impact = MultipleFrictionalImpact {
+            contacts: &other,
+            restitution: &structure.restitutions,
+            law: MultipleImpactLaw::Simultaneous,
+            single: FrictionalImpactLaw::Stronge,
+            settings: &MultipleImpactSettings::default(),
+        };
+        let found = impact.resolve().unwrap();
+        assert_eq!(found.status, plain.status, "{seed}");
+        for (found, expected) in found.velocities_after.iter().zip(turned(&plain.velocities_after)) {
+            assert!((found / speed - expected).abs() < 1e-7, "{seed}: {found} {expected}");
+        }
+        compared += 1;
+    }
+    assert!(compared > 80, "{compared}");
 }

@@ -19,7 +19,7 @@ pub enum FrictionalImpactLaw {
     Whittaker,
     /// `u_n+ = -e u_n-`, and a tangential restitution `e_t`: `u_t+ = -e_t u_t-` where friction suffices and normal and
     /// tangential motion are not coupled; otherwise on the border of the cone (Chatterjee and Ruina 1998). Algebra
-    /// alone, and never raises the energy. `e_t = 0` sticks, `e_t = 1` is a super ball.
+    /// alone, and never raises the energy. `e_t = 0` sticks, `e_t = 1` is a super ball (Garwin 1969).
     ChatterjeeRuina {
         /// `e_t`, from -1 (no friction) to 1.
         tangential_restitution: f64,

@@ -75,6 +75,10 @@ impl SingleFrictionalImpact {
                 // Slip before that jams: no impulse against it ends the approach.
                 None => self.along_path(&coulomb, before, Measure::Velocity),
             },
+            // Algebra on a velocity without approach gives no impulse: a jam is followed along its path.
+            FrictionalImpactLaw::ChatterjeeRuina { .. } if before[0] >= 0.0 => {
+                self.along_path(&coulomb, before, Measure::Work)
+            }
             FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution } => {
                 let coefficients = [self.restitution, tangential_restitution];
                 booked(&coulomb, before, algebraic::chatterjee_ruina(&coulomb, before, coefficients))
@@ -143,10 +147,12 @@ fn strikes(coulomb: &Coulomb, before: [f64; 3]) -> bool {
 /// The outcome of a law that gives the impulse alone.
 fn booked(coulomb: &Coulomb, before: [f64; 3], impulse: [f64; 3]) -> FrictionalImpact {
     let change = coulomb.matrix.times(impulse);
+    let entries = coulomb.matrix.entries();
     let mut after = [0, 1, 2].map(|k| before[k] + change[k]);
     for (k, velocity) in after.iter_mut().enumerate() {
+        let terms: f64 = entries[k].iter().zip(&impulse).map(|(entry, p)| (entry * p).abs()).sum();
         // Rounding of zero becomes zero.
-        if velocity.abs() <= VELOCITY_ROUNDING * (before[k].abs() + change[k].abs()) {
+        if velocity.abs() <= VELOCITY_ROUNDING * (before[k].abs() + terms) {
             *velocity = 0.0;
         }
     }
