@@ -7,6 +7,7 @@
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
+//! | [`friction`] | the command: frictional contact problems of other programs |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
@@ -25,6 +26,7 @@ mod cases;
 mod commands;
 mod cost;
 mod exact;
+mod friction;
 mod golden;
 mod house;
 mod interpenetration;
@@ -58,6 +60,8 @@ enum Task {
     Cost(cost::Options),
     /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
     ImportRigidIpc(rigid_ipc::Options),
+    /// Solves frictional contact problems of other programs (`.dat` files).
+    SolveFriction(friction::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
 }
@@ -67,6 +71,7 @@ fn main() -> ExitCode {
         Task::Verify(options) => verify::run(&options),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
+        Task::SolveFriction(options) => friction::run(&options),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
     };
     match outcome {

@@ -45,7 +45,9 @@ pub(crate) enum Fault {
         expected: usize,
     },
     /// Numbers are left over.
-    #[error("{count} more numbers than the counts of the file ask for begin here; a single flag may follow the coefficients")]
+    #[error(
+        "{count} more numbers than the counts of the file ask for begin here; a single flag may follow the coefficients"
+    )]
     LeftOver {
         /// How many.
         count: usize,

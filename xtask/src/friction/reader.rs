@@ -142,7 +142,7 @@ fn blocks(words: &mut Words<'_>, dimension: usize, contacts: usize) -> Result<En
         };
         if !is_right {
             let expected = format!("from {least} to {count}, the first 0 and the last {count}");
-            return Err(words.wrong("first block of a block row", expected, start));
+            return Err(words.wrong("first block of a block row", expected, &start));
         }
         first.push(start);
     }
@@ -150,7 +150,7 @@ fn blocks(words: &mut Words<'_>, dimension: usize, contacts: usize) -> Result<En
     for _ in 0..count {
         let column = words.count("block column of a block")?;
         if column >= contacts {
-            return Err(words.wrong("block column of a block", format!("below {contacts}"), column));
+            return Err(words.wrong("block column of a block", format!("below {contacts}"), &column));
         }
         columns.push(column);
     }
@@ -172,7 +172,7 @@ fn blocks(words: &mut Words<'_>, dimension: usize, contacts: usize) -> Result<En
 /// The words of a text with their lines.
 #[derive(Debug)]
 struct Words<'a> {
-    words: Vec<(usize, &'a str)>,
+    list: Vec<(usize, &'a str)>,
     next: usize,
     last_line: usize,
 }
@@ -180,21 +180,21 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     fn of(text: &'a str) -> Self {
         let lines = text.lines().enumerate();
-        let words = lines.flat_map(|(line, text)| text.split_whitespace().map(move |word| (line + 1, word))).collect();
-        Self { words, next: 0, last_line: text.lines().count().max(1) }
+        let list = lines.flat_map(|(line, text)| text.split_whitespace().map(move |word| (line + 1, word))).collect();
+        Self { list, next: 0, last_line: text.lines().count().max(1) }
     }
 
     fn left(&self) -> usize {
-        self.words.len() - self.next
+        self.list.len() - self.next
     }
 
     /// The line of the word that was read last.
     fn line(&self) -> usize {
-        self.next.checked_sub(1).and_then(|k| self.words.get(k)).map_or(1, |(line, _)| *line)
+        self.next.checked_sub(1).and_then(|k| self.list.get(k)).map_or(1, |(line, _)| *line)
     }
 
     fn word(&mut self, what: &'static str, expected: usize) -> Result<&'a str, Refusal> {
-        let Some(&(_, word)) = self.words.get(self.next) else {
+        let Some(&(_, word)) = self.list.get(self.next) else {
             return Err((self.last_line, Fault::CutOff { what, expected }));
         };
         self.next += 1;
@@ -226,12 +226,12 @@ impl<'a> Words<'a> {
 
     fn count(&mut self, what: &'static str) -> Result<usize, Refusal> {
         let word = self.word(what, 1)?;
-        word.parse().map_err(|_| self.wrong(what, "a whole number, at least 0".to_owned(), word))
+        word.parse().map_err(|_| self.wrong(what, "a whole number, at least 0".to_owned(), &word))
     }
 
     fn exactly(&mut self, what: &'static str, expected: usize) -> Result<(), Refusal> {
         let found = self.count(what)?;
-        if found == expected { Ok(()) } else { Err(self.wrong(what, expected.to_string(), found)) }
+        if found == expected { Ok(()) } else { Err(self.wrong(what, expected.to_string(), &found)) }
     }
 
     /// Two counts that must both be `expected`.
@@ -246,10 +246,97 @@ impl<'a> Words<'a> {
             return Ok(found);
         }
         let names: Vec<String> = accepted.iter().map(ToString::to_string).collect();
-        Err(self.wrong(what, names.join(" or "), found))
+        Err(self.wrong(what, names.join(" or "), &found))
     }
 
-    fn wrong(&self, what: &'static str, expected: String, found: impl ToString) -> Refusal {
+    fn wrong(&self, what: &'static str, expected: String, found: &impl ToString) -> Refusal {
         (self.line(), Fault::Count { what, expected, found: found.to_string() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! A file is read as it is meant, and what is wrong in one is named with its line. A wrong file must never pass for a problem.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+    use super::*;
+
+    /// Two contacts in a plane that share a body, in blocks, one item a line.
+    const BLOCKS: &str = "2\n2\n1\n4 4\n4 2 2\n2 4\n2 4\n3 4\n0 2 4\n0 1 0 1\n0\n1 0.25 0.25 1\n1\n0.5 0.125 0 0.5\n2\n\
+                          0.5 0 0.125 0.5\n3\n1 0 0 1\n-1 0.5 -2 0\n0.5 0.75\n";
+
+    fn refusal(text: &str) -> (usize, String) {
+        let (line, fault) = parse(text).unwrap_err();
+        (line, fault.to_string())
+    }
+
+    #[test]
+    fn blocks_are_written_column_after_column() {
+        let file = parse(BLOCKS).unwrap();
+        assert_eq!((file.dimension, file.problem.len()), (2, 2));
+        // G (1, 0, 0, 0) + q is the first column and q.
+        assert_eq!(file.problem.velocities(&[1.0, 0.0, 0.0, 0.0]).unwrap(), [0.0, 0.75, -1.5, 0.0]);
+        assert_eq!(file.problem.velocities(&[0.0, 0.0, 0.0, 1.0]).unwrap(), [-1.0, 1.0, -2.0, 1.0]);
+        assert_eq!(file.problem.blocks()[1], FrictionBlock::Contact { rows: 2, friction: 0.75 });
+    }
+
+    #[test]
+    fn a_dense_matrix_is_written_column_after_column_and_a_flag_may_follow() {
+        let file = parse("3 1 0 3 3 3 3 15 -1 -2 -1 14 1 -2 1 16 -1 2 3 0.1 1").unwrap();
+        assert_eq!(file.problem.velocities(&[1.0, 0.0, 0.0]).unwrap(), [14.0, 1.0, 1.0]);
+    }
+
+    #[test]
+    fn a_file_that_is_cut_off_is_named_where_it_ends() {
+        let lines: Vec<&str> = BLOCKS.lines().collect();
+        for kept in 0..lines.len() {
+            let (line, fault) = refusal(&lines[..kept].join("\n"));
+            assert_eq!(line, kept.max(1));
+            assert!(fault.contains("ends here"), "{fault}");
+        }
+    }
+
+    #[test]
+    fn wrong_counts_are_named_with_their_line() {
+        let with = |line: usize, text: &str| {
+            let mut lines: Vec<&str> = BLOCKS.lines().collect();
+            lines[line - 1] = text;
+            refusal(&lines.join("\n"))
+        };
+        for (line, text) in [(1, "4"), (1, "x"), (3, "2"), (4, "4 5"), (5, "4 3 2"), (6, "2 5"), (8, "4 4"), (8, "3 5")]
+        {
+            let (found, fault) = with(line, text);
+            assert!(found == line && fault.contains("must be"), "{text}: line {found}: {fault}");
+        }
+        for (line, text) in [(9, "0 2 3"), (9, "1 2 4"), (9, "0 5 4"), (10, "0 1 0 2"), (10, "0 1 0 -1"), (13, "7")] {
+            assert_eq!(with(line, text).0, line, "{text}");
+        }
+        // Fewer contacts than the matrix has, and numbers left over.
+        assert_eq!(with(2, "1").0, 4);
+        assert_eq!(with(2, "18446744073709551615").0, 4);
+        assert_eq!(with(20, "0.5 0.75 1 2"), (20, "2 more numbers than the counts of the file ask for begin here; a single flag may follow the coefficients".to_owned()));
+        // A block given twice: the columns of the second row are 0 and 0.
+        let (line, fault) = with(10, "0 1 0 0");
+        assert!(line == 18 && fault.contains("twice"), "line {line}: {fault}");
+    }
+
+    #[test]
+    fn numbers_that_are_none_are_named_with_their_line() {
+        for (line, from, to) in [(12, "0.25 0.25", "NaN 0.25"), (19, "-2 0", "-2 inf"), (20, "0.75", "nan")] {
+            let (found, fault) = refusal(&BLOCKS.replace(from, to));
+            assert!(found == line && fault.contains("not a finite number"), "line {found}: {fault}");
+        }
+        assert_eq!(refusal(&BLOCKS.replace("-2 0", "-2 0,5")).0, 19);
+        let (line, fault) = refusal(&BLOCKS.replace("0.75", "-0.75"));
+        assert!(line == 20 && fault.contains("contact 1 must be at least 0, found -0.75"), "line {line}: {fault}");
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_symmetric_is_named_with_the_line_of_its_entry() {
+        let (line, fault) = refusal(&BLOCKS.replace("1 0.25 0.25 1", "1 0.25 0.5 1"));
+        assert!(line == 12 && fault.contains("symmetric"), "line {line}: {fault}");
+        let (line, fault) = refusal(&BLOCKS.replace("0.5 0 0.125 0.5", "0.5 0 -0.125 0.5"));
+        assert!((line == 14 || line == 16) && fault.contains("symmetric"), "line {line}: {fault}");
+        let (line, fault) = refusal(&BLOCKS.replace("1 0 0 1\n-1", "1 0 0 -1\n-1"));
+        assert!(line == 18 && fault.contains("semidefinite"), "line {line}: {fault}");
     }
 }

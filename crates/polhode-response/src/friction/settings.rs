@@ -10,7 +10,7 @@ pub struct FrictionSettings {
     pub tolerance: f64,
     /// The largest residual that counts as solved, where the tolerance is not reached: rounding of large reactions.
     pub acceptance: f64,
-    /// Sweeps of block Gauss-Seidel before Newton's method from a cold start.
+    /// Sweeps of block Gauss-Seidel at a cold start; where they do not nearly solve the problem, Newton's method starts from zero.
     pub sweeps: u32,
     /// Steps of Newton's method from one start.
     pub newton_steps: u32,
@@ -26,7 +26,7 @@ impl Default for FrictionSettings {
             tolerance: 1e-13,
             acceptance: 1e-10,
             sweeps: 10,
-            newton_steps: 30,
+            newton_steps: 60,
             last_sweeps: 1000,
             fallback: FallbackPolicy::InteriorPoint,
         }

@@ -14,6 +14,16 @@ use crate::friction::settings::FrictionSettings;
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::report::SolverStatus;
 
+/// Sweeps after which it shows whether more of them lead anywhere.
+const FEW_SWEEPS: u32 = 4;
+
+/// The residual that is promising by then, and the one from which Newton's method needs a step or two (no unit).
+const PROMISING: f64 = 1e-2;
+const NEARLY_SOLVED: f64 = 1e-4;
+
+/// Sweeps between two runs of Newton's method as the last resort.
+const SWEEPS_BETWEEN: u32 = 50;
+
 /// Solves a frictional contact problem. `start` are reactions of a similar problem, one for each row.
 ///
 /// ```
@@ -78,34 +88,45 @@ impl Solver<'_> {
                 return;
             }
         }
-        let mut reactions = self.best.reactions.clone();
-        if self.sweep(&mut reactions, self.settings.sweeps as usize)
-            || self.newton_from(reactions.clone(), FrictionMethod::Newton)
-        {
+        let zero = vec![0.0; self.problem.rows()];
+        if self.first_sweeps(zero.clone()) || self.newton_from(zero, FrictionMethod::Newton) {
             return;
         }
-        for _ in 0..self.settings.last_sweeps / 50 {
-            self.sweep(&mut reactions, 50);
-            if self.newton_from(reactions.clone(), FrictionMethod::GaussSeidelNewton) {
+        let mut reactions = self.best.reactions.clone();
+        for _ in 0..self.settings.last_sweeps / SWEEPS_BETWEEN {
+            self.sweep(&mut reactions, SWEEPS_BETWEEN);
+            let iterate = self.iterate(reactions.clone());
+            if self.keep(iterate, FrictionMethod::GaussSeidel)
+                || self.newton_from(reactions.clone(), FrictionMethod::GaussSeidelNewton)
+            {
                 return;
             }
         }
     }
 
-    /// Sweeps; whether the tolerance is reached.
-    fn sweep(&mut self, reactions: &mut [f64], count: usize) -> bool {
-        for sweep in 0..count {
-            self.gauss_seidel.sweep(self.problem, reactions);
-            self.report.sweeps += 1;
-            // Contacts that do not move each other are solved now.
-            if sweep == 0 || sweep + 1 == count {
-                let iterate = self.iterate(reactions.to_vec());
-                if self.keep(iterate, FrictionMethod::GaussSeidel) {
-                    return true;
-                }
+    /// Some sweeps; where they go well Newton's method ends what they began. Whether the tolerance is reached.
+    fn first_sweeps(&mut self, mut reactions: Vec<f64>) -> bool {
+        let mut done = 0;
+        for (sweeps, enough) in [(1, f64::INFINITY), (FEW_SWEEPS, PROMISING), (self.settings.sweeps, NEARLY_SOLVED)] {
+            self.sweep(&mut reactions, sweeps.saturating_sub(done));
+            done = done.max(sweeps);
+            let iterate = self.iterate(reactions.clone());
+            let residual = iterate.residual;
+            if self.keep(iterate, FrictionMethod::GaussSeidel) {
+                return true;
+            }
+            if residual > enough {
+                return false;
             }
         }
-        false
+        self.newton_from(reactions, FrictionMethod::Newton)
+    }
+
+    fn sweep(&mut self, reactions: &mut [f64], count: u32) {
+        for _ in 0..count {
+            self.gauss_seidel.sweep(self.problem, reactions);
+            self.report.sweeps += 1;
+        }
     }
 
     /// Newton's method; whether the tolerance is reached.
