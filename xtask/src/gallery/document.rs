@@ -15,7 +15,8 @@ browser. `polhode view fixtures/scenes/NAME.toml` makes the viewer of one scene.
 
 Fifteen videos came with the thesis. Where one shows a fault, the scene that has it stands on the left and the scene
 without it on the right; `polhode view fixtures/scenes/LEFT.toml fixtures/scenes/RIGHT.toml` plays the two beside each
-other.
+other. The text of the thesis names the fault of each video, and bodies and numbers of some only: where it is silent the
+scenes have their own.
 ";
 
 /// Stills beside each other in the list of the other scenes.

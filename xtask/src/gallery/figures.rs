@@ -4,7 +4,7 @@ use super::shown::Shown;
 use polhode::Outcome;
 use polhode_scene::names;
 
-/// Figures of a run: what each is, and its value with unit.
+/// Figures of a run: what each is, and its value with unit; energies are fractions of the largest of the run.
 pub(super) fn figures(shown: &Shown) -> Vec<(&'static str, String)> {
     let (run, report) = (&shown.run, &shown.run.report);
     let ledger = &report.ledger;
@@ -14,8 +14,8 @@ pub(super) fn figures(shown: &Shown) -> Vec<(&'static str, String)> {
         ("Method", format!("{}, {}", names::tier(report.plan.tier), report.plan.response.name())),
         ("Simulated", format!("{} s in {} steps{ended}", short(report.simulated_s), report.steps)),
         ("Run time", format!("{:.3} s", run.wall_s)),
-        ("Energy lost by the method", format!("{} of the largest", energy(ledger.numerical.value()))),
-        ("Energy taken by projection", format!("{} of the largest", energy(ledger.projection.value()))),
+        ("Energy lost by the method", energy(ledger.numerical.value())),
+        ("Energy taken by projection", energy(ledger.projection.value())),
         ("Deepest penetration", length(report.certificate.max_penetration_m)),
     ]
 }

@@ -13,7 +13,8 @@ const STYLE: &str = include_str!("page.css");
 /// What stands before the scenes.
 const INTRODUCTION: &str = "<h1>Polhode: gallery of shipped scenes</h1>\n\
     <p>Every picture opens a page that plays its scene, without network. Scenes are in <code>fixtures/scenes</code>; \
-    <code>polhode view SCENE</code> makes such a page of any.</p>\n";
+    <code>polhode view SCENE</code> makes such a page of any. Energies are fractions of the largest of the \
+    run; what a method gains is negative. Run times are those of the machine that built this page.</p>\n";
 
 /// The page.
 pub(super) fn text(shown: &ShownScenes) -> String {
@@ -22,7 +23,9 @@ pub(super) fn text(shown: &ShownScenes) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Polhode: gallery</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n{INTRODUCTION}</header>\n<main>\n\
          <h2>The videos of the thesis</h2>\n\
-         <p>Where a video shows a fault, the scene that has it stands first and the scene without it second.</p>\n"
+         <p>Where a video shows a fault, the scene that has it stands first and the scene without it second. The text of the \
+         thesis names the fault of each, and bodies and numbers of some only: where it is silent the scenes have their \
+         own.</p>\n"
     );
     for video in &shown.selection.videos {
         let _ = write!(text, "<section>\n<h3>Video {}: {}</h3>\n", video.number, html(&video.subject));
@@ -55,7 +58,7 @@ fn card(still: &Still, kind: &str, shown: &ShownScenes) -> String {
         still.time_s,
         html(&scene.loaded.description().unwrap_or_default())
     );
-    let source = ("Scene", format!("{name}, still at t = {} s", still.time_s));
+    let source = ("Scene", format!("{name}, at {} s", still.time_s));
     for (what, value) in std::iter::once(source).chain(figures(scene)) {
         let _ = writeln!(text, "<dt>{what}</dt><dd>{}</dd>", html(&value));
     }
