@@ -47,7 +47,7 @@ fn table(stills: &[&Still], shown: &ShownScenes) -> String {
         let title = shown.loaded.title();
         format!("![{title}](gallery/{})", still.file())
     });
-    text.push_str(&format!("|{}\n", "---|".repeat(stills.len())));
+    let _ = writeln!(text, "|{}", "---|".repeat(stills.len()));
     text + &cells(&|still, shown| {
         let (title, description) = (shown.loaded.title(), shown.loaded.description().unwrap_or_default());
         format!("**{title}** (`{}`, t = {} s). {description}", still.scene(), still.time_s).replace('|', "\\|")
