@@ -13,6 +13,7 @@ mod forces;
 mod forces_with_contact;
 mod frames;
 mod impacts;
+mod impulse_models;
 mod integrators;
 mod invariance;
 mod kinematic;
