@@ -1,6 +1,6 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
-//! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask import-rigid-ipc` takes over scenes of
-//! another project's suite.
+//! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
+//! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
 //! |---|---|
@@ -15,6 +15,7 @@
 //! | [`cases`] | validation cases, one file per group |
 //! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
+//! | [`gallery`] | the command: stills, document and page of all shipped scenes |
 //! | [`random`] | random numbers with a fixed seed |
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
@@ -27,6 +28,7 @@ mod commands;
 mod cost;
 mod exact;
 mod friction;
+mod gallery;
 mod golden;
 mod house;
 mod interpenetration;
@@ -62,6 +64,8 @@ enum Task {
     ImportRigidIpc(rigid_ipc::Options),
     /// Solves frictional contact problems of other programs (`.dat` files).
     SolveFriction(friction::Options),
+    /// Writes stills, document and page of all shipped scenes.
+    Gallery(gallery::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
 }
@@ -72,6 +76,7 @@ fn main() -> ExitCode {
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
         Task::SolveFriction(options) => friction::run(&options),
+        Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
     };
     match outcome {

@@ -1,7 +1,7 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. golden trajectories.
+//! 4. the gallery, 5. golden trajectories.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
 //! wrong; cases and golden trajectories run beside each other (`schedule.rs`). Progress goes to stderr, the table (or, with
@@ -12,7 +12,7 @@ use crate::cases::{self, Amount, Context};
 use crate::row::Row;
 use crate::schedule::{self, Company, Step};
 use crate::table::{self, Counts};
-use crate::{commands, golden, house};
+use crate::{commands, gallery, golden, house};
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -94,13 +94,16 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
             Step::new(case.name, company, || case.run(context))
         }));
     }
+    if !options.bless && selected(gallery::CASE) {
+        steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
+    }
     let goldens = scenes.iter().map(|scene| (scene, golden::case_name(scene))).filter(|(_, name)| selected(name));
     steps.extend(goldens.map(|(scene, name)| Step::new(name, Company::Beside, || golden::check(context, scene))));
     steps
 }
 
 fn no_such_case(options: &Options, scenes: &[String]) -> String {
-    let cases = std::iter::once(HOUSE).chain(cases::ALL.iter().map(|case| case.name)).map(str::to_owned);
+    let cases = [HOUSE, gallery::CASE].into_iter().chain(cases::ALL.iter().map(|case| case.name)).map(str::to_owned);
     let names: Vec<String> = cases.chain(scenes.iter().map(|scene| golden::case_name(scene))).collect();
     let pattern = options.only.as_deref().unwrap_or_default();
     format!("no case contains \"{pattern}\"; the cases are: {}", names.join(", "))

@@ -12,6 +12,7 @@
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
 //! | `view` | the command that shows a scene or a trajectory |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
+//! | `heading` | title and description of what is shown |
 //! | `watch` | the observer of a run: outputs, pictures, progress bar and Ctrl-C |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
@@ -39,6 +40,7 @@ mod checkpoints;
 mod compare;
 mod cost;
 mod failure;
+mod heading;
 mod mesh;
 mod pictures;
 mod plan;

@@ -1,7 +1,7 @@
 //! The settings of a run: the scene's method, completed by the defaults of its tier.
 
 use crate::scene::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
@@ -41,6 +41,8 @@ pub(crate) struct Settings {
     pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
+    /// How bodies that touch act on each other; other than by constraint in the tier `thesis` alone.
+    pub(crate) response: Response,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
     /// Whether the scene gives that step.
@@ -138,6 +140,7 @@ impl Settings {
             rotation_rate: method.rotation_rate.unwrap_or_default(),
             impact: method.impact.unwrap_or(impact),
             contact: method.contact.unwrap_or(contact),
+            response: method.response.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(if tier == Tier::Stepped { DEFAULT_TIME_STEP_S } else { DEFAULT_STEP_S }),
             step_is_given: method.step_s.is_some(),
