@@ -241,7 +241,10 @@ fn all_hold(
         first += rows;
     }
     let report = SolverReport { method: Method::ActiveSet, ..SolverReport::default() };
-    Ok(Some(RowSolution { velocities, reactions, report }))
+    let slides = |friction: &Option<Frictional>| friction.as_ref().is_some_and(|friction| friction.sliding.is_some());
+    let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
+    let statuses = frictional.iter().map(status).collect();
+    Ok(Some(RowSolution { velocities, reactions, statuses, report }))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
