@@ -151,13 +151,12 @@ impl FrictionalAccelerations {
         } else {
             all_stick(&assembly, &delassus, &constants, frictional)?
         };
-        let solved = match holding {
-            Some(holding) => holding,
-            None => {
-                let solved = blocks.solve(&delassus, &constants, None)?;
-                let of = (world, states, contacts);
-                if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
-            }
+        let solved = if let Some(holding) = holding {
+            holding
+        } else {
+            let solved = blocks.solve(&delassus, &constants, None)?;
+            let of = (world, states, contacts);
+            if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
         };
         let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
@@ -244,7 +243,7 @@ fn all_hold(
     let slides = |friction: &Option<Frictional>| friction.as_ref().is_some_and(|friction| friction.sliding.is_some());
     let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
     let statuses = frictional.iter().map(status).collect();
-    Ok(Some(RowSolution { velocities, reactions, statuses, report }))
+    Ok(Some(RowSolution { reactions, velocities, statuses, report }))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
