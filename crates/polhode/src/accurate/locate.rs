@@ -470,7 +470,11 @@ fn breaking(
     }
     let (first, second) = (openings[0], openings[1]);
     let change = ContactChange { t: violated, departing, slipping, ..ContactChange::default() };
-    if (change.departing.is_empty() && change.slipping.is_empty()) || second <= first {
+    // Where kinetic friction is below static friction, the slip accelerates at once.
+    let is_sudden =
+        |id: &ContactId| core.world.friction_of(id.a, id.b).is_some_and(|friction| friction.sliding < friction.at_rest);
+    let any = !(change.departing.is_empty() && change.slipping.is_empty());
+    if !any || second <= first || change.slipping.keys().any(is_sudden) {
         return Ok(change);
     }
     let back = first * (late - violated) / (second - first);
