@@ -19,6 +19,7 @@
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`readme`] | the example of the README, as a test |
+//! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod cases;
@@ -38,6 +39,7 @@ mod row;
 mod schedule;
 mod table;
 mod verify;
+mod viewer;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

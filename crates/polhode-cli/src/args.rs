@@ -183,7 +183,7 @@ pub(crate) struct CostArgs {
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 pub(crate) struct ViewArgs {
-    /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv)
+    /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv, .json, .npy)
     #[arg(required = true, num_args = 1..)]
     pub(crate) files: Vec<PathBuf>,
     /// Where to: .html, .png, .gif, .apng, .webp or .glb (may be given several times) [default: the first file's name with
@@ -202,6 +202,13 @@ pub(crate) struct ViewArgs {
     /// Width and height of pictures, pixels [default: 1280x720; 640x360 for moving pictures]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<String>,
+    /// From where pictures are taken: front, side, top, iso, or the place of the camera, m: --camera 3,-4,2 [default: from the
+    /// front, a little from the right and above]
+    #[arg(long, value_name = "VIEW|X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) camera: Option<String>,
+    /// What the camera looks at, m: --look-at 0,0,0.5 [default: the middle of what moves]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) look_at: Option<String>,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
 }

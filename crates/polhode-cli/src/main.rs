@@ -11,8 +11,10 @@
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
 //! | `view` | the command that shows a scene or a trajectory |
+//! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
-//! | `watch` | the observer of a run: outputs, pictures, progress bar and Ctrl-C |
+//! | `watch` | the observer of a run: tells outputs and pictures; progress bar and Ctrl-C |
+//! | `inputs` | files that an output never replaces |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
@@ -39,6 +41,7 @@ mod checkpoints;
 mod compare;
 mod cost;
 mod failure;
+mod inputs;
 mod mesh;
 mod pictures;
 mod plan;
@@ -47,6 +50,7 @@ mod scene;
 mod stdout;
 mod text;
 mod view;
+mod viewpoint;
 mod watch;
 
 use args::{Cli, Command};

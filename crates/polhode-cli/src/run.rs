@@ -5,8 +5,8 @@ use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
 use crate::watch::{Bar, Interrupt, Watch};
-use crate::{cost, scene, stdout, text};
-use polhode::{Outcome, RunReport, Simulation};
+use crate::{cost, inputs, scene, stdout, text};
+use polhode::{Observer, Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, report_json};
 use polhode_view::FrameSource;
 use serde_json::Value;
@@ -52,12 +52,8 @@ impl Files<'_> {
     fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures), Failure> {
         let RunOutputArgs { output, events, .. } = self.asked;
         for path in output.iter().chain(events).map(PathBuf::as_path) {
-            if self.inputs.iter().any(|input| is_same(path, input)) {
-                let what =
-                    format!("error: {} is what the run is made from: an output never replaces it", path.display());
-                return Err(Failure::Usage(what));
-            }
-            if checkpoints.path().is_some_and(|checkpoint| is_same(path, checkpoint)) {
+            inputs::check_output(path, self.inputs.iter().map(|input| input.as_path()))?;
+            if checkpoints.path().is_some_and(|checkpoint| inputs::is_same(path, checkpoint)) {
                 let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
                 return Err(Failure::Usage(what));
             }
@@ -82,12 +78,6 @@ fn degraded(report: &RunReport) -> String {
     format!("degraded: {}: the run has not kept what its method promises: {first}", report.scene)
 }
 
-/// Whether two names are of one file.
-fn is_same(a: &Path, b: &Path) -> bool {
-    let place = |path: &Path| std::fs::canonicalize(path).or_else(|_| std::path::absolute(path));
-    a == b || place(a).is_ok_and(|a| place(b).is_ok_and(|b| a == b))
-}
-
 /// The name of a scene file's checkpoint, in the present folder.
 fn checkpoint_name(scene: &Path) -> PathBuf {
     let mut name = scene.file_stem().unwrap_or(scene.as_os_str()).to_owned();
@@ -109,7 +99,7 @@ struct Run {
 impl Run {
     /// Goes on to the end, and prints the report.
     fn finish(self) -> Result<(), Failure> {
-        let Self { loaded, mut simulation, outputs, pictures, checkpoints, started, json } = self;
+        let Self { loaded, mut simulation, mut outputs, mut pictures, checkpoints, started, json } = self;
         if !json {
             match stdout::text(&text::plan(loaded.scene.name(), simulation.plan())) {
                 // Files are still wanted when nobody reads the report.
@@ -118,23 +108,24 @@ impl Run {
             }
         }
         let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
-        let mut watch = Watch { outputs, pictures, bar, interrupt, stop_s: f64::INFINITY };
+        let observers: Vec<&mut dyn Observer> = vec![&mut outputs, &mut pictures];
+        let mut watch = Watch { observers, bar: &bar, interrupt: &interrupt, stop_s: f64::INFINITY };
         let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
-        watch.bar.clear();
+        bar.clear();
         match report {
-            Ok(_) if simulation.time() < loaded.scene.duration_s() && watch.interrupt.has_come() => {
+            Ok(_) if simulation.time() < loaded.scene.duration_s() && interrupt.has_come() => {
                 let (t, duration) = (simulation.time(), loaded.scene.duration_s());
                 let said = format!("interrupted at t = {t} s of {duration} s");
-                keep_partial(watch.outputs)?;
-                show(watch.pictures, &pictures::failed(&said), &Value::Null)?;
+                keep_partial(outputs)?;
+                show(pictures, &pictures::failed(&said), &Value::Null)?;
                 if let Some(said) = checkpoints.write(&simulation)? {
                     failure::note(&said);
                 }
                 Err(Failure::Interrupted(said))
             }
             Ok(report) => {
-                watch.outputs.finish()?;
-                show(watch.pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
+                outputs.finish()?;
+                show(pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
                 let wall_s = started.elapsed().as_secs_f64();
                 if json {
                     stdout::json(&report_json(&report, wall_s))?;
@@ -148,8 +139,8 @@ impl Run {
             }
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-                keep_partial(watch.outputs)?;
-                if let Err(other) = show(watch.pictures, &pictures::failed(failure.message()), &Value::Null) {
+                keep_partial(outputs)?;
+                if let Err(other) = show(pictures, &pictures::failed(failure.message()), &Value::Null) {
                     failure::note(other.message());
                 }
                 Err(failure)
@@ -163,7 +154,7 @@ fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,
     checkpoints: &Checkpoints,
-    watch: &mut Watch,
+    watch: &mut Watch<'_>,
 ) -> Result<RunReport, Failure> {
     loop {
         watch.stop_s = checkpoints.next_s(simulation.time());

@@ -78,4 +78,4 @@ pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, OutputError, Outputs};
 pub use report::{plan_json, plan_with_accelerations_json, report_json};
 pub use schema::schema;
-pub use trajectory::{TrajectoryError, TrajectoryReader};
+pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};

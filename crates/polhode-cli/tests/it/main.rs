@@ -11,6 +11,7 @@ mod resume;
 mod run;
 mod usage;
 mod view;
+mod view_bad_input;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
