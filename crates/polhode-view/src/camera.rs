@@ -69,11 +69,15 @@ impl Viewpoint {
     pub fn camera(&self, bounds: [DVec3; 2], width_over_height: f64) -> Result<Camera, ViewError> {
         let center = 0.5 * (bounds[0] + bounds[1]);
         let target = self.target.unwrap_or(center);
-        let eye = match self.standpoint {
-            Standpoint::Direction(from) => Camera::at_box(bounds, from, width_over_height).eye + (target - center),
-            Standpoint::Eye(eye) => eye,
-        };
-        Camera::looking(eye, target).ok_or(ViewError::CameraPlace { eye, target })
+        let nowhere = |eye| ViewError::CameraPlace { eye, target };
+        match self.standpoint {
+            Standpoint::Direction(from) => {
+                let camera = Camera::at_box(bounds, from, width_over_height);
+                let eye = camera.eye + (target - center);
+                if eye.is_finite() { Ok(Camera { eye, ..camera }) } else { Err(nowhere(eye)) }
+            }
+            Standpoint::Eye(eye) => Camera::looking(eye, target).ok_or_else(|| nowhere(eye)),
+        }
     }
 }
 

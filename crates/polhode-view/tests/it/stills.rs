@@ -173,6 +173,8 @@ fn a_camera_that_is_put_somewhere() {
             assert!((1..480).contains(&x) && (1..360).contains(&y), "{name}: {corner} at {x} {y}");
         }
     }
+    // The viewpoint that is taken when none is asked for is that of every other still, to the last bit.
+    assert_eq!(Viewpoint::default().camera(BOUNDS, 1.5).unwrap(), Camera::for_box(BOUNDS, 1.5));
     for (eye, target) in [(target, target), (DVec3::NAN, target), (DVec3::INFINITY, target)] {
         let viewpoint = Viewpoint { standpoint: Standpoint::Eye(eye), target: Some(target) };
         assert!(viewpoint.camera(BOUNDS, 1.0).is_err());
