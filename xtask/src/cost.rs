@@ -42,21 +42,21 @@ fixtures/scenes/NAME.toml` prints the whole table of each.
 ## How to read it
 
 - **Error** is the largest distance from the reference over the run, of positions relative to the scene's length and of
-  attitudes in rad, whichever is larger. An error of 1 is no answer.
-- **Reference** is the exact solution where the motion is flight in closed form, and the finest one elsewhere. What is
-  not known about the reference itself is stated; where an error is given as `<=`, the method is as good as that and no
-  better is claimed. *Confirmed* is how close a method comes that integrates in another way.
+  attitudes in rad, whichever is larger. At an error of 1 the result is unrelated to the solution.
+- **Reference** is the exact solution if the motion is flight in closed form, else the finest one computed. Its own
+  uncertainty is stated. An error is given as `<=` that uncertainty if it is smaller. *Confirmed* is the difference from
+  a method that integrates in another way.
 - **Time** is a ratio: of the time of RK4 at its middle step, or of the first method where RK4 does not run alone. All
   methods take turns on the same machine, round after round, and the median of the ratios is given, so that it says
-  something on other machines too. It is not a promise to three digits: caches and compilers move it.
-  Reading the scene and preparing it is not counted. `polhode cost --instructions` counts instructions instead, which
+  something on other machines too. Its third digit is not reliable: caches and compilers change it.
+  Reading and preparing the scene are not counted. `polhode cost --instructions` counts instructions instead, which
   repeat exactly.
-- The **Pareto front** holds the methods that none beats in both error and time. In a figure it is the broad line: the
-  best error that a time buys.
-- A step is not an accuracy: the same step gives errors ten decades apart. `polhode cost SCENE --target 1e-8` names the
+- The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is
+  the broad line: the smallest error at each time.
+- The length of the step does not determine the accuracy: errors at the same step differ by ten decades. `polhode cost SCENE --target 1e-8` names the
   cheapest method that reaches an error, and `polhode run SCENE --accuracy 1e-8` runs by it.
-- `polhode cost SCENE --vary method.integrator=rk4,cf4 --vary method.step=0.1,0.01` compares what is asked for; any key
-  of a scene can be varied.
+- `polhode cost SCENE --vary method.integrator=rk4,cf4 --vary method.step=0.1,0.01` compares these values; any key of a
+  scene can be varied.
 ";
 
 /// What to regenerate.

@@ -1,6 +1,6 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
-//! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask import-rigid-ipc` takes over scenes of
-//! another project's suite.
+//! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
+//! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
 //! |---|---|
@@ -14,6 +14,7 @@
 //! | [`cases`] | validation cases, one file per group |
 //! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
+//! | [`gallery`] | the command: stills, document and page of all shipped scenes |
 //! | [`random`] | random numbers with a fixed seed |
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
@@ -26,6 +27,7 @@ mod cases;
 mod commands;
 mod cost;
 mod exact;
+mod gallery;
 mod golden;
 mod house;
 mod interpenetration;
@@ -60,6 +62,8 @@ enum Task {
     Cost(cost::Options),
     /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
     ImportRigidIpc(rigid_ipc::Options),
+    /// Writes stills, document and page of all shipped scenes.
+    Gallery(gallery::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
 }
@@ -69,6 +73,7 @@ fn main() -> ExitCode {
         Task::Verify(options) => verify::run(&options),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
+        Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
     };
     match outcome {

@@ -13,6 +13,7 @@
 //! | `view` | the command that shows a scene or a trajectory |
 //! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
+//! | `heading` | title and description of what is shown |
 //! | `watch` | the observer of a run: tells outputs and pictures; progress bar and Ctrl-C |
 //! | `inputs` | files that an output never replaces |
 //! | `cost` | the command that sets error against computing time |
@@ -41,6 +42,7 @@ mod checkpoints;
 mod compare;
 mod cost;
 mod failure;
+mod heading;
 mod inputs;
 mod mesh;
 mod pictures;

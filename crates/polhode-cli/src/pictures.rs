@@ -1,6 +1,7 @@
 //! What a run is shown as: pages, pictures and models, which polhode-view makes.
 
 use crate::failure::Failure;
+use crate::heading::Heading;
 use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
 use polhode_scene::{AtomicFile, report_json};
 use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
@@ -99,7 +100,7 @@ impl Pictures {
     ///
     /// # Errors
     /// When a name is given twice or a file cannot be opened.
-    pub(crate) fn create(paths: &[PathBuf], title: &str, options: Options) -> Result<Self, Failure> {
+    pub(crate) fn create(paths: &[PathBuf], heading: &Heading, options: Options) -> Result<Self, Failure> {
         let mut pictures =
             Self { pages: Vec::new(), page_runs: Vec::new(), files: Vec::new(), recording: None, options };
         for (number, path) in paths.iter().enumerate() {
@@ -111,7 +112,8 @@ impl Pictures {
             let file = AtomicFile::create(path).map_err(|error| failure(path, ViewError::Write(error)))?;
             match kind {
                 Kind::Page => {
-                    let page = Page::begin(file, title, "").map_err(|error| failure(path, error))?;
+                    let page = Page::begin(file, &heading.title, &heading.description);
+                    let page = page.map_err(|error| failure(path, error))?;
                     pictures.pages.push((path.clone(), page));
                 }
                 kind => {

@@ -13,7 +13,7 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     if args.json {
         return stdout::json(&plan_with_accelerations_json(&loaded.scene, simulation.plan(), &accelerations));
     }
-    let mut page = text::plan(loaded.scene.name(), simulation.plan());
+    let mut page = text::plan(&loaded, simulation.plan());
     page.push_str(&text::accelerations(&loaded.scene, &accelerations));
     stdout::text(&page)
 }

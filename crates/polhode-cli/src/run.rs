@@ -3,11 +3,12 @@
 use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
+use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
 use crate::watch::{Bar, Interrupt, Watch};
 use crate::{cost, inputs, scene, stdout, text};
 use polhode::{Observer, Outcome, RunReport, Simulation};
-use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, report_json};
+use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, scene_report_json};
 use polhode_view::FrameSource;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -61,7 +62,7 @@ impl Files<'_> {
         let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
         let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
         let trajectories: Vec<PathBuf> = output.iter().filter(|path| !is_picture(path)).cloned().collect();
-        let mut pictures = Pictures::create(&shown, loaded.scene.name(), Options::default())?;
+        let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
         let outputs =
             Outputs::create(&loaded.scene, &trajectories, events.as_deref()).map_err(|error| match error {
                 OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}")),
@@ -101,7 +102,7 @@ impl Run {
     fn finish(self) -> Result<(), Failure> {
         let Self { loaded, mut simulation, mut outputs, mut pictures, checkpoints, started, json } = self;
         if !json {
-            match stdout::text(&text::plan(loaded.scene.name(), simulation.plan())) {
+            match stdout::text(&text::plan(&loaded, simulation.plan())) {
                 // Files are still wanted when nobody reads the report.
                 Err(Failure::StdoutClosed) => {}
                 printed => printed?,
@@ -128,7 +129,7 @@ impl Run {
                 show(pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
                 let wall_s = started.elapsed().as_secs_f64();
                 if json {
-                    stdout::json(&report_json(&report, wall_s))?;
+                    stdout::json(&scene_report_json(&loaded, &report, wall_s))?;
                 } else {
                     stdout::text(&text::report(&report, wall_s))?;
                 }

@@ -2,6 +2,7 @@
 
 use crate::args::ViewArgs;
 use crate::failure::{self, Failure};
+use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
 use crate::viewpoint::viewpoint;
 use crate::watch::{Bar, Interrupt, Watch};
@@ -37,13 +38,13 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
     let interval_s = interval(args.fps, &paths)?;
     let runs = runs(args, interval_s)?;
     check_pictures_of_two(&paths, &runs)?;
-    let first = runs.first().map_or("", |run| run.loaded.scene.name()).to_owned();
+    let heading = Heading::of(runs.iter().map(|run| &run.loaded));
     let options = Options {
         least_interval_s: args.fps.map(|_| interval_s),
         size: size(args.size.as_deref())?,
         viewpoint: viewpoint(args, &paths)?,
     };
-    let mut pictures = Pictures::create(&paths, &first, options)?;
+    let mut pictures = Pictures::create(&paths, &heading, options)?;
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
         pictures.take(at_instant(run, args, still_time(text, run)?)?);
         pictures.finish(&Value::Null)?;

@@ -98,7 +98,7 @@ fn alternately(count: usize, speed: f64) {
                     least[who] = start.elapsed().as_secs_f64().min(least[who]);
                 }
             }
-            assert_eq!(counts[0], counts[1], "both find the same pairs");
+            assert_eq!(counts[0], counts[1], "both must find the same pairs");
         }
     }
     let mean = |who: usize| least.iter().map(|times| times[who]).sum::<f64>() / frames.len() as f64 * 1e6;

@@ -81,7 +81,8 @@ pub enum SeparatingAxis {
     FaceB(u32),
     /// The common perpendicular of an edge of A and an edge of B.
     Edges(u32, u32),
-    /// The line between the nearest points of the two bodies, one of which is a smooth shape or a point cloud.
+    /// The line between the nearest points of the two bodies, one of which is a smooth shape, a point cloud, a mesh or
+    /// a compound.
     Nearest,
     /// The pair never touches (two half-spaces, two clouds), or the poses are not finite.
     None,
@@ -110,6 +111,11 @@ impl Default for Manifold {
 }
 
 impl Manifold {
+    /// Whether the separation exceeds the reach (m), so that there are no contacts; also when either is NaN.
+    pub(crate) fn is_beyond(&self, reach: f64) -> bool {
+        self.separation.is_nan() || reach.is_nan() || self.separation > reach
+    }
+
     /// Removes the contacts, and sets the separation and its axis.
     pub(crate) fn set_empty(&mut self, separation: f64, axis: SeparatingAxis) {
         self.contacts.clear();

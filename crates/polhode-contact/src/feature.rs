@@ -25,6 +25,14 @@ impl Side {
             Self::B => Self::A,
         }
     }
+
+    /// The position of the body in arrays of a pair: 0 for A, 1 for B.
+    pub(crate) const fn index(self) -> usize {
+        match self {
+            Self::A => 0,
+            Self::B => 1,
+        }
+    }
 }
 
 /// A feature of a surface: one of the two that make a contact, or the one that a query found.
@@ -34,9 +42,9 @@ pub enum SurfaceFeature {
     Face(u32),
     /// An edge of a polyhedron or a mesh.
     Edge(u32),
-    /// A vertex of a polyhedron or a mesh, a cone's apex, one of the sample points of a rim.
+    /// A vertex of a polyhedron or a mesh, a point of a cloud, a cone's apex, a sample point of a rim or a torus.
     Vertex(u32),
-    /// A sphere, touched by a point of a cloud.
+    /// The surface of a sphere.
     Sphere,
     /// The hemisphere at an end of a capsule.
     Cap(u32),
@@ -89,11 +97,12 @@ pub enum ContactFeature {
         /// Edge of B.
         edge_b: u32,
     },
-    /// A sphere, or a point of a cloud beyond a face's border, against the nearest feature of the other body.
+    /// A sphere, a cap of a capsule, or a point of a cloud beyond a face's border, against the nearest feature of the
+    /// other body.
     Smooth {
         /// The body that owns the centre; the other one owns the surface.
         center_of: Side,
-        /// Index of the centre: 0 for a sphere, the point's index for a cloud.
+        /// Index of the centre: 0 for a sphere, the cap's index for a capsule, the point's index for a cloud.
         center: u32,
         /// The nearest feature of the other body.
         against: SurfaceFeature,

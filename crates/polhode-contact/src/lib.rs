@@ -3,8 +3,8 @@
 //! The crate takes shapes, poses and motions; it knows no mass and no force. The coordinates of shapes are in the
 //! body's central frame (axes of the body, origin at its centre of mass, see [`Shape::translated`]), and a pose is
 //! `X_WC`. All lengths are in metres. A contact normal is of unit length, in world axes, and points from B to A; a
-//! separation is negative when the bodies overlap. Swapping A and B reverses every normal and exchanges the two sides
-//! of every feature.
+//! separation is negative when the bodies overlap. Swapping A and B reverses every normal and exchanges the features
+//! of A and B in every contact.
 //!
 //! Everything is computed from the difference of the two poses, so that a pair far from the origin loses nothing
 //! beyond the rounding of its poses, and every tolerance is relative to the size of the pair ([`clearance`]).
@@ -14,7 +14,7 @@
 //! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair, [`near_manifold()`]: the same, cheaper for a pair that is likely apart; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative, with a [`tangent_basis()`]; [`separation()`], [`separation_by()`] a chosen [`ConvexMethod`]; [`counterpart()`]; [`near_manifold_with()`] a [`PairMemory`]: a pair followed from step to step |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`near_manifold()`]: the same, cheaper for a pair that is likely apart; [`near_manifold_with()`]: the same, faster with a [`PairMemory`] that is kept from step to step; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative, with a [`tangent_basis()`]; [`separation()`]: how far apart a pair is, [`separation_by()`]: by a chosen [`ConvexMethod`]; [`counterpart()`]: the second contact of two vertices that coincide |
 //! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same for many bodies |
 //! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes touch; [`time_of_further_impact()`]: the next impact of shapes that touch already |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
@@ -39,7 +39,9 @@
 //!
 //! # Words
 //!
-//! The crate uses the terms of the field, and these in a narrower sense:
+//! "The thesis" is the document that the project implements; `docs/REFERENCES.md` of the repository lists its errata
+//! (E1 to E25) and the other sources that are cited by name. The crate uses the terms of the field, and these in a
+//! narrower sense:
 //!
 //! | word | meaning |
 //! |---|---|
@@ -51,7 +53,8 @@
 //! | patch | neighbouring triangles of a mesh that lie in one plane |
 //! | round shape | a capsule, cylinder or cone |
 //! | ring | a torus; its centre circle is the middle of its tube |
-//! | deciding axis, face or edges | those with the largest separation, which the contacts follow from |
+//! | best axis, face or edges | those with the largest separation |
+//! | deciding axis, face or edges | the best ones after ties are decided: the contacts follow from them |
 //! | clear | separated, in the search for impacts |
 //! | closing | reaching a separation of zero |
 //!

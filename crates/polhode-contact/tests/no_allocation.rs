@@ -88,7 +88,7 @@ fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
     let part = |shape: Result<Shape, ShapeError>, x: f64| {
         shape.and_then(|part| part.translated(DVec3::X * x)).expect("a small part")
     };
-    let angle = vec![
+    let bracket = vec![
         part(Shape::cuboid(DVec3::new(0.5, 1.0, 0.9)), -0.25),
         part(Shape::cuboid(DVec3::new(0.5, 0.5, 1.0)), 0.25),
         part(Shape::sphere(0.3), 0.3),
@@ -99,7 +99,7 @@ fn mixture(ground: Shape) -> (Vec<Shape>, Vec<Pose>) {
         Shape::cone(0.5, 1.0),
         Shape::capsule(0.35, 0.4),
         Shape::torus(0.35, 0.15),
-        Shape::compound(angle),
+        Shape::compound(bracket),
         Shape::cuboid(DVec3::ONE),
     ];
     let kinds = kinds.map(|kind| kind.expect("positive sizes"));

@@ -76,6 +76,6 @@ pub use load::{LoadedScene, load, load_text, load_with};
 pub use mesh_file::read_mesh;
 pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, OutputError, Outputs};
-pub use report::{plan_json, plan_with_accelerations_json, report_json};
+pub use report::{plan_json, plan_with_accelerations_json, report_json, scene_report_json};
 pub use schema::schema;
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};

@@ -22,10 +22,26 @@ pub struct LoadedScene {
 }
 
 impl LoadedScene {
+    /// What the scene is, in a few words: its `title`, or else its name.
+    pub fn title(&self) -> String {
+        self.file.title.as_deref().and_then(on_one_line).unwrap_or_else(|| self.scene.name().to_owned())
+    }
+
+    /// What the scene shows and what to look at, on one line; none when its file does not say.
+    pub fn description(&self) -> Option<String> {
+        self.file.description.as_deref().and_then(on_one_line)
+    }
+
     /// An error that the engine found in the scene later (two bodies that overlap), shown at its place in the file.
     pub fn explain(&self, error: SceneError) -> SceneFileError {
         self.document.refuse(&build::path_of(&error, &self.file), Refusal::Scene(error))
     }
+}
+
+/// The words of a text with one space between each; none when there are none.
+fn on_one_line(text: &str) -> Option<String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    (!words.is_empty()).then(|| words.join(" "))
 }
 
 /// Loads a scene from a file. Paths of meshes are relative to the file.

@@ -1,5 +1,6 @@
 //! Reports as JSON.
 
+use crate::load::LoadedScene;
 use crate::names;
 use glam::DVec3;
 use polhode::{Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, Tolerated};
@@ -54,6 +55,14 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
     })
 }
 
+/// The report of a run of a scene from a file, with what the file says of it.
+pub fn scene_report_json(loaded: &LoadedScene, report: &RunReport, wall_s: f64) -> Value {
+    let mut value = report_json(report, wall_s);
+    value["title"] = json!(loaded.title());
+    value["description"] = json!(loaded.description());
+    value
+}
+
 /// Two bodies at a time, s; null when there are none.
 fn pair_json(report: &RunReport, at: Option<PairAt>) -> Value {
     let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
@@ -103,6 +112,7 @@ pub fn plan_json(plan: &Plan) -> Value {
         "integrator_reason": plan.integrator_reason,
         "impact": names::impact(plan.impact),
         "contact": names::contact(plan.contact),
+        "response": plan.response.name(),
         "broad_phase": plan.broad_phase.name(),
         "step_s": plan.step_s,
         "tolerance": plan.tolerance,

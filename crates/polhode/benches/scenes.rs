@@ -6,7 +6,7 @@
 //! | `4-diamond at rest, all effects, 1 s` | contact detection and contact forces of a resting group at every step |
 //! | `5-diamond falls, first 0.1 s` | constrained integration with many contacts, contact changes, impacts |
 //! | `bouncing ball until rest` | impact search, impacts, flights |
-//! | `box off a table` | sliding, tipping about an edge, leaving |
+//! | `box off a table` | sliding, tipping about an edge, falling off |
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
@@ -63,7 +63,7 @@ fn box_off_table() -> Option<Scene> {
     Scene::builder("box-off-table").duration_s(1.2).body(table).body(slider).build().ok()
 }
 
-/// Prepares and runs a scene; whether it went to its end.
+/// Prepares and runs a scene. Returns whether the run reached its end.
 fn run(scene: &Scene, effects: Effects) -> bool {
     Simulation::new(scene, effects).and_then(|mut simulation| simulation.run(&mut Unobserved)).is_ok()
 }

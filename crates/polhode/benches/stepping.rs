@@ -4,8 +4,8 @@
 //! | name | hot path |
 //! |---|---|
 //! | `step in a loop: 30 boxes slide` | thirty islands that advance by their own steps, the agenda that orders them |
-//! | `body of each: 30 boxes slide` | the state of one body within the step of its island |
-//! | `snapshot`, `restore` | a pile in motion as plain data, and back |
+//! | `body of each: 30 boxes slide` | the states of bodies within the steps of their islands |
+//! | `snapshot`, `restore`: 30 boxes slide | bodies in motion as plain data, and back |
 //! | `crowded bounces` | the time steps of a stretch in which events crowd: balls that bounce in a corner |
 //! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
 
@@ -81,7 +81,7 @@ fn crowded() -> Made<Scene> {
     Ok(builder.build()?)
 }
 
-/// Steps to the end of the duration; whether it got there.
+/// Steps to the end of the duration. Returns whether it was reached.
 fn step_to_the_end(scene: &Scene) -> bool {
     let Ok(mut simulation) = Simulation::new(scene, Effects::Planned) else { return false };
     while simulation.time() < scene.duration_s() {

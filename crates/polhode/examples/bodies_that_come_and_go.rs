@@ -1,4 +1,5 @@
-//! A stack that grows, and loses its lowest brick: handles stay those of their bodies.
+//! A stack that grows, and loses its lowest brick: the handles of the other bricks remain valid, that of the removed
+//! one is refused.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;

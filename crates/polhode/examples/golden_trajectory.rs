@@ -1,11 +1,12 @@
-//! A golden trajectory for the CI of another project: a hash of all bits of a run, equal on every platform.
+//! A golden trajectory for the CI of another project: a hash of the positions and velocities of a run, which has the
+//! same value on every platform.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector};
 use polhode::{Body, Effects, Recorder, Scene, Simulation};
 
-/// The FNV-1a hash of the positions and velocities of all samples.
+/// The FNV-1a hash of the bits of the positions and linear velocities of all samples.
 fn hash(record: &Recorder) -> u64 {
     let samples = record.samples.iter().flatten();
     let numbers = samples.flat_map(|body| [body.pose.translation, body.velocity.linear]).flat_map(|v| v.to_array());

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let height = simulation.body(drone).pose.translation.z;
     println!("height {height:.6} m after {} s", simulation.time());
     assert!((height - 1.0).abs() < 1e-4);
-    // The work of the thruster is what the drone has gained, to the last digits.
+    // The ledger books the work of the thruster as external: it explains the change of energy to rounding.
     let ledger = simulation.run(&mut Unobserved)?.ledger;
     assert!(ledger.closure_relative() < 1e-12);
     Ok(())

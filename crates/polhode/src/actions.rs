@@ -166,7 +166,7 @@ impl Simulation {
         what: &'static str,
         change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
     ) -> Result<(), SimulationError> {
-        // Planar motion is one of all bodies, so that the symmetry of all must be measured again.
+        // A motion is planar only if that of all bodies is, so that the symmetry of all must be measured again.
         let planar = self.core.world.plane.is_some();
         let concerned = if planar { self.core.world.movable.clone() } else { bodies.to_vec() };
         self.tier.interrupt(&mut self.core, &concerned)?;

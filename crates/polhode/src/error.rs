@@ -1,4 +1,4 @@
-//! Errors of a simulation: why it cannot be made, cannot go on, or refuses what a program asks for.
+//! Errors of a simulation: why it cannot be made, cannot continue, or refuses what a program asks for.
 
 use crate::action_error::ActionError;
 use crate::scene::SceneError;
@@ -9,7 +9,7 @@ use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
 use thiserror::Error;
 
-/// Why a simulation could not be made or could not go on.
+/// Why a simulation could not be made or could not continue.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SimulationError {

@@ -93,7 +93,7 @@ pub struct Frame {
 }
 
 impl World {
-    /// Adds the view of a contact with this force (N). In planar motion a contact may stand for its mirror image too;
+    /// Adds the view of a contact with this force (N). In planar motion a contact may represent its mirror image too;
     /// then two views are added, each with half of the force.
     pub(crate) fn view_contact(&self, states: &[BodyState], touch: &Touch, force_n: f64, views: &mut Vec<ContactView>) {
         let (id, geometry) = (touch.id, touch.kinematics.geometry);

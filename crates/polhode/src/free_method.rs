@@ -35,19 +35,19 @@ pub(crate) struct Choice {
 /// Chooses the integrator for a scene in these states.
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
-    match settings.asked_integrator {
+    match settings.named_integrator {
         _ if settings.tier == Tier::Stepped => choice(
             settings.integrator,
             "the tier has its own: exact flight, forces as one kick in the middle of the step",
         ),
         Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
             Integrator::Rk4,
-            "asked for; it integrates constrained motion too, with the contact forces at every stage",
+            "the scene names it; it integrates constrained motion too, with the contact forces at every stage",
         ),
         Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
-            choice(integrator, "asked for; dop853 integrates bodies that forces couple and that may collide")
+            choice(integrator, "the scene names it; dop853 integrates bodies that forces couple and that may collide")
         }
-        Some(integrator) => choice(integrator, "asked for"),
+        Some(integrator) => choice(integrator, "the scene names it"),
         None if settings.tier == Tier::Thesis => choice(settings.integrator, "that of the thesis"),
         None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")

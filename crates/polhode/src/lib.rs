@@ -75,7 +75,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Programs of some more lines stand in the folder `examples` of the crate: `golden_trajectory`, `custom_force_field`,
+//! Longer programs are in the folder `examples` of the crate: `golden_trajectory`, `custom_force_field`,
 //! `contacts_listened_to`, `hovering_thruster`, `bodies_that_come_and_go` and `paused_and_resumed`.
 //!
 //! # Stages of a run

@@ -22,7 +22,7 @@ impl PivotRows {
     /// The choice for a run with these settings: the tiers of fixed steps, and integrators that advance bodies one by
     /// one, have no constraint rows.
     pub(crate) fn of(settings: &Settings, effects: Effects) -> Self {
-        let solves_rows = matches!(settings.asked_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
+        let solves_rows = matches!(settings.named_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
         match effects {
             _ if settings.tier != Tier::Accurate || !solves_rows => Self::None,
             Effects::Planned => Self::WhereColliding,

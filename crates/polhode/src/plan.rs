@@ -9,7 +9,7 @@
 pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
-use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Scene, Tier};
+use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Response, Scene, Tier};
 use crate::settings::Settings;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
@@ -99,6 +99,8 @@ pub struct Plan {
     pub impact: ImpactLaw,
     /// Method of contact forces.
     pub contact: ContactMethod,
+    /// How bodies that touch act on each other.
+    pub response: Response,
     /// Broad phase: how pairs that may touch are found.
     pub broad_phase: BroadPhaseMethod,
     /// Step, s: fixed in the tiers `thesis` and `stepped`, an upper bound in tier `accurate`.
@@ -116,7 +118,7 @@ impl Plan {
     pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
         let scene = &world.scene;
         let tier_reason = match (scene.method().tier, settings.tier) {
-            (Some(_), _) => "asked for".to_owned(),
+            (Some(_), _) => "the scene names it".to_owned(),
             (None, _) => "the default: located events and exact contact forces".to_owned(),
         };
         Self {
@@ -126,6 +128,7 @@ impl Plan {
             integrator_reason: findings.choice.reason.clone(),
             impact: settings.impact,
             contact: settings.contact,
+            response: settings.response,
             broad_phase: settings.broad_phase,
             step_s: settings.step_s,
             tolerance: settings.tolerance,
@@ -289,7 +292,8 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
         Effects::All => decision(
             Effect::Rest,
             false,
-            "all effects asked for: contacts and forces of resting islands are computed at every step".to_owned(),
+            "the run simulates all effects: contacts and forces of resting islands are computed at every step"
+                .to_owned(),
             "nothing",
         ),
     };

@@ -46,12 +46,14 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
         return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
     }
     if world.has_loads() {
-        return PlanarFinding::off("forces besides uniform gravity or pivots act, and their symmetry is not examined");
+        return PlanarFinding::off("force fields or pivots act on bodies, and their symmetry is not examined");
     }
     let keeps_symmetry =
         matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
     if settings.tier != Tier::Stepped && !keeps_symmetry {
-        return PlanarFinding::off("the integrator asked for may not keep the symmetry: it is used in space");
+        return PlanarFinding::off(
+            "the integrator that the scene names may not keep the symmetry: bodies move in space",
+        );
     }
     if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {
         return PlanarFinding::off(

@@ -5,7 +5,7 @@
 //! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
 //! | `accurate` by `rk4` | as above | no promise: depends on the step | no promise |
 //! | `stepped` | no promise: depends on the step | no promise | no promise |
-//! | `thesis` | no promise | projects nothing | |
+//! | `thesis` | no promise | no promise: projects only if asked to | no promise |
 //!
 //! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
 //! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the

@@ -1,7 +1,7 @@
 //! The settings of a run: the scene's method, completed by the defaults of its tier.
 
 use crate::scene::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
@@ -36,15 +36,17 @@ pub(crate) struct Settings {
     pub(crate) tier: Tier,
     pub(crate) integrator: Integrator,
     /// The integrator that the scene names, if any.
-    pub(crate) asked_integrator: Option<Integrator>,
+    pub(crate) named_integrator: Option<Integrator>,
     pub(crate) orientation: Orientation,
     pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
+    /// How bodies that touch act on each other; other than by constraint in the tier `thesis` alone.
+    pub(crate) response: Response,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
     /// Whether the scene gives that step.
-    pub(crate) step_is_asked: bool,
+    pub(crate) step_is_given: bool,
     pub(crate) tolerance: f64,
     pub(crate) max_events_per_step: u64,
     pub(crate) crowding: Crowding,
@@ -60,7 +62,7 @@ impl Settings {
                 && match self.integrator {
                     // When the plan chooses DOP853, bodies under gravity alone stay in free flight; when the scene
                     // names it, it integrates all bodies.
-                    Integrator::Dop853 => self.asked_integrator.is_none(),
+                    Integrator::Dop853 => self.named_integrator.is_none(),
                     integrator => integrator.is_exact_without_loads(),
                 }
     }
@@ -68,7 +70,7 @@ impl Settings {
     /// Whether constrained motion is integrated by RK4 at a fixed step, because the scene names it, and not by DOP853
     /// under error control.
     pub(crate) fn constrains_by_rk4(&self) -> bool {
-        self.tier == Tier::Accurate && self.asked_integrator == Some(Integrator::Rk4)
+        self.tier == Tier::Accurate && self.named_integrator == Some(Integrator::Rk4)
     }
 
     /// Promised limit of penetration, relative to the size of the smaller body of a pair; none for a tier without a
@@ -100,14 +102,14 @@ impl Settings {
 
     /// Whether the integrator is splitting under error control, chosen by the plan and not named by the scene.
     pub(crate) fn splits_by_choice(&self) -> bool {
-        self.asked_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
+        self.named_integrator.is_none() && self.integrator == Integrator::ExactAdaptive
     }
 
     /// The settings as [`Settings::resolve`] gives them, before the plan chooses an integrator.
     pub(crate) fn as_resolved(self) -> Self {
         let chosen = match self.tier {
             Tier::Thesis | Tier::Stepped => self.integrator,
-            Tier::Accurate => self.asked_integrator.unwrap_or(Integrator::Exact),
+            Tier::Accurate => self.named_integrator.unwrap_or(Integrator::Exact),
         };
         Self { integrator: chosen, ..self }
     }
@@ -133,14 +135,15 @@ impl Settings {
         Self {
             tier,
             integrator: method.integrator.unwrap_or(integrator),
-            asked_integrator: method.integrator,
+            named_integrator: method.integrator,
             orientation: method.orientation.unwrap_or_default(),
             rotation_rate: method.rotation_rate.unwrap_or_default(),
             impact: method.impact.unwrap_or(impact),
             contact: method.contact.unwrap_or(contact),
+            response: method.response.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(if tier == Tier::Stepped { DEFAULT_TIME_STEP_S } else { DEFAULT_STEP_S }),
-            step_is_asked: method.step_s.is_some(),
+            step_is_given: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
             crowding: method.crowding.unwrap_or_default(),

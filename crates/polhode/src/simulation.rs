@@ -105,7 +105,7 @@ impl Simulation {
         settings.integrator = choice.integrator;
         let planar = match effects {
             Effects::Planned => planar::find(&world, &states, &settings),
-            Effects::All => PlanarFinding::off("all effects asked for: every body moves in space"),
+            Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
@@ -165,7 +165,7 @@ impl Simulation {
             return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
         }
         loop {
-            // A run that is not stopped has a step that ends at the end of its duration; so must this one.
+            // A step ends exactly at the end of the duration, also when a program advances past it.
             let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
             let step = self.advance(limit, observer)?;
             if step.t_s >= t_s && !step.is_event() {

@@ -31,7 +31,7 @@ pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<
 
 /// The error that names the force which has caused `error`, if a force has at these states; else `error` itself.
 pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState]) -> SimulationError {
-    if !may_come_of_a_force(&error) || core.world.scene.forces().is_empty() {
+    if !may_be_caused_by_a_force(&error) || core.world.scene.forces().is_empty() {
         return error;
     }
     let (world, t) = (&core.world, core.t);
@@ -56,7 +56,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
 }
 
 /// Whether a singular force may cause such an error.
-fn may_come_of_a_force(error: &SimulationError) -> bool {
+fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
     match error {
         SimulationError::StepTooSmall { .. }
         | SimulationError::EnergyOverflow { .. }
@@ -69,9 +69,9 @@ fn may_come_of_a_force(error: &SimulationError) -> bool {
     }
 }
 
-/// Calls `asked` with the index of every force of the scene, the index of every movable body, and the wrench of that
+/// Calls `visit` with the index of every force of the scene, the index of every movable body, and the wrench of that
 /// force on that body.
-fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut asked: impl FnMut(usize, usize, Wrench)) {
+fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut visit: impl FnMut(usize, usize, Wrench)) {
     let own = world.movable_states(states);
     for (number, force) in world.scene.forces().iter().enumerate() {
         // A force whose fields cannot be made was refused when the scene was built.
@@ -82,7 +82,7 @@ fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut asked: impl 
         }
         for (&body, wrench) in world.movable.iter().zip(wrenches) {
             if world.bodies[body].moves() && states[body].is_finite() {
-                asked(number, body, wrench);
+                visit(number, body, wrench);
             }
         }
     }

@@ -5,7 +5,7 @@ use super::{
     convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
     free_rotation, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
     one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
-    rigid_ipc, snapshots, speed, stackings, stacks, table_edge, thesis_tier, tunnelling, valleys,
+    rigid_ipc, snapshots, speed, stackings, stacks, table_edge, thesis_tier, tunnelling, valleys, videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -108,6 +108,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },
     Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
+    Case { name: "videos", rows: videos::rows },
     Case { name: "ledger", rows: ledger::shipped_scenes },
     Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
     Case { name: "one dependency", rows: one_dependency::examples },

@@ -63,6 +63,7 @@ mod table_edge;
 mod thesis_tier;
 mod tunnelling;
 mod valleys;
+mod videos;
 
 pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};

@@ -1,19 +1,21 @@
 //! Plan, accelerations and report of a run.
 
 use super::table::{Table, number, vector};
+use crate::heading::Heading;
 use polhode::{Acceleration, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
-use polhode_scene::names;
+use polhode_scene::{LoadedScene, names};
 
 /// Most bodies listed: more are for a file to hold.
 const MOST_BODIES: usize = 50;
 
-/// The plan: methods, then one line per effect.
-pub(crate) fn plan(scene: &str, plan: &Plan) -> String {
+/// The scene with what it shows, and the plan: methods, then one line per effect.
+pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
     let mut methods = Table::default();
     methods.row(["tier", &format!("{} ({})", names::tier(plan.tier), plan.tier_reason)]);
     methods.row(["integrator", &format!("{} ({})", names::integrator(plan.integrator), plan.integrator_reason)]);
     methods.row(["impact", names::impact(plan.impact)]);
     methods.row(["contact", names::contact(plan.contact)]);
+    methods.row(["response", plan.response.name()]);
     methods.row(["broad phase", plan.broad_phase.name()]);
     methods.row(["step", &format!("{} s", number(plan.step_s))]);
     methods.row(["tolerance", &number(plan.tolerance)]);
@@ -21,7 +23,9 @@ pub(crate) fn plan(scene: &str, plan: &Plan) -> String {
     for effect in &plan.effects {
         effects.row([effect.effect.name(), names::decision(effect.decision), &effect.fact, &effect.saves]);
     }
-    format!("scene {scene}\n\nplan\n{}\neffects\n{}\n", methods.print(), effects.print())
+    let name = loaded.scene.name();
+    let heading = Heading::of(std::iter::once(loaded)).lines(name);
+    format!("scene {name}\n{heading}\nplan\n{}\neffects\n{}\n", methods.print(), effects.print())
 }
 
 /// Accelerations at t = 0.

@@ -60,6 +60,22 @@ fn text() {
     assert!(run.stderr.is_empty(), "{}", run.stderr);
 }
 
+/// What a scene says of itself stands in its report, for people and as JSON; without it, its name is its title.
+#[test]
+fn description() {
+    let says = "title = \"A stone\"\ndescription = \"\"\"\nIt flies.\n  Look up.\"\"\"\n";
+    let place = Place::with_scene(&FLIGHT.replace("duration", &format!("{says}duration")));
+    let report = place.expect(0, &["run", "scene.toml", "--json"]).json();
+    assert_eq!(
+        (report["title"].as_str(), report["description"].as_str()),
+        (Some("A stone"), Some("It flies. Look up."))
+    );
+    let text = place.expect(0, &["run", "scene.toml"]).stdout;
+    assert!(text.starts_with("scene flight\nA stone\nIt flies. Look up.\n\nplan\n"), "{text}");
+    let plain = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--json"]).json();
+    assert_eq!((plain["title"].as_str(), plain["description"].is_null()), (Some("flight"), true));
+}
+
 /// Trajectories: the first sample is t = 0, the last exactly the duration; names are quoted.
 #[test]
 fn trajectories() {

@@ -38,6 +38,24 @@ fn a_page_beside_the_scene() {
     assert_eq!(place.read("a.html"), place.read("b.html"));
 }
 
+/// What a scene says of itself stands in its page: heading and description; two scenes are both named.
+#[test]
+fn a_page_with_a_description() {
+    let place = Place::new();
+    let told = |title: &str, words: &str| {
+        DROP.replace("duration", &format!("title = \"{title}\"\ndescription = \"{words}\"\nduration"))
+    };
+    place.write("a.toml", &told("A ball & a floor", "It falls."));
+    place.write("b.toml", &told("Another", "It falls."));
+    place.expect(0, &["view", "a.toml"]);
+    let page = place.read("a.html");
+    assert!(page.contains("<title>A ball &amp; a floor</title>") && page.contains("\"description\":\"It falls.\""));
+    place.expect(0, &["view", "a.toml", "b.toml", "-o", "both.html"]);
+    let page = place.read("both.html");
+    assert!(page.contains("\"title\":\"A ball & a floor | Another\""));
+    assert!(page.contains("\"description\":\"It falls.\""));
+}
+
 #[test]
 fn two_runs_in_one_page() {
     let place = Place::with_scene(DROP);

@@ -1,4 +1,4 @@
-//! Any bytes as two shapes at poses.
+//! Bytes as two shapes at poses: every result exists or is refused with an error, and follows the conventions.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -5,8 +5,8 @@ use crate::screw::Screw;
 use crate::{LARGE, Numbers, ROUNDING};
 use polhode_contact::clearance::joint_size;
 use polhode_contact::{
-    ContactFeature, ImpactSearch, Manifold, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate,
-    find_impact, manifold, ray_cast, separation,
+    ContactFeature, ImpactSearch, Manifold, Ray, Shape, SurfaceFeature, closest_point, distance, evaluate, find_impact,
+    manifold, ray_cast, separation,
 };
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector, Velocity};
 
@@ -46,7 +46,7 @@ pub fn check_answers(bytes: &[u8]) {
         pair.check_ray(&ray);
     }
     pair.check_distance();
-    pair.check_mirror();
+    pair.check_swapped();
     pair.check_impact(velocities);
 }
 
@@ -114,9 +114,9 @@ fn is_nearest_rim(feature: ContactFeature) -> bool {
 }
 
 impl Pair {
-    /// Whether separation and distance can be compared. Two clouds never touch, though their points have a distance; a
-    /// point behind a mesh counts as below its outer side, also when it came there around the border.
-    fn has_sides(&self) -> bool {
+    /// Whether separation and distance are different quantities. Two clouds never touch, though their points have a
+    /// distance; a point behind a mesh counts as below its outer side, also when it came there around the border.
+    fn differs_from_distance(&self) -> bool {
         let sheet = |shape: &Shape| matches!(shape, Shape::TriangleMesh(_)) || has_points(shape);
         let [a, b] = &self.shapes;
         (has_points(a) && sheet(b)) || (sheet(a) && has_points(b))
@@ -130,7 +130,7 @@ impl Pair {
         let closing = found.point_b + found.normal * found.distance - found.point_a;
         assert!(closing.length() <= self.tolerance, "points apart: {found:?}");
         let apart = separation(a, pose_a, b, pose_b);
-        if apart.is_infinite() || self.has_sides() {
+        if apart.is_infinite() || self.differs_from_distance() {
             return;
         }
         assert!(apart <= found.distance.max(0.0) + self.tolerance, "separated by more: {apart} {found:?}");
@@ -145,7 +145,7 @@ impl Pair {
     }
 
     /// Compares the manifold with that of the swapped pair.
-    fn check_mirror(&self) {
+    fn check_swapped(&self) {
         let ([a, b], [pose_a, pose_b]) = (&self.shapes, &self.poses);
         let reach = self.tolerance;
         let found = manifold(a, pose_a, b, pose_b, reach);
@@ -156,14 +156,14 @@ impl Pair {
         }
         let deep = -SHALLOW * joint_size(smallest_part(a), smallest_part(b));
         for contact in found.contacts.iter().filter(|c| !has_an_order(c.feature) && c.geometry.separation > deep) {
-            let mirrored = evaluate(contact.feature.swapped(), b, pose_b, a, pose_a);
-            let mirrored = mirrored.unwrap_or_else(|| panic!("not mirrored: {contact:?}"));
-            let (one, other) = (&contact.geometry, &mirrored);
-            let in_place =
-                one.normal.dot(other.normal) < 0.0 && one.point.distance(other.point) <= self.tolerance * MIRRORED;
+            let again = evaluate(contact.feature.swapped(), b, pose_b, a, pose_a);
+            let again = again.unwrap_or_else(|| panic!("not found swapped: {contact:?}"));
+            let (one, other) = (&contact.geometry, &again);
+            let in_place = one.normal.dot(other.normal) < 0.0
+                && one.point.distance(other.point) <= self.tolerance * SWAPPED_POINTS;
             let same = (one.separation - other.separation).abs() <= self.tolerance;
             let same = same && (in_place || is_nearest_rim(contact.feature));
-            assert!(same, "mirrored: {contact:?} {mirrored:?}");
+            assert!(same, "swapped: {contact:?} {again:?}");
         }
         let none = |manifold: &Manifold| manifold.contacts.is_empty();
         // Deeper, an axis or a torus's centre circle may be inside, where no direction of separation is unique.
@@ -203,7 +203,7 @@ impl Pair {
         let motions = [Screw(pose_a, velocities[0]), Screw(pose_b, velocities[1])];
         let travel: f64 = velocities.iter().map(|v| v.linear.length()).sum();
         let turns: f64 = velocities.iter().map(|v| v.angular.length()).sum();
-        if !(travel < FASTEST && turns < FASTEST) || self.has_sides() {
+        if !(travel < FASTEST && turns < FASTEST) || self.differs_from_distance() {
             return;
         }
         let tolerance = self.tolerance * (1.0 + travel + turns);
@@ -224,7 +224,7 @@ impl Pair {
 }
 
 /// Contact points may differ by this factor more than separations do, along a flat region.
-const MIRRORED: f64 = 1e3;
+const SWAPPED_POINTS: f64 = 1e3;
 
 /// Penetrations up to this, relative to the joint size of the smallest parts, must have contacts: in a thin part of a
 /// compound a body may be on the part's axis although it is not deep in the compound.

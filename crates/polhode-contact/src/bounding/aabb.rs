@@ -7,7 +7,7 @@ use thiserror::Error;
 /// rounding.
 pub(crate) const ROUNDING_ULPS: f64 = 16.0;
 
-/// Why two corners make no box.
+/// Why a box cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum AabbError {
     /// A coordinate is NaN or a lower bound exceeds its upper bound.
@@ -50,6 +50,11 @@ impl Aabb {
         if min.cmple(max).all() { Ok(Self { min, max }) } else { Err(AabbError::Invalid { min, max }) }
     }
 
+    /// The box of a single point, m.
+    pub(crate) const fn of_point(point: DVec3) -> Self {
+        Self { min: point, max: point }
+    }
+
     /// The smallest box that contains all points (m); [`Self::EMPTY`] when there are none.
     pub(crate) fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
@@ -63,6 +68,11 @@ impl Aabb {
     /// Upper bounds, m.
     pub const fn max(&self) -> DVec3 {
         self.max
+    }
+
+    /// The middle of the box, m.
+    pub(crate) fn middle(&self) -> DVec3 {
+        0.5 * self.min + 0.5 * self.max
     }
 
     /// Whether the boxes share a point; touching counts.

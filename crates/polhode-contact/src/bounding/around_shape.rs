@@ -64,9 +64,9 @@ impl<'a> Sweep<'a> {
         let bounds = motion.bounds(t0, t1);
         let (start, end) = (motion.position(t0), motion.position(t1));
         let sag = DVec3::splat(bounds.acceleration * duration * duration / 8.0);
-        let reach = DVec3::splat(bounds.speed * duration);
+        let path = DVec3::splat(bounds.speed * duration);
         let (low, high) = (start.min(end) - sag, start.max(end) + sag);
-        let (low, high) = (low.max(start - reach), high.min(start + reach));
+        let (low, high) = (low.max(start - path), high.min(start + path));
         let turn = (0.5 * bounds.angular_speed * duration).min(2.0);
         Ok(Self { motion, low, high, turn, middle: t0 + 0.5 * duration, rotation: OnceCell::new() })
     }
@@ -131,15 +131,15 @@ fn axes_seen(rotation: Rotation) -> DMat3 {
 /// `axes`, m. One pass over the vertices serves all three.
 fn extents(shape: &Shape, axes: &DMat3) -> (DVec3, DVec3) {
     match shape {
-        Shape::TriangleMesh(mesh) => spread(mesh.places(), axes),
+        Shape::TriangleMesh(mesh) => spread(mesh.used_vertices(), axes),
         Shape::Compound(compound) => {
             let parts = compound.parts.iter().map(|part| extents(part, axes));
             parts.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), part| (low.min(part.0), high.max(part.1)))
         }
         Shape::Cylinder(_) | Shape::Cone(_) | Shape::Torus(_) => {
             let directions = axes.to_cols_array_2d().map(DVec3::from);
-            let reach = |sign: f64| DVec3::from_array(directions.map(|d| round::support(shape, sign * d)));
-            (-reach(-1.0), reach(1.0))
+            let supports = |sign: f64| DVec3::from_array(directions.map(|d| round::support(shape, sign * d)));
+            (-supports(-1.0), supports(1.0))
         }
         _ => {
             let (centers, radius) = shape.centers();

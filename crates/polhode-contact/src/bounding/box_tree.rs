@@ -86,8 +86,9 @@ impl BoxTree {
         self.descend(node.link as usize, passes, visit);
     }
 
-    /// The least value of `measure` over the items and `start`, by branch and bound, nearest boxes first. `bound` is a
-    /// lower bound of the values in a box; boxes with a bound above both the least value found and `floor` are skipped.
+    /// The least value of `measure` over the items and `start`, by branch and bound, nearest boxes first. `measure` is
+    /// given an item and the least value so far. `bound` is a lower bound of the values in a box; boxes with a bound
+    /// above both the least value found and `floor` are skipped.
     pub(crate) fn least(
         &self,
         start: f64,

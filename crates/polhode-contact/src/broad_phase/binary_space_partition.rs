@@ -58,7 +58,7 @@ fn sum(terms: DVec3) -> f64 {
 fn principal_direction(cell: &Cell<'_>) -> DVec3 {
     let around = Aabb::of_points(cell.middles());
     let (low, high) = (around.min(), around.max());
-    let (center, scale) = (0.5 * low + 0.5 * high, (high - low).max_element());
+    let (center, scale) = (around.middle(), (high - low).max_element());
     let mut direction = high - low;
     for _ in 0..POWER_ITERATIONS {
         let length = direction.length();

@@ -28,7 +28,7 @@ impl SplitRule for Octree {
     fn split(&mut self, cell: &Cell<'_>) -> Option<Octants> {
         let around = Aabb::of_points(cell.middles());
         let spread = around.max() - around.min();
-        let mut center = 0.5 * around.min() + 0.5 * around.max();
+        let mut center = around.middle();
         for axis in 0..3 {
             if spread[axis] < SPLIT_SPREAD * spread.max_element() {
                 center[axis] = f64::INFINITY;

@@ -58,26 +58,27 @@ impl PairCollector {
             self.first_places[i as usize] += 1;
             self.second_places[j as usize] += 1;
         }
-        distribute(&self.found, |pair| pair.1, &mut self.second_places, &mut self.by_second);
-        distribute(&self.by_second, |pair| pair.0, &mut self.first_places, sorted);
+        distribute(&self.found, |pair| pair.1 as usize, &mut self.second_places, &mut self.by_second);
+        distribute(&self.by_second, |pair| pair.0 as usize, &mut self.first_places, sorted);
     }
 }
 
-/// One pass of a stable counting sort. `places` holds the number of pairs with each key.
-fn distribute(
-    pairs: &[(u32, u32)],
-    key: impl Fn((u32, u32)) -> u32,
+/// One pass of a stable counting sort. `places` holds the number of items with each key, and afterwards where the items
+/// of each key end.
+pub(crate) fn distribute<T: Copy + Default>(
+    items: &[T],
+    key: impl Fn(&T) -> usize,
     places: &mut [usize],
-    ordered: &mut Vec<(u32, u32)>,
+    ordered: &mut Vec<T>,
 ) {
     let mut start = 0;
     for place in &mut *places {
         start += std::mem::replace(place, start);
     }
-    ordered.resize(pairs.len(), (0, 0));
-    for &pair in pairs {
-        let place = &mut places[key(pair) as usize];
-        ordered[*place] = pair;
+    ordered.resize(items.len(), T::default());
+    for item in items {
+        let place = &mut places[key(item)];
+        ordered[*place] = *item;
         *place += 1;
     }
 }

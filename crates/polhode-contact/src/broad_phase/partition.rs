@@ -53,7 +53,7 @@ impl Cell<'_> {
 
     /// Centres of the boxes, m.
     pub(crate) fn middles(&self) -> impl Iterator<Item = DVec3> {
-        self.boxes().map(|aabb| 0.5 * aabb.min() + 0.5 * aabb.max())
+        self.boxes().map(Aabb::middle)
     }
 
     /// Median of a measure (m) of the boxes' centres. `buffer` is for sorting.
@@ -142,7 +142,7 @@ impl<R: SplitRule> Partition<R> {
 
     /// Whether the current cell contains a point.
     fn owns(&self, point: DVec3) -> bool {
-        let here = Aabb { min: point, max: point };
+        let here = Aabb::of_point(point);
         self.path.iter().all(|(split, side)| split.reaches(&here, *side))
     }
 }

@@ -7,7 +7,7 @@
 //! similar sizes; with a wide spread of sizes its time tends to that of comparing all (docs/REFERENCES.md, Teschner et
 //! al. 2003). No library is used: those of spatial hashing store points, or require boxes in their own storage.
 
-use super::pair_collector::{PairCollector, PairSearch};
+use super::pair_collector::{PairCollector, PairSearch, distribute};
 use crate::Aabb;
 use glam::DVec3;
 
@@ -108,18 +108,7 @@ impl VoxelGrid {
         for entry in &self.entries {
             self.ends[bucket(entry.cell, buckets)] += 1;
         }
-        let mut start = 0;
-        for end in &mut self.ends {
-            // `end` is first the start of the bucket; every entry added increments it.
-            start += std::mem::replace(end, start);
-        }
-        self.table.clear();
-        self.table.resize(self.entries.len(), Entry::default());
-        for entry in &self.entries {
-            let place = &mut self.ends[bucket(entry.cell, buckets)];
-            self.table[*place] = *entry;
-            *place += 1;
-        }
+        distribute(&self.entries, |entry| bucket(entry.cell, buckets), &mut self.ends, &mut self.table);
     }
 
     fn wide_pairs(&self, boxes: &[Aabb], found: &mut PairCollector) {

@@ -11,4 +11,4 @@ mod place_tolerance;
 pub use pair_tolerance::{joint_size, resolution, scale, touch_tolerance};
 pub use place_tolerance::{COINCIDENCE, PARALLEL_SINE, RESOLUTION_ULPS};
 
-pub(crate) use place_tolerance::place_tolerance;
+pub(crate) use place_tolerance::{place_tolerance, place_tolerance_of_sizes};

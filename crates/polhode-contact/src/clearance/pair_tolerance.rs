@@ -1,24 +1,23 @@
 //! The tolerances of a pair of shapes.
 
 use crate::Shape;
-use crate::clearance::place_tolerance::RESOLUTION_ULPS;
+use crate::clearance::place_tolerance::{RESOLUTION_ULPS, smaller_size};
 use polhode_spatial::Pose;
 
 /// The smaller of the two sizes, m; that of the other shape when one has none (a half-space, a single point); 0 when
 /// neither has one.
 pub fn joint_size(shape_a: &Shape, shape_b: &Shape) -> f64 {
-    let (a, b) = (shape_a.size(), shape_b.size());
-    if a == 0.0 || b == 0.0 { a.max(b) } else { a.min(b) }
+    smaller_size(shape_a.size(), shape_b.size())
 }
 
-/// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, of both radii about the
-/// centres of mass, and of the distance of the centres of mass.
+/// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, both radii about the centres
+/// of mass, and the distance of the centres of mass. A half-space contributes the distance of its plane from its origin.
 pub fn scale(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
-    let reach = |shape: &Shape| match shape {
+    let lengths = |shape: &Shape| match shape {
         Shape::HalfSpace(h) => h.offset().abs(),
         _ => shape.size() + shape.radius(),
     };
-    reach(shape_a) + reach(shape_b) + (pose_a.translation - pose_b.translation).length()
+    lengths(shape_a) + lengths(shape_b) + (pose_a.translation - pose_b.translation).length()
 }
 
 /// Separations up to this are zero within rounding, m: `4 eps` times the scale.

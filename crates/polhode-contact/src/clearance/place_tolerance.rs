@@ -17,6 +17,16 @@ pub const RESOLUTION_ULPS: f64 = 4.0;
 /// separation.
 const PLACE_ULPS: f64 = 16.0;
 
+/// The smaller of the sizes of two bodies, m; that of the other body when one has none (0: a half-space, a point).
+pub(crate) fn smaller_size(size_a: f64, size_b: f64) -> f64 {
+    if size_a == 0.0 || size_b == 0.0 { size_a.max(size_b) } else { size_a.min(size_b) }
+}
+
+/// [`place_tolerance`] for bodies of which one may have no size.
+pub(crate) fn place_tolerance_of_sizes(size_a: f64, size_b: f64, relative: DVec3) -> f64 {
+    place_tolerance(smaller_size(size_a, size_b), size_a.max(size_b), relative)
+}
+
 /// The place tolerance: distance up to which two features coincide, m. It is [`COINCIDENCE`] times the joint size plus
 /// the rounding of a position. `relative` is the position of one body in the frame of the other.
 pub(crate) fn place_tolerance(size_a: f64, size_b: f64, relative: DVec3) -> f64 {

@@ -21,32 +21,33 @@ const EACH: u32 = 256;
 /// Number of additional cuts, for all windows of a search together.
 const SPARE: u32 = 4096;
 
-/// A part of two bodies, and how long it certainly stays clear, s. In the order, a shorter time is greater.
+/// A part of two bodies, and how long it certainly stays clear, s. In the order, a shorter time is greater, so that
+/// the heap gives the part with the shortest time first.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece<P> {
+pub(crate) struct ClearPart<P> {
     pub(crate) part: P,
     pub(crate) clear: f64,
 }
 
-impl<P> Ord for Piece<P> {
+impl<P> Ord for ClearPart<P> {
     fn cmp(&self, other: &Self) -> Ordering {
         other.clear.total_cmp(&self.clear)
     }
 }
 
-impl<P> PartialOrd for Piece<P> {
+impl<P> PartialOrd for ClearPart<P> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<P> PartialEq for Piece<P> {
+impl<P> PartialEq for ClearPart<P> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<P> Eq for Piece<P> {}
+impl<P> Eq for ClearPart<P> {}
 
 /// Counts the cuts of one search.
 #[derive(Debug)]
@@ -66,32 +67,33 @@ impl Cuts {
         self.made
     }
 
-    /// How long all pieces certainly stay clear, s, at most `window`. The piece with the shortest time is cut (`cut`
-    /// adds its parts to a list) until all are clear for the whole window, a cut gains too little, or no cuts are left.
+    /// How long all parts certainly stay clear, s, at most `window`. The part with the shortest time is replaced by
+    /// smaller ones, which `cut` adds to a list, until all are clear for the whole window, a cut gains too little, or
+    /// no cuts are left.
     pub(crate) fn clear<P>(
         &mut self,
-        pieces: Vec<Piece<P>>,
+        parts: Vec<ClearPart<P>>,
         window: f64,
-        mut cut: impl FnMut(&P, &mut Vec<Piece<P>>),
+        mut cut: impl FnMut(&P, &mut Vec<ClearPart<P>>),
     ) -> f64 {
-        let mut pieces = BinaryHeap::from(pieces);
-        let mut parts = Vec::new();
+        let mut parts = BinaryHeap::from(parts);
+        let mut smaller = Vec::new();
         let most = MOST.min(EACH + self.spare);
         let mut made = 0;
         while made < most {
-            let Some(Piece { part, clear }) = pieces.peek().filter(|worst| worst.clear < window) else { break };
-            cut(part, &mut parts);
+            let Some(ClearPart { part, clear }) = parts.peek().filter(|worst| worst.clear < window) else { break };
+            cut(part, &mut smaller);
             made += 1;
-            let better = parts.iter().map(|piece| piece.clear).fold(f64::INFINITY, f64::min);
+            let better = smaller.iter().map(|part| part.clear).fold(f64::INFINITY, f64::min);
             let enough = *clear > 0.0 && better < GAIN * clear;
-            pieces.pop();
-            pieces.extend(parts.drain(..));
+            parts.pop();
+            parts.extend(smaller.drain(..));
             if enough {
                 break;
             }
         }
         self.made = self.made.saturating_add(made);
         self.spare -= made.saturating_sub(EACH);
-        pieces.peek().map_or(window, |worst| worst.clear.min(window))
+        parts.peek().map_or(window, |worst| worst.clear.min(window))
     }
 }

@@ -3,8 +3,8 @@
 //!
 //! Each pair of parts whose swept boxes overlap is searched separately, up to the earliest time found so far. If the
 //! boxes of many pairs overlap, the interval is divided into windows. A pair whose boxes first overlap in a later
-//! window is clear before it. The search of a pair runs from its first window to the end of the whole interval: the
-//! border of a window is not a new start.
+//! window is clear before it. The search of a pair runs from its first window to the end of the whole interval; it is
+//! not begun anew at the border of a window.
 //!
 //! Bodies in contact at the start may touch with further parts without an impact, when a body slides over the joint of
 //! two parts or from triangle to triangle. For such bodies, a new touch counts as an impact only if a contact of the
@@ -24,6 +24,7 @@ use crate::impact::pair_impact::find_in_parts;
 use crate::narrow_phase::dispatch::manifold::near_manifold_into;
 use crate::narrow_phase::dispatch::separation::separation_with;
 use crate::narrow_phase::dispatch::workspace::Workspace;
+use crate::narrow_phase::parts::mesh_pair::{mesh_and_other, never_meets};
 use crate::narrow_phase::terms::evaluate::kinematics;
 use crate::shape::TriangleMesh;
 use crate::shape::extent::turned;
@@ -122,31 +123,24 @@ impl Pair<'_> {
         let swept = |at: usize, part: &Shape| -> Result<Aabb, ImpactError> {
             sweeps[at].of(part).and_then(|b| b.inflated(2.0 * self.touch)).map_err(fail)
         };
-        match self.shapes {
-            // Meshes and half-spaces are fixed surroundings: they have no impacts with each other.
-            [Shape::TriangleMesh(_), Shape::TriangleMesh(_) | Shape::HalfSpace(_)]
-            | [Shape::HalfSpace(_), Shape::TriangleMesh(_)] => return Ok(()),
-            [Shape::TriangleMesh(mesh), other] => {
-                for (i, part) in other.parts().iter().enumerate() {
-                    let bounds = self.in_frame_of_mesh(0, mesh, &swept(1, part)?, start, end);
-                    mesh.tree.overlaps(&bounds, &mut |triangle| found.push([triangle, i as u32]));
-                }
+        if let Some((at, mesh, other)) = mesh_and_other(self.shapes) {
+            if never_meets(other) {
+                return Ok(());
             }
-            [other, Shape::TriangleMesh(mesh)] => {
-                for (i, part) in other.parts().iter().enumerate() {
-                    let bounds = self.in_frame_of_mesh(1, mesh, &swept(0, part)?, start, end);
-                    mesh.tree.overlaps(&bounds, &mut |triangle| found.push([i as u32, triangle]));
-                }
+            for (i, part) in (0..).zip(other.parts()) {
+                let bounds = self.in_frame_of_mesh(at, mesh, &swept(1 - at, part)?, start, end);
+                mesh.tree.overlaps(&bounds, &mut |triangle| {
+                    found.push(if at == 0 { [triangle, i] } else { [i, triangle] });
+                });
             }
-            [a, b] => {
-                let boxes = |at: usize, shape: &Shape| -> Result<Vec<Aabb>, ImpactError> {
-                    shape.parts().iter().map(|part| swept(at, part)).collect()
-                };
-                let (boxes_a, boxes_b) = (boxes(0, a)?, boxes(1, b)?);
-                for (i, box_a) in boxes_a.iter().enumerate() {
-                    let meeting = boxes_b.iter().enumerate().filter(|(_, box_b)| box_a.overlaps(box_b));
-                    found.extend(meeting.map(|(j, _)| [i as u32, j as u32]));
-                }
+        } else {
+            let boxes = |at: usize| -> Result<Vec<Aabb>, ImpactError> {
+                self.shapes[at].parts().iter().map(|part| swept(at, part)).collect()
+            };
+            let (boxes_a, boxes_b) = (boxes(0)?, boxes(1)?);
+            for (i, box_a) in (0..).zip(&boxes_a) {
+                let meeting = (0..).zip(&boxes_b).filter(|(_, box_b)| box_a.overlaps(box_b));
+                found.extend(meeting.map(|(j, _)| [i, j]));
             }
         }
         found.sort_unstable();
@@ -158,7 +152,7 @@ impl Pair<'_> {
         let motion = self.motions[at];
         let (pose, bounds) = (motion.pose(start), motion.bounds(start, end));
         let length = end - start;
-        let turning = if bounds.angular_speed > 0.0 { bounds.angular_speed * length * mesh.reach() } else { 0.0 };
+        let turning = if bounds.angular_speed > 0.0 { bounds.angular_speed * length * mesh.radius() } else { 0.0 };
         let stray = bounds.speed * length + turning;
         if !(stray.is_finite() && swept.is_finite()) {
             return Aabb::UNBOUNDED;
@@ -251,7 +245,7 @@ impl Pair<'_> {
 /// A part of a body; of a mesh, a triangle as a flat polyhedron.
 fn part(shape: &Shape, index: u32) -> Option<Cow<'_, Shape>> {
     match shape {
-        Shape::TriangleMesh(mesh) => mesh.flat_polyhedron(index).map(|flat| Cow::Owned(Shape::Convex(flat))),
+        Shape::TriangleMesh(mesh) => Some(Cow::Owned(Shape::Convex(mesh.flat_polyhedron(index)))),
         other => other.parts().get(index as usize).map(Cow::Borrowed),
     }
 }

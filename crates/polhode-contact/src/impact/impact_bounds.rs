@@ -37,9 +37,9 @@ use polhode_spatial::{Motion, MotionBounds, Pose, Velocity};
 /// Rounding of a velocity, in epsilons of its magnitude.
 const VELOCITY_ULPS: f64 = 8.0;
 
-/// Lower bound of `-|a x n|` over a window, for a unit vector `a` with rate `a'` and a bound of `|a''|`: the length of
-/// the component of `a + a' s` perpendicular to `n` is convex in `s`, and so lies below its chord; the remainder is a
-/// parabola.
+/// Lower bound of `-|a x n|` over a window, for a unit vector `a` (`axis`) with rate `a'` and a bound of `|a''|`
+/// (`second`). For `a + a' s` this length is convex in `s`, so that it lies below its chord over the window; the rest
+/// of `a` changes it by at most `|a''| s^2/2`.
 fn circle_below(n: DVec3, axis: DVec3, rate: DVec3, second: f64, window: f64) -> Quadratic {
     let (now, change) = (axis.cross(n), rate.cross(n));
     let start = now.length();
@@ -55,8 +55,9 @@ pub(crate) struct MovingBody {
     pub(crate) pose: Pose,
     pub(crate) velocity: Velocity,
     bounds: MotionBounds,
-    /// `a u`: the acceleration of the centre, m/s^2, and the bound of the residual velocity, m/s.
+    /// `a u`: the acceleration of the centre as far as its change of velocity shows it, m/s^2.
     mean: DVec3,
+    /// Bound of the velocity that the remaining acceleration can give over the window, m/s.
     stray: f64,
 }
 
@@ -152,8 +153,8 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// How long points of body `of` stay outside planes that are fixed in the other body: for each point the plane's
-    /// unit normal and the point's gap above it (m), now and in the other body's frame.
+    /// How long points of body `of` stay outside planes that are fixed in the other body, s. `plane` gives, for the
+    /// index of a point, the plane's unit normal in the other body's frame and the point's current gap above it (m).
     pub(crate) fn above_planes(&mut self, of: Side, points: Points<'_>, plane: impl Fn(usize) -> (DVec3, f64)) -> f64 {
         self.above_surfaces(of, points, 0.0, plane)
     }
@@ -200,12 +201,12 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + turning + bend,
             });
         }
-        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let clear = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
-        open
+        clear
     }
 
-    /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body: its outward
+    /// How long the circles of a hull of body `of` stay outside a plane that is fixed in the other body, s: its outward
     /// unit normal and its offset in that body's frame (m).
     pub(crate) fn circles_above_plane(&mut self, of: Side, hull: &Hull<'_>, normal: DVec3, offset: f64) -> f64 {
         let (v, e) = self.sides(of);
@@ -217,24 +218,24 @@ impl<'a> Window<'a> {
         // The axis in the frame of the plane's body.
         let both = v.spin() + e.spin();
         let swing = v.bounds.angular_acceleration + e.bounds.angular_acceleration + v.spin() * e.spin() + both * both;
-        let mut open = self.length;
+        let mut clear = self.length;
         for circle in hull.circles.iter() {
             let arm = v.pose.rotation.rotate(circle.center);
             let axis = v.pose.rotation.rotate(circle.axis);
             let place = between + arm;
             let velocity = relative + v.velocity.angular.cross(arm) - e.velocity.angular.cross(place);
-            let reach = arm.length();
-            let speed = self.speed + v.spin() * reach;
-            let turning = v.turning(reach) + e.turning(place.length() + speed * self.length) + 2.0 * e.spin() * speed;
+            let length = arm.length();
+            let speed = self.speed + v.spin() * length;
+            let turning = v.turning(length) + e.turning(place.length() + speed * self.length) + 2.0 * e.spin() * speed;
             let center = Quadratic {
                 value: up.dot(place) - offset - hull.ball,
                 rate: up.dot(velocity) + central.rate,
                 curvature: central.curvature + turning,
             };
             let tilt = circle_below(up, axis, spin.cross(axis), swing, self.length);
-            open = open.min(positive_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
+            clear = clear.min(positive_until(center.plus(tilt.times(circle.radius)), &[], &[], self.length));
         }
-        open
+        clear
     }
 
     /// How long two hulls stay apart along a direction that is fixed in the world, from B to A.
@@ -275,9 +276,9 @@ impl<'a> Window<'a> {
         base.rate +=
             direction.dot(self.a.velocity.linear - self.b.velocity.linear) + turn.cross(direction).dot(between);
         base.curvature += turning * (turning * (between.length() + self.speed * self.length) + 2.0 * self.speed);
-        let open = positive_until(base, &first, &second, self.length);
+        let clear = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
-        open
+        clear
     }
 
     /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the
@@ -360,13 +361,13 @@ impl<'a> Window<'a> {
                 + a.turning(place)
                 + 2.0 * w_a * speed,
         };
-        let open = positive_until(base, &first, &second, self.length);
+        let clear = positive_until(base, &first, &second, self.length);
         *self.buffers = [first, second];
-        open
+        clear
     }
 
-    /// How long points of body `of` stay outside a sphere of the other body: for each the unit vector from the sphere's
-    /// centre to it (world) and its gap, m. `center` is the sphere's centre in its body's frame.
+    /// How long points of body `of` stay outside a sphere of the other body, s: its centre in that body's frame and its
+    /// radius, m.
     pub(crate) fn around_center(&mut self, of: Side, points: Points<'_>, center: DVec3, radius: f64) -> f64 {
         let mut bounds = std::mem::take(&mut self.buffers[0]);
         bounds.clear();
@@ -388,9 +389,9 @@ impl<'a> Window<'a> {
                 curvature: central.curvature + v.turning(arm.length()) + e.turning(other.length()),
             });
         }
-        let open = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
+        let clear = positive_until(Quadratic::ZERO, &bounds, &[], self.length);
         self.buffers[0] = bounds;
-        open
+        clear
     }
 
     /// How long points on arms of A and of B (m, at most `arms` long) stay apart along axes that are fixed in the world
@@ -411,9 +412,10 @@ impl<'a> Window<'a> {
         self.length
     }
 
-    /// Largest speed at which a point of one body within `reach` (m, from each centre) can move relative to the other.
-    pub(crate) fn largest_speed(&self, reach_a: f64, reach_b: f64) -> f64 {
-        let turning = |spin: f64, reach: f64| if spin == 0.0 { 0.0 } else { spin * reach };
-        self.speed + turning(self.a.spin(), reach_a) + turning(self.b.spin(), reach_b)
+    /// Largest relative speed of a point of A and a point of B that are at most these distances (m) from the centres of
+    /// their bodies.
+    pub(crate) fn largest_speed(&self, radius_a: f64, radius_b: f64) -> f64 {
+        let turning = |spin: f64, radius: f64| if spin == 0.0 { 0.0 } else { spin * radius };
+        self.speed + turning(self.a.spin(), radius_a) + turning(self.b.spin(), radius_b)
     }
 }

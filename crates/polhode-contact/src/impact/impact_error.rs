@@ -14,7 +14,7 @@ pub enum ImpactError {
         t1: f64,
     },
     /// A pose, velocity or bound is not finite.
-    #[error("the motions are not finite at {t} s")]
+    #[error("the motions are not finite at {t} s: poses, velocities and their bounds must be finite")]
     NotFinite {
         /// Time, s.
         t: f64,

@@ -11,7 +11,7 @@ use crate::impact::impact_search::ImpactSearch;
 use crate::impact::quadratic_bound::Quadratic;
 use crate::impact::ring_arcs::RingArcs;
 use crate::impact::ring_pair::RingPair;
-use crate::impact::root_bracket::{Sample, last_open};
+use crate::impact::root_bracket::{Sample, last_not_negative};
 use crate::narrow_phase::axis::axes::Axes;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring;
@@ -96,8 +96,9 @@ const NOTICED: f64 = 1.0 / 16.0;
 /// the touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
 
-/// A bound for a ball and a torus holds until the ball's distance from the torus's axis has decreased by this fraction.
-const HALF: f64 = 0.5;
+/// A bound for a ball and a torus holds as long as the ball's distance from the torus's axis is at least this fraction
+/// of the present one.
+const LEAST_AXIS_DISTANCE: f64 = 0.5;
 
 /// More halvings than this give an interval below the smallest double.
 const MOST_HALVINGS: u32 = 1074;
@@ -107,7 +108,8 @@ fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
 }
 
-/// Points of body `of` above one plane that is fixed in the other body.
+/// How long points of body `of` stay above one plane that is fixed in the other body, s: its outward unit normal and
+/// its offset in that body's frame (m).
 fn points_clear_of_plane(
     now: &Moment,
     window: &mut Window<'_>,
@@ -115,13 +117,13 @@ fn points_clear_of_plane(
     (points, radius): Points<'_>,
     (normal, offset): (DVec3, f64),
 ) -> f64 {
-    let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+    let (this, other) = (of.index(), of.other().index());
     let x = now.poses[other].relative(&now.poses[this]);
     let gap = |k: usize| normal.dot(x.transform_point(points[k])) - offset - radius;
     window.above_planes(of, (points, radius), |k| (normal, gap(k)))
 }
 
-/// The points and circles of a hull above one plane that is fixed in the other body.
+/// The same for the points and circles of a hull.
 fn hull_clear_of_plane(now: &Moment, window: &mut Window<'_>, of: Side, hull: &Hull<'_>, plane: (DVec3, f64)) -> f64 {
     let circles = window.circles_above_plane(of, hull, plane.0, plane.1);
     circles.min(points_clear_of_plane(now, window, of, (&hull.points, hull.ball), plane))
@@ -249,8 +251,9 @@ impl Search<'_> {
         }
     }
 
-    /// The longest step over the best face of each body, the best pair of edges, and the best of these directions fixed
-    /// in the world (which is better for far bodies that spin).
+    /// How long two polyhedra stay clear: the longest time over the plane of the best face of each body, the common
+    /// normal of the best pair of edges, and the best of these directions fixed in the world (which is better for
+    /// distant bodies that spin).
     fn polyhedra_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let ([Shape::Convex(a), Shape::Convex(b)], Some(axes)) = (self.shapes, self.axes) else { return 0.0 };
         let [pose_a, pose_b] = &now.poses;
@@ -285,10 +288,10 @@ impl Search<'_> {
         if direction.0 > 0.0 { step.max(window.along_direction(direction.1, &hull_a, &hull_b)) } else { step }
     }
 
-    /// Points or a sphere of body `of` against a half-space or a polyhedron: each point has its own plane, through the
-    /// nearest feature.
+    /// How long points or a sphere of body `of` stay clear of a half-space or a polyhedron: each point has its own
+    /// plane, through the nearest feature.
     fn clear_of_surface(&self, now: &Moment, window: &mut Window<'_>, of: Side) -> f64 {
-        let (this, other) = if of == Side::A { (0, 1) } else { (1, 0) };
+        let (this, other) = (of.index(), of.other().index());
         let points = self.shapes[this].centers();
         let polyhedron = match self.shapes[other] {
             Shape::HalfSpace(h) => return points_clear_of_plane(now, window, of, points, (h.normal(), h.offset())),
@@ -302,7 +305,7 @@ impl Search<'_> {
             let nearest = nearest(k);
             (nearest.normal, nearest.distance - points.1)
         });
-        // A single centre far from a spinning polyhedron: a direction fixed in the world.
+        // For a single centre far from a spinning polyhedron, a direction fixed in the world is better.
         if points.0.len() > 1 {
             return step;
         }
@@ -311,7 +314,7 @@ impl Search<'_> {
         step.max(window.along_direction(direction, &Hull::of(self.shapes[0]), &Hull::of(self.shapes[1])))
     }
 
-    /// A round shape or a ring above a half-space: its points and its circles.
+    /// How long a round shape or a ring stays above a half-space: its points and its circles.
     fn circles_clear_of_half_space(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let (of, this, other) = if self.shapes[1].is_half_space() { (Side::A, 0, 1) } else { (Side::B, 1, 0) };
         let Shape::HalfSpace(half_space) = self.shapes[other] else { return 0.0 };
@@ -319,8 +322,9 @@ impl Search<'_> {
         hull_clear_of_plane(now, window, of, &hull, (half_space.normal(), half_space.offset()))
     }
 
-    /// A round shape and another convex one: along the best axis fixed in the world, or above the plane of the best
-    /// face or disc. A cloud stays clear as long as each of its points does.
+    /// How long a round shape and another convex one stay clear: along the best axis, fixed in the world or
+    /// perpendicular to straight elements, or above the plane of the best face or disc. A cloud stays clear as long as
+    /// each of its points does.
     fn round_clear(&self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let ([a, b], [pose_a, pose_b]) = (self.shapes, now.poses);
         let (hull_a, hull_b) = (Hull::of(a), Hull::of(b));
@@ -350,9 +354,9 @@ impl Search<'_> {
         step.max(hull_clear_of_plane(now, window, of, &hull, plane))
     }
 
-    /// A ball and a torus. At a distance `rho` from the torus's axis the distance from its centre circle has a second
-    /// derivative of at least `-1/rho` along any unit vector; at a speed of `speed` (m/s) this is an acceleration of
-    /// `speed^2/rho`.
+    /// How long a ball and a torus stay clear; 0 for other pairs. At a distance `rho` from the torus's axis the
+    /// distance from its centre circle has a second derivative of at least `-1/rho` along any unit vector; at a speed
+    /// of `speed` (m/s) this is an acceleration of `speed^2/rho`.
     fn center_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
         let (of, this, other, torus, ball) = match self.shapes {
             [Shape::Torus(torus), Shape::Sphere(ball)] => (Side::B, 1, 0, torus, ball),
@@ -364,7 +368,7 @@ impl Search<'_> {
         let away = y - ring.nearest(y);
         let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
         let least = rho - speed * window.length();
-        if least < HALF * rho || distance == 0.0 {
+        if least < LEAST_AXIS_DISTANCE * rho || distance == 0.0 {
             return 0.0;
         }
         let gap = distance - torus.minor - ball.radius;
@@ -372,16 +376,12 @@ impl Search<'_> {
         window.above_surfaces(of, points, speed * speed / least, |_| (away / distance, gap))
     }
 
-    /// How long the common normal of two elements separates, at least one of them straight, when it rotates so as to
-    /// stay perpendicular to them.
+    /// How long the bodies stay clear along the normal of the gap when it rotates so as to stay perpendicular to the
+    /// straight ones of the two closest elements; 0 without such elements.
     fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
         let [a, b] = self.shapes;
         let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
-            let line = match Element::of(shape, feature, pose)?.locus {
-                Locus::Line(_, along) => along,
-                Locus::Cone(side) => side.axis - gap.normal * gap.normal.dot(side.axis),
-                _ => return None,
-            };
+            let line = Element::of(shape, feature, pose)?.straight_direction(gap.normal)?;
             line.cross(gap.normal).try_normalize()
         };
         let lines = [along(a, gap.a, &now.poses[0]), along(b, gap.b, &now.poses[1])];
@@ -391,8 +391,9 @@ impl Search<'_> {
         }
     }
 
-    /// A torus: the hulls of both along the deciding normal, when that separates them. Otherwise (a body in its hole)
-    /// arc by arc, or the distance over the largest relative speed of two points.
+    /// How long a torus and another shape stay clear: their hulls along the normal of the gap, where that separates
+    /// them. Otherwise (a body in the hole) arc by arc, or at least the distance over the largest relative speed of two
+    /// points.
     fn ring_clear(&mut self, now: &Moment, window: &mut Window<'_>) -> f64 {
         let Some(gap) = self.gap else { return 0.0 };
         let [a, b] = self.shapes;
@@ -421,11 +422,11 @@ impl Search<'_> {
         } else if start.separation >= -CLOSED * self.touch(&start) {
             start.separation - noticed
         } else {
-            // The penetration at the start is already noticeable: only a small increase is allowed.
+            // The penetration at the start is already noticeable: any measurable increase is an impact.
             (start.separation - MEASURABLE * rounding).min(-noticed)
         };
         let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
-        let (mut open, mut below, mut last): (_, Option<Moment>, _) = (start, None, start);
+        let (mut above, mut below, mut last): (_, Option<Moment>, _) = (start, None, start);
         let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
         while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {
             halvings -= 1;
@@ -440,27 +441,27 @@ impl Search<'_> {
             let overlap = below.filter(|below| last.separation >= level && below.separation < closed);
             if let Some(overlap) = overlap {
                 // It penetrated, by less than the touch tolerance, and separates again.
-                let open = if open.separation >= closed { open } else { start };
-                return self.locate_closing(open, overlap, closed, rounding);
+                let above = if above.separation >= closed { above } else { start };
+                return self.locate_closing(above, overlap, closed, rounding);
             }
             if last.separation > touch {
                 return self.advance(last, t1);
             }
             if last.separation >= level {
-                (open, below) = (last, None);
+                (above, below) = (last, None);
             } else {
                 below = below.or(Some(last));
             }
             // If the pair overlaps at the start, only additional penetration counts.
             if last.separation < (-touch).min(start.separation - touch) {
-                return self.locate_closing(open, below.unwrap_or(last), level, rounding);
+                return self.locate_closing(above, below.unwrap_or(last), level, rounding);
             }
         }
         // Penetration at the end, below the touch tolerance. It counts, because the next search would take it as its
         // start.
         if last.separation < closed {
-            let open = if open.separation >= closed { open } else { start };
-            return self.locate_closing(open, last, closed, rounding);
+            let above = if above.separation >= closed { above } else { start };
+            return self.locate_closing(above, last, closed, rounding);
         }
         Ok((None, last.separation))
     }
@@ -471,10 +472,10 @@ impl Search<'_> {
         let mut buffers = std::mem::take(&mut self.bounds);
         let apart = (start.poses[0].translation - start.poses[1].translation).length();
         // A half-space has no radius; the radius of the other body is used.
-        let reach = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
+        let radius = |own: &Shape, other: &Shape| own.radius().min(other.radius() + apart);
         let [a, b] = self.shapes;
         let speed = Window::new(self.motions, start.poses, start.t, start.t + length, &mut buffers)
-            .map(|window| window.largest_speed(reach(a, b), reach(b, a)));
+            .map(|window| window.largest_speed(radius(a, b), radius(b, a)));
         self.bounds = buffers;
         let speed = speed.ok_or(ImpactError::NotFinite { t: start.t })?;
         let path = speed * length;
@@ -484,14 +485,15 @@ impl Search<'_> {
     /// The time, between two evaluations, at which the separation falls below a level.
     fn locate_closing(
         &mut self,
-        open: Moment,
+        above: Moment,
         below: Moment,
         level: f64,
         tolerance: f64,
     ) -> Result<(Option<f64>, f64), ImpactError> {
-        let left = Sample { at: open.t, value: open.separation - level };
+        let left = Sample { at: above.t, value: above.separation - level };
         let right = Sample { at: below.t, value: below.separation - level };
-        let found = last_open(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
+        let found =
+            last_not_negative(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
         Ok((Some(found.at), found.value + level))
     }
 }

@@ -38,7 +38,7 @@ impl Quadratic {
         (self.value.abs() + self.rate.abs() + self.curvature).is_finite()
     }
 
-    /// The positive root when the value at zero is positive; infinite when there is none.
+    /// The positive root when the value at zero is positive, infinite when there is none; 0 for other values at zero.
     pub(crate) fn first_root(self) -> f64 {
         if self.value.is_nan() || self.value <= 0.0 {
             return 0.0;

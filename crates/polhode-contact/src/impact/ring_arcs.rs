@@ -7,20 +7,23 @@
 //!
 //! Along any direction, the triangle (inflated by the radius of the tube) and the hull of the body stay separated for
 //! the time given by the bounds of `impact_bounds.rs`. The direction used is that from the body's closest point to the
-//! middle of the arc. It is tried in two ways:
+//! middle of the arc. It is tried in three ways:
 //!
-//! - fixed in the world, which is better for a ring that spins above a corner;
 //! - rotating with the body, so that the rotation of the body causes no loss of first order. A ring that slides over a
-//!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch.
+//!   face or an edge and slowly separates from it is then clear for a time comparable to the time since the touch;
+//! - staying perpendicular to the tangent at the middle of the arc and to the body's line, where the closest feature of
+//!   the body is straight;
+//! - fixed in the world, which is better for a ring that spins above a corner.
 //!
 //! The arc with the shortest time is cut in two (`arc_cuts.rs`). The gap of the chord is smaller than the gap of the
 //! arc by an eighth of the radius times the square of the angle. So the arcs must shrink in proportion to the distance
 //! from touch, and the number of cuts is about the number of binary digits of this ratio.
 
-use crate::impact::arc_cuts::{Cuts, Piece};
+use crate::impact::arc_cuts::{ClearPart, Cuts};
 use crate::impact::impact_bounds::Window;
 use crate::narrow_phase::axis::ring::Ring;
-use crate::shape::round::{Circles, Hull, HullPoints};
+use crate::narrow_phase::feature::element::Element;
+use crate::shape::round::Hull;
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -74,17 +77,18 @@ impl<'a> RingArcs<'a> {
         })
     }
 
-    /// An arc between two angles.
-    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> Piece<(f64, f64)> {
+    /// The arc between two angles, and how long it stays clear.
+    fn arc(&self, window: &mut Window<'_>, from: f64, to: f64) -> ClearPart<(f64, f64)> {
         let middle = 0.5 * (from + to);
         let nearest = self.ring.nearest(self.ring.place(middle));
         let away = self.other_pose.rotation.rotate(nearest.normal);
         let direction = if self.of == Side::A { away } else { -away };
         let corners = self.ring.corners(from, to).map(|corner| self.to_ring.transform_point(corner));
-        let own = Hull { points: HullPoints::Listed(&corners), circles: Circles::NONE, ball: self.tube };
+        let own = Hull::of_points(&corners, self.tube);
         let other = Hull::of(self.other);
         let across = |line: DVec3| self.other_pose.rotation.rotate(line).cross(direction).try_normalize();
-        let line = nearest.along(self.other).and_then(across);
+        let element = Element::of(self.other, nearest.feature, &Pose::IDENTITY);
+        let line = element.and_then(|element| element.straight_direction(nearest.normal)).and_then(across);
         let lines = [across(self.ring.tangent(middle)), line];
         let lines = if self.of == Side::A { lines } else { [lines[1], lines[0]] };
         let turns =
@@ -97,6 +101,6 @@ impl<'a> RingArcs<'a> {
                 break;
             }
         }
-        Piece { part: (from, to), clear }
+        ClearPart { part: (from, to), clear }
     }
 }

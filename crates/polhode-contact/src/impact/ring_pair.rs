@@ -18,11 +18,11 @@
 //!
 //! The pair of arcs with the shortest time is cut (`arc_cuts.rs`): both arcs in two, or the longer one.
 
-use crate::impact::arc_cuts::{Cuts, Piece};
+use crate::impact::arc_cuts::{ClearPart, Cuts};
 use crate::impact::impact_bounds::Window;
 use crate::impact::quadratic_bound::Quadratic;
 use crate::narrow_phase::axis::ring::Ring;
-use crate::shape::round::{Circles, Hull, HullPoints};
+use crate::shape::round::Hull;
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::Pose;
@@ -66,7 +66,7 @@ impl Arc {
 
 /// A point of an arc, in world axes.
 #[derive(Debug, Clone, Copy)]
-struct On {
+struct ArcPoint {
     /// From the body's centre of mass, m.
     arm: DVec3,
     tangent: DVec3,
@@ -74,18 +74,19 @@ struct On {
     radial: DVec3,
     radius: f64,
     /// Arc lengths to the two ends, backwards and forwards, m.
-    ways: [f64; 2],
+    to_ends: [f64; 2],
 }
 
-impl On {
-    fn reach(&self) -> f64 {
-        self.ways[0].max(self.ways[1])
+impl ArcPoint {
+    /// Arc length to the farther end, m.
+    fn farther_end(&self) -> f64 {
+        self.to_ends[0].max(self.to_ends[1])
     }
 
     /// Bounds of the decrease of the distance along the arc: a constant (m), and a slope that acts over the whole arc.
-    /// A slope that falls towards a near end is bounded by its decrease at that end, as a constant.
+    /// One of the two is zero: where the distance decreases towards a near end, its decrease up to that end is used.
     fn loss(&self, slope: f64, stiffness: f64) -> (f64, f64) {
-        let at_end = slope.abs() * if slope > 0.0 { self.ways[0] } else { self.ways[1] };
+        let at_end = slope.abs() * if slope > 0.0 { self.to_ends[0] } else { self.to_ends[1] };
         if at_end <= 0.5 * slope * slope / stiffness { (at_end, 0.0) } else { (0.0, slope) }
     }
 }
@@ -112,7 +113,7 @@ impl<'a> RingPair<'a> {
         let arcs = || (0..ARCS).map(|k| Arc { from: step * f64::from(k), to: step * f64::from(k + 1) });
         let mut pairs = Vec::with_capacity((ARCS * ARCS) as usize);
         for arc_a in arcs() {
-            pairs.extend(arcs().map(|arc_b| self.piece(window, [arc_a, arc_b])));
+            pairs.extend(arcs().map(|arc_b| self.pair(window, [arc_a, arc_b])));
         }
         let length = window.length();
         cuts.clear(pairs, length, |&[a, b], pairs| {
@@ -122,13 +123,13 @@ impl<'a> RingPair<'a> {
             let parts_a = if long_a < MUCH_SHORTER * long_b { &[a][..] } else { &halves_a };
             let parts_b = if long_b < MUCH_SHORTER * long_a { &[b][..] } else { &halves_b };
             for &part_a in parts_a {
-                pairs.extend(parts_b.iter().map(|&part_b| self.piece(window, [part_a, part_b])));
+                pairs.extend(parts_b.iter().map(|&part_b| self.pair(window, [part_a, part_b])));
             }
         })
     }
 
     /// Two arcs, and how long they stay clear.
-    fn piece(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> Piece<[Arc; 2]> {
+    fn pair(&self, window: &mut Window<'_>, arcs: [Arc; 2]) -> ClearPart<[Arc; 2]> {
         let [a, b] = &self.rings;
         let [pose_a, pose_b] = &self.poses;
         // B's centre of mass relative to A's, in world axes.
@@ -140,32 +141,31 @@ impl<'a> RingPair<'a> {
             let from_b = pose_b.rotation.rotate(b.place(angles[1])) + between;
             angles[0] = arcs[0].nearest(a.angle_of(pose_a.rotation.inverse_rotate(from_b)));
         }
-        let on = [0, 1].map(|k| self.on(k, arcs[k], angles[k]));
+        let on = [0, 1].map(|k| self.point_at(k, arcs[k], angles[k]));
         let apart = on[0].arm - on[1].arm - between;
-        let Some(direction) = apart.try_normalize() else { return Piece { part: arcs, clear: 0.0 } };
+        let Some(direction) = apart.try_normalize() else { return ClearPart { part: arcs, clear: 0.0 } };
         let clear = self.beside_plane(window, arcs, direction);
         let clear = if clear < window.length() { clear.max(self.convex(window, &on, apart)) } else { clear };
-        Piece { part: arcs, clear }
+        ClearPart { part: arcs, clear }
     }
 
-    fn on(&self, which: usize, arc: Arc, angle: f64) -> On {
+    fn point_at(&self, which: usize, arc: Arc, angle: f64) -> ArcPoint {
         let (ring, pose) = (&self.rings[which], &self.poses[which]);
         let radius = ring.radius();
         let place = ring.place(angle);
-        On {
+        ArcPoint {
             arm: pose.rotation.rotate(place),
             tangent: pose.rotation.rotate(ring.tangent(angle)),
             radial: pose.rotation.rotate((place - ring.center()) / radius),
             radius,
-            ways: [angle - arc.from, arc.to - angle].map(|way| radius * way.max(0.0)),
+            to_ends: [angle - arc.from, arc.to - angle].map(|way| radius * way.max(0.0)),
         }
     }
 
-    /// By a plane between the two arcs.
+    /// How long the two arcs stay on either side of a plane, s.
     fn beside_plane(&self, window: &mut Window<'_>, arcs: [Arc; 2], direction: DVec3) -> f64 {
         let corners = [0, 1].map(|k| self.rings[k].corners(arcs[k].from, arcs[k].to));
-        let hull =
-            |k: usize| Hull { points: HullPoints::Listed(&corners[k]), circles: Circles::NONE, ball: self.tubes[k] };
+        let hull = |k: usize| Hull::of_points(&corners[k], self.tubes[k]);
         let still = window.along_direction(direction, &hull(0), &hull(1));
         if still >= window.length() {
             return still;
@@ -173,10 +173,11 @@ impl<'a> RingPair<'a> {
         still.max(window.along_turning(direction, window.turn_of(Side::A, direction), &hull(0), &hull(1)))
     }
 
-    /// By the distance of all pairs of points, convex over both arcs.
-    fn convex(&self, window: &Window<'_>, [a, b]: &[On; 2], apart: DVec3) -> f64 {
+    /// How long the distances of all pairs of points, which are convex over both arcs, stay positive, s; 0 where the
+    /// arcs are too long for this bound.
+    fn convex(&self, window: &Window<'_>, [a, b]: &[ArcPoint; 2], apart: DVec3) -> f64 {
         let distance = apart.length();
-        let way = a.reach() + b.reach();
+        let way = a.farther_end() + b.farther_end();
         if distance.is_nan() || way > NEAR * distance {
             return 0.0;
         }
@@ -196,7 +197,7 @@ impl<'a> RingPair<'a> {
         // Derivatives of `n.v` along the arcs: exact at the pair, and a bound of their change.
         let first = (a.tangent - n * slopes[0]).dot(velocity) / distance + n.dot(of_a.angular.cross(a.tangent));
         let second = (b.tangent + n * slopes[1]).dot(velocity) / distance + n.dot(of_b.angular.cross(b.tangent));
-        let (speed, least) = (velocity.length() + spin_a * a.reach() + spin_b * b.reach(), distance - way);
+        let (speed, least) = (velocity.length() + spin_a * a.farther_end() + spin_b * b.farther_end(), distance - way);
         let bends = 1.0 / a.radius + 1.0 / b.radius;
         let change = speed / least * (3.0 / least + bends)
             + 2.0 * (spin_a + spin_b) / least
@@ -215,14 +216,14 @@ impl<'a> RingPair<'a> {
 
 /// Least eigenvalue of the second derivatives of the distance of two points, times the distance, over arcs along which
 /// the vector between them changes by at most `way` (m) and its direction by at most `aside`.
-fn least_stiffness([a, b]: [&On; 2], apart: DVec3, way: f64, aside: f64) -> f64 {
+fn least_stiffness([a, b]: [&ArcPoint; 2], apart: DVec3, way: f64, aside: f64) -> f64 {
     let distance = apart.length();
     let n = apart / distance;
     let (x_a, x_b) = (n.dot(a.tangent), n.dot(b.tangent));
-    let (turn_a, turn_b) = (a.reach() / a.radius, b.reach() / b.radius);
+    let (turn_a, turn_b) = (a.farther_end() / a.radius, b.farther_end() / b.radius);
     let (change_a, change_b) = (aside + turn_a, aside + turn_b);
     let of_square = |x: f64, change: f64| change * (2.0 * x.abs() + change);
-    let of_bend = |on: &On, turn: f64| (way + (distance + way) * turn) / on.radius;
+    let of_bend = |on: &ArcPoint, turn: f64| (way + (distance + way) * turn) / on.radius;
     let aa = 1.0 - apart.dot(a.radial) / a.radius - x_a * x_a;
     let bb = 1.0 + apart.dot(b.radial) / b.radius - x_b * x_b;
     let ab = x_a * x_b - a.tangent.dot(b.tangent);

@@ -14,9 +14,9 @@ pub(crate) struct Sample {
 /// Largest number of steps: more than bisection needs to reduce any bracket to two neighbouring doubles.
 const MAX_STEPS: u32 = 256;
 
-/// The last point found with a value that is not negative, or any point with a value within `tolerance` of zero,
+/// The last point found at which the value is not negative, or any point with a value within `tolerance` of zero,
 /// between `left` (value >= 0) and `right` (value < 0). The function may fail; its error ends the search.
-pub(crate) fn last_open<E>(
+pub(crate) fn last_not_negative<E>(
     mut left: Sample,
     mut right: Sample,
     tolerance: f64,

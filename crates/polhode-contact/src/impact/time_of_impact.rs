@@ -17,9 +17,9 @@
 //! - From the first of these times at which the pair is clear, the rigorous search continues.
 //! - If the pair overlaps by more than the tolerance at one of them, the start of this overlap is bracketed and
 //!   located.
-//! - At the end of the interval, and before the pair separates again, a smaller overlap counts, a part of the tolerance
-//!   (`CLOSED`). At the end, the next search would take the overlap as its start; before a separation, no later time
-//!   would show that the pair has touched.
+//! - At the end of the interval, and before the pair separates again, an overlap by a small part of the tolerance
+//!   (`CLOSED` in `pair_impact.rs`) already counts as an impact. At the end, the next search would take the overlap as
+//!   its start; before a separation, no later time would show that the pair has touched.
 //! - A pair that neither separates nor overlaps has no impact.
 //!
 //! Between these times the search is not rigorous: a pair that separates and touches again between two of them is

@@ -47,7 +47,7 @@ pub fn closest_point(shape: &Shape, pose: &Pose, point: DVec3) -> Result<Surface
     }
     let local = pose.inverse_transform_point(point);
     let mut best: Option<SurfacePoint> = None;
-    let here = Aabb { min: local, max: local };
+    let here = Aabb::of_point(local);
     offer_nearest(shape, &Pose::IDENTITY, f64::INFINITY, &|bounds| box_distance(bounds, &here), &mut |piece| {
         let found = signed_distance(&piece.core, local);
         let distance = found.distance - piece.radius;

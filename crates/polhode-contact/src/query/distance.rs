@@ -38,7 +38,7 @@ pub struct ClosestPoints {
 /// - Polyhedra, triangles, capsules, spheres, points, half-spaces: exact to rounding of the coordinates, apart and
 ///   overlapping.
 /// - Cylinders and cones: exact to rounding against half-spaces, spheres, points, and capsules whose axis does not
-///   enter them; otherwise to about 1e-12 of the size apart (by an iteration), and to rounding overlapping.
+///   enter them; otherwise to about 1e-12 of the size when apart (by an iteration), and to rounding when overlapping.
 /// - A torus is a circle with a radius: the minimum along the circle is searched in 96 intervals. Where the circle
 ///   enters the other body, the result is minus the depth of the deepest ball of the tube.
 /// - Meshes, compounds and clouds: the least over their triangles, parts and points. Where several parts overlap, it is
@@ -74,10 +74,10 @@ pub fn distance(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) 
     }
     let mut best: Option<ClosestPoints> = None;
     let least = |best: &Option<ClosestPoints>| best.map_or(f64::INFINITY, |best| best.distance);
-    let beyond_a = distance_from(shape_b, &here, &there);
-    offer_nearest(shape_a, &here, f64::INFINITY, &beyond_a, &mut |a| {
-        let ball = a.bounds_in(&there);
-        offer_nearest(shape_b, &there, least(&best), &|bounds| box_distance(bounds, &ball), &mut |b| {
+    let from_b = distance_from(shape_b, &here, &there);
+    offer_nearest(shape_a, &here, f64::INFINITY, &from_b, &mut |a| {
+        let around_a = a.bounds_in(&there);
+        offer_nearest(shape_b, &there, least(&best), &|bounds| box_distance(bounds, &around_a), &mut |b| {
             if best.is_none_or(|best| a.bound(b) <= best.distance) {
                 let found = with_radii(a, b, &of_cores(a, b));
                 if best.is_none_or(|best| found.order() < best.order()) {
@@ -122,27 +122,15 @@ fn with_radii(a: &Piece<'_>, b: &Piece<'_>, found: &Found) -> ClosestPoints {
     }
 }
 
-/// The result with A and B exchanged.
-fn swapped(found: Found) -> Found {
-    Found {
-        normal: -found.normal,
-        on_a: found.on_b,
-        on_b: found.on_a,
-        feature_a: found.feature_b,
-        feature_b: found.feature_a,
-        ..found
-    }
-}
-
 /// Distance of two cores in the common frame.
 fn of_cores(a: &Piece<'_>, b: &Piece<'_>) -> Found {
     match (&a.core, &b.core) {
-        (Core::HalfSpace(_), _) => swapped(above_plane(b, a)),
+        (Core::HalfSpace(_), _) => above_plane(b, a).swapped(),
         (_, Core::HalfSpace(_)) => above_plane(a, b),
         (Core::Point(p), _) => at_place(a, a.pose.transform_point(*p), b),
-        (_, Core::Point(p)) => swapped(at_place(b, b.pose.transform_point(*p), a)),
+        (_, Core::Point(p)) => at_place(b, b.pose.transform_point(*p), a).swapped(),
         (Core::Circle(_), _) => of_circle(a, b),
-        (_, Core::Circle(_)) => swapped(of_circle(b, a)),
+        (_, Core::Circle(_)) => of_circle(b, a).swapped(),
         (Core::Segment(p), Core::Segment(q)) => {
             let near = nearest_points(p.map(|e| a.pose.transform_point(e)), q.map(|e| b.pose.transform_point(e)));
             Found {
@@ -155,7 +143,7 @@ fn of_cores(a: &Piece<'_>, b: &Piece<'_>) -> Found {
             }
         }
         (Core::Segment(_), Core::Cylinder(_) | Core::Cone(_)) => of_segment(a, b),
-        (Core::Cylinder(_) | Core::Cone(_), Core::Segment(_)) => swapped(of_segment(b, a)),
+        (Core::Cylinder(_) | Core::Cone(_), Core::Segment(_)) => of_segment(b, a).swapped(),
         _ if a.core.is_polytope() && b.core.is_polytope() => polytopes::distance(a, b),
         _ => of_curved(a, b),
     }

@@ -15,8 +15,8 @@ pub enum QueryError {
     /// Two half-spaces, which overlap without bound unless they face each other exactly.
     #[error("two half-spaces have no distance: one of the two must be bounded")]
     Unbounded,
-    /// A box without volume.
-    #[error("the box is flat or unbounded: every side must have a length that a shape may have")]
+    /// A box that is unbounded, or too flat to be a polyhedron.
+    #[error("the box is flat or unbounded: every side must be finite and longer than 1e-9 of the diagonal")]
     FlatBox,
     /// More bodies than indices.
     #[error("{count} bodies are given, at most {limit} are possible")]

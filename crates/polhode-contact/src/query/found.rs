@@ -17,3 +17,17 @@ pub(crate) struct Found {
     pub(crate) feature_a: SurfaceFeature,
     pub(crate) feature_b: SurfaceFeature,
 }
+
+impl Found {
+    /// The result with A and B exchanged.
+    pub(crate) fn swapped(self) -> Self {
+        Self {
+            normal: -self.normal,
+            on_a: self.on_b,
+            on_b: self.on_a,
+            feature_a: self.feature_b,
+            feature_b: self.feature_a,
+            ..self
+        }
+    }
+}

@@ -36,9 +36,9 @@ pub(crate) fn nearest_points(a: [DVec3; 2], b: [DVec3; 2]) -> NearestPoints {
     let (middle_a, middle_b) = (0.5 * (a[0] + a[1]), 0.5 * (b[0] + b[1]));
     let between = middle_b - middle_a;
     let lengths = along_a.length() + along_b.length() + between.length();
-    let reach = |n: DVec3| n.dot(farthest(&b, n) - farthest(&a, -n));
+    let support = |n: DVec3| n.dot(farthest(&b, n) - farthest(&a, -n));
     let nearer = |found: &NearestPoints, other: &NearestPoints| {
-        is_nearer((found.distance, found.normal), (other.distance, other.normal), lengths, reach)
+        is_nearer((found.distance, found.normal), (other.distance, other.normal), lengths, support)
     };
     let ends = [(a[0], on(b, a[0])), (a[1], on(b, a[1])), (on(a, b[0]), b[0]), (on(a, b[1]), b[1])];
     let mut best = NearestPoints::between(ends[0]);

@@ -22,24 +22,15 @@ pub(crate) fn nearest_pair(a: &Piece<'_>, b: &Piece<'_>, vertices: &[Vec<u32>; 2
     let (around_a, around_b) = (around(a, &vertices[0]), around(b, &vertices[1]));
     let mut best: Option<Found> = None;
     let lengths = a.ball.1 + b.ball.1 + (a.ball.0 - b.ball.0).length();
-    let reach = |direction: DVec3| direction.dot(b.support(direction) - a.support(-direction));
+    let support = |direction: DVec3| direction.dot(b.support(direction) - a.support(-direction));
     let mut offer = |found: Found| {
-        let way = |found: &Found| (found.distance, found.normal);
-        if best.is_none_or(|best| is_nearer(way(&found), way(&best), lengths, reach)) {
+        let measured = |found: &Found| (found.distance, found.normal);
+        if best.is_none_or(|best| is_nearer(measured(&found), measured(&best), lengths, support)) {
             best = Some(found);
         }
     };
     over_faces((a, &around_a), b, &around_b, &mut offer);
-    over_faces((b, &around_b), a, &around_a, &mut |found| {
-        offer(Found {
-            normal: -found.normal,
-            on_a: found.on_b,
-            on_b: found.on_a,
-            feature_a: found.feature_b,
-            feature_b: found.feature_a,
-            ..found
-        });
-    });
+    over_faces((b, &around_b), a, &around_a, &mut |found| offer(found.swapped()));
     for (feature_a, edge_a, ends_a) in &around_a.edges {
         for (feature_b, edge_b, ends_b) in &around_b.edges {
             let near = nearest_points(*edge_a, *edge_b);

@@ -42,8 +42,8 @@ pub(crate) struct Piece<'a> {
 
 impl<'a> Piece<'a> {
     pub(crate) fn new(core: Core<'a>, radius: f64, part: u32, pose: Pose) -> Self {
-        let (center, reach) = core.ball();
-        let ball = (pose.transform_point(center), reach);
+        let (center, around) = core.ball();
+        let ball = (pose.transform_point(center), around);
         Self { core, radius, part, pose, ball }
     }
 
@@ -56,13 +56,13 @@ impl<'a> Piece<'a> {
     /// A box around the piece in a frame, m.
     pub(crate) fn bounds_in(&self, frame: &Pose) -> Aabb {
         let center = frame.inverse_transform_point(self.ball.0);
-        Aabb { min: center, max: center }.widened(self.ball.1 + self.radius)
+        Aabb::of_point(center).widened(self.ball.1 + self.radius)
     }
 
     /// Lower bound of the distance from another piece, m.
     pub(crate) fn bound(&self, other: &Self) -> f64 {
-        let reach = self.ball.1 + self.radius + other.ball.1 + other.radius;
-        (self.ball.0 - other.ball.0).length() - reach
+        let radii = self.ball.1 + self.radius + other.ball.1 + other.radius;
+        (self.ball.0 - other.ball.0).length() - radii
     }
 
     /// Whether it is a point of a cloud.
@@ -132,7 +132,7 @@ impl Core<'_> {
             Self::HalfSpace(_) => (DVec3::ZERO, f64::INFINITY),
             _ => {
                 let around = Aabb::of_points(self.vertices().iter().copied());
-                let center = 0.5 * around.min + 0.5 * around.max;
+                let center = around.middle();
                 (center, self.vertices().iter().map(|p| p.distance(center)).fold(0.0, f64::max))
             }
         }

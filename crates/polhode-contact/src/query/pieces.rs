@@ -77,7 +77,7 @@ pub(crate) fn box_distance(bounds: &Aabb, other: &Aabb) -> f64 {
 }
 
 /// A lower bound of the distance at which a ray enters a box, m; none for a miss.
-pub(crate) fn entered(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
+pub(crate) fn entry_distance(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
     // The box is widened by the rounding of distances from the ray's origin.
     let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
     let bounds = bounds.widened(ROUNDING * farthest);

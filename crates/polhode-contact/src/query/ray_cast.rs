@@ -11,7 +11,7 @@
 use super::error::QueryError;
 use super::feature::QueryFeature;
 use super::piece::{Core, Piece};
-use super::pieces::{entered, offer_nearest};
+use super::pieces::{entry_distance, offer_nearest};
 use super::roots::{bisect, monotone_pieces};
 use super::signed_distance::signed_distance;
 use crate::bounding::aabb::Aabb;
@@ -95,17 +95,17 @@ pub fn ray_cast(shape: &Shape, pose: &Pose, ray: &Ray, max_distance: f64) -> Opt
         direction: pose.rotation.inverse_rotate(ray.direction),
     };
     let mut best: Option<(f64, Met, u32)> = None;
-    let bound = |bounds: &Aabb| entered(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
+    let bound = |bounds: &Aabb| entry_distance(bounds, local.origin, local.direction).unwrap_or(f64::INFINITY);
     // A missed box has an infinite bound; the limit must be finite to exclude it.
-    let reach = max_distance.min(f64::MAX);
-    offer_nearest(shape, &Pose::IDENTITY, reach, &bound, &mut |piece| {
+    let limit = max_distance.min(f64::MAX);
+    offer_nearest(shape, &Pose::IDENTITY, limit, &bound, &mut |piece| {
         if let Some((distance, met)) = against(piece, &local)
             && distance <= max_distance
             && best.is_none_or(|best| (distance, piece.part) < (best.0, best.2))
         {
             best = Some((distance, met, piece.part));
         }
-        best.map_or(reach, |best| best.0)
+        best.map_or(limit, |best| best.0)
     });
     let (distance, met, part) = best?;
     let point = ray.at(distance);
@@ -134,8 +134,10 @@ enum Met {
     Surface { normal: DVec3, feature: SurfaceFeature },
 }
 
+/// The distance of a hit from the ray's origin, m, and what is hit; none for a miss.
 type Hit = Option<(f64, Met)>;
 
+/// A hit on the surface.
 #[allow(clippy::unnecessary_wraps, reason = "it ends functions that may also meet nothing")]
 fn surface(distance: f64, normal: DVec3, feature: SurfaceFeature) -> Hit {
     Some((distance, Met::Surface { normal, feature }))
@@ -272,13 +274,13 @@ fn through_cylinder(cylinder: &Cylinder, ray: &Line) -> Hit {
     }
     let rate = ray.direction.dot(cylinder.axis);
     let height = (ray.origin - cylinder.center).dot(cylinder.axis);
-    let caps = within_slab(height, rate, -cylinder.half_height, cylinder.half_height)?;
+    let discs = within_slab(height, rate, -cylinder.half_height, cylinder.half_height)?;
     let side = within_tube(cylinder.center, cylinder.axis, cylinder.radius, ray)?;
-    let (enter, leave) = (caps.0.max(side.0), caps.1.min(side.1));
+    let (enter, leave) = (discs.0.max(side.0), discs.1.min(side.1));
     if enter > leave || enter < 0.0 {
         return None;
     }
-    if caps.0 >= side.0 {
+    if discs.0 >= side.0 {
         let up = if rate < 0.0 { cylinder.axis } else { -cylinder.axis };
         return surface(enter, up, SurfaceFeature::Face(u32::from(rate < 0.0)));
     }
@@ -411,14 +413,14 @@ fn through_torus(ring: &Torus, ray: &Line) -> Hit {
     if outside(ray.origin) <= 0.0 {
         return Some((0.0, Met::Inside));
     }
-    let reach = ring.major + ring.minor;
-    let (enter, leave) = within_ball(ring.center, reach, ray)?;
+    let size = ring.major + ring.minor;
+    let (enter, leave) = within_ball(ring.center, size, ray)?;
     if leave < 0.0 {
         return None;
     }
     let shift = (ring.center - ray.origin).dot(ray.direction);
-    let p = ((ray.origin - ring.center) + ray.direction * shift) / reach;
-    let (major, minor) = (ring.major / reach, ring.minor / reach);
+    let p = ((ray.origin - ring.center) + ray.direction * shift) / size;
+    let (major, minor) = (ring.major / size, ring.minor / size);
     let (height, rate) = (p.dot(ring.axis), ray.direction.dot(ring.axis));
     let b = p.dot(ray.direction);
     let k = p.length_squared() + (major - minor) * (major + minor);
@@ -430,14 +432,14 @@ fn through_torus(ring: &Torus, ray: &Line) -> Hit {
         4.0 * b,
         1.0,
     ];
-    let (low, high) = ((enter.max(0.0) - shift) / reach, (leave - shift) / reach);
+    let (low, high) = ((enter.max(0.0) - shift) / size, (leave - shift) / size);
     let pieces = monotone_pieces(coefficients, low, high);
     // The root is found on the distance from the tube; the polynomial gives only the intervals.
-    let at = |t: f64| outside(ray.origin + ray.direction * (shift + t * reach));
+    let at = |t: f64| outside(ray.origin + ray.direction * (shift + t * size));
     for ends in pieces.windows(2) {
         if at(ends[0]) <= 0.0 || at(ends[1]) <= 0.0 {
             let t = if at(ends[0]) <= 0.0 { ends[0] } else { bisect(ends[0], ends[1], &at)? };
-            let distance = shift + t * reach;
+            let distance = shift + t * size;
             let place = signed_distance(&Core::Circle(ring), ray.origin + ray.direction * distance);
             return surface(distance.max(0.0), place.normal, SurfaceFeature::Rim(0));
         }

@@ -6,7 +6,7 @@
 use super::closest_point::{SurfacePoint, closest_point};
 use super::error::QueryError;
 use super::overlap::overlap;
-use super::pieces::{box_distance, entered};
+use super::pieces::{box_distance, entry_distance};
 use super::ray_cast::{Ray, RayHit, ray_cast};
 use crate::Shape;
 use crate::bounding::BoxTree;
@@ -43,7 +43,7 @@ impl<'a> QueryScene<'a> {
     /// From shapes and their poses.
     ///
     /// # Errors
-    /// When a pose is not finite, or there are more bodies than 2^32.
+    /// When a pose is not finite, or there are more than 2^32 - 1 bodies.
     pub fn new(bodies: impl IntoIterator<Item = (&'a Shape, Pose)>) -> Result<Self, QueryError> {
         let bodies: Vec<(&Shape, Pose)> = bodies.into_iter().collect();
         if u32::try_from(bodies.len()).is_err() {
@@ -91,7 +91,7 @@ impl<'a> QueryScene<'a> {
         }
         // Boxes that contain the point are always searched: their bound is zero, but the signed distance inside is
         // negative.
-        let here = Aabb { min: point, max: point };
+        let here = Aabb::of_point(point);
         let mut failed = None;
         let start = best.map_or(f64::INFINITY, |(_, found)| found.distance);
         self.tree.least(start, 0.0, &|bounds| box_distance(bounds, &here), &mut |item, least| {
@@ -137,16 +137,17 @@ impl<'a> QueryScene<'a> {
     /// When the box is flat or unbounded.
     pub fn overlapping_box(&self, aabb: &Aabb) -> Result<Vec<usize>, QueryError> {
         let shape = Shape::cuboid(aabb.max() - aabb.min()).map_err(|_| QueryError::FlatBox)?;
-        self.overlapping(&shape, &Pose::from_translation(0.5 * aabb.min() + 0.5 * aabb.max()))
+        self.overlapping(&shape, &Pose::from_translation(aabb.middle()))
     }
 
-    /// The first body that a ray hits, and the hit; of bodies at the same distance the lowest index.
+    /// The first body that a ray hits within `max_distance` (m, may be infinite), and the hit; of bodies at the same
+    /// distance the lowest index.
     pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(usize, RayHit)> {
         let mut best: Option<(usize, RayHit)> = None;
         let offer = |best: &mut Option<(usize, RayHit)>, body: usize| {
             let (shape, pose) = &self.bodies[body];
-            let reach = best.map_or(max_distance, |(_, hit)| hit.distance);
-            if let Some(hit) = ray_cast(shape, pose, ray, reach)
+            let limit = best.map_or(max_distance, |(_, hit)| hit.distance);
+            if let Some(hit) = ray_cast(shape, pose, ray, limit)
                 && best.is_none_or(|(other, first)| (hit.distance, body) < (first.distance, other))
             {
                 *best = Some((body, hit));
@@ -156,9 +157,9 @@ impl<'a> QueryScene<'a> {
             offer(&mut best, body);
         }
         // A missed box has an infinite bound; the limit must be finite to exclude it.
-        let reach = max_distance.min(f64::MAX);
-        let bound = |bounds: &Aabb| entered(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
-        let nearest = |best: &Option<(usize, RayHit)>| best.map_or(reach, |(_, hit)| hit.distance);
+        let limit = max_distance.min(f64::MAX);
+        let bound = |bounds: &Aabb| entry_distance(bounds, ray.origin(), ray.direction()).unwrap_or(f64::INFINITY);
+        let nearest = |best: &Option<(usize, RayHit)>| best.map_or(limit, |(_, hit)| hit.distance);
         self.tree.least(nearest(&best), 0.0, &bound, &mut |item, least| {
             if bound(&self.boxes[item as usize]) <= least {
                 offer(&mut best, self.bounded[item as usize]);
@@ -168,11 +169,13 @@ impl<'a> QueryScene<'a> {
         best
     }
 
-    /// All bodies that a ray hits, each with its first hit, sorted by distance and then by index.
+    /// All bodies that a ray hits within `max_distance` (m), each with its first hit, sorted by distance and then by
+    /// index.
     pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
         let mut hits = Vec::new();
-        let passes =
-            |bounds: &Aabb| entered(bounds, ray.origin(), ray.direction()).is_some_and(|enter| enter <= max_distance);
+        let passes = |bounds: &Aabb| {
+            entry_distance(bounds, ray.origin(), ray.direction()).is_some_and(|enter| enter <= max_distance)
+        };
         self.visit(&passes, &mut |body| {
             let (shape, pose) = &self.bodies[body];
             hits.extend(ray_cast(shape, pose, ray, max_distance).map(|hit| (body, hit)));

@@ -7,7 +7,7 @@
 use super::piece::{Core, Piece};
 use crate::narrow_phase::feature::closest_feature::{NearestFeature, nearest_feature};
 use crate::shape::support::across;
-use crate::shape::triangle::{Part, area_vector, from_triangle, on_segment};
+use crate::shape::triangle::{TriangleFeature, area_vector, from_triangle, on_segment};
 use crate::{Cone, Cylinder, SurfaceFeature};
 use glam::DVec3;
 
@@ -17,8 +17,9 @@ pub(crate) fn signed_distance(core: &Core<'_>, point: DVec3) -> NearestFeature {
     match core {
         Core::Point(p) => away(point - *p, DVec3::Z, SurfaceFeature::Sphere),
         Core::Segment([p, q]) => {
-            let (place, part) = on_segment(*p, *q, point);
-            let feature = if let Part::Corner(k) = part { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
+            let (place, at) = on_segment(*p, *q, point);
+            let feature =
+                if let TriangleFeature::Corner(k) = at { core.corner(k as u32) } else { SurfaceFeature::Side(0) };
             away(point - place, (*q - *p).any_orthogonal_vector(), feature)
         }
         Core::Triangle(corners) => from_flat(corners, point),
@@ -68,13 +69,13 @@ fn radial_direction(radial: DVec3, axis: DVec3) -> DVec3 {
 /// whichever has the smaller rounding error: that of the normal is relative to the area over the two shortest sides,
 /// that of the direction relative to the point's height over its distance from a corner.
 fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
-    let (w, part) = from_triangle(corners, point);
-    if part != Part::Face && w != DVec3::ZERO {
-        return away(w, w, feature_of(part));
+    let (w, at) = from_triangle(corners, point);
+    if at != TriangleFeature::Face && w != DVec3::ZERO {
+        return away(w, w, feature_of(at));
     }
     let normal = area_vector(*corners);
-    let found = away(w, normal, feature_of(part));
-    if part != Part::Face {
+    let found = away(w, normal, feature_of(at));
+    if at != TriangleFeature::Face {
         return found;
     }
     let [ab, bc, ca] = [0, 1, 2].map(|k: usize| corners[k].distance(corners[(k + 1) % 3]));
@@ -86,12 +87,12 @@ fn from_flat(corners: &[DVec3; 3], point: DVec3) -> NearestFeature {
     NearestFeature { normal: side.try_normalize().unwrap_or(found.normal), ..found }
 }
 
-/// The feature of a triangle.
-fn feature_of(part: Part) -> SurfaceFeature {
-    match part {
-        Part::Face => SurfaceFeature::Face(0),
-        Part::Edge(k) => SurfaceFeature::Edge(k as u32),
-        Part::Corner(k) => SurfaceFeature::Vertex(k as u32),
+/// A feature of a triangle, as queries name it.
+fn feature_of(of_triangle: TriangleFeature) -> SurfaceFeature {
+    match of_triangle {
+        TriangleFeature::Face => SurfaceFeature::Face(0),
+        TriangleFeature::Edge(k) => SurfaceFeature::Edge(k as u32),
+        TriangleFeature::Corner(k) => SurfaceFeature::Vertex(k as u32),
     }
 }
 
@@ -101,19 +102,19 @@ fn from_cylinder(cylinder: &Cylinder, point: DVec3) -> NearestFeature {
     let radial = across(w, cylinder.axis);
     let outward = radial_direction(radial, cylinder.axis);
     let side = outward.dot(radial) - cylinder.radius;
-    let cap = along.abs() - cylinder.half_height;
+    let disc = along.abs() - cylinder.half_height;
     let end = u32::from(along >= 0.0);
     let up = if along < 0.0 { -cylinder.axis } else { cylinder.axis };
-    if cap > 0.0 && side > 0.0 {
-        let out = outward * side + up * cap;
+    if disc > 0.0 && side > 0.0 {
+        let out = outward * side + up * disc;
         return NearestFeature {
             distance: out.length(),
             normal: out / out.length(),
             feature: SurfaceFeature::Rim(end),
         };
     }
-    if cap >= side {
-        NearestFeature { distance: cap, normal: up, feature: SurfaceFeature::Face(end) }
+    if disc >= side {
+        NearestFeature { distance: disc, normal: up, feature: SurfaceFeature::Face(end) }
     } else {
         NearestFeature { distance: side, normal: outward, feature: SurfaceFeature::Side(0) }
     }

@@ -2,6 +2,7 @@
 
 use super::error::ShapeError;
 use super::kinds::{Compound, FirstElements, Shape};
+use super::point_cloud::EXACT_SIZE_LIMIT;
 use crate::bounding::BoxTree;
 use crate::bounding::aabb::Aabb;
 use glam::DVec3;
@@ -9,10 +10,6 @@ use polhode_spatial::Pose;
 
 /// Numbers reserved for a curved part in each kind of feature: more than any such shape has.
 const CURVED_ELEMENTS: usize = 2 * crate::shape::circle::RIM_POINTS as usize;
-
-/// Up to this many balls of parts the size is found over all pairs; above it the diagonal of the bounding box is used,
-/// which is at most sqrt(3) times too large.
-const EXACT_SIZE_LIMIT: usize = 1024;
 
 impl Compound {
     /// From parts, each in the body's frame; a compound among them is replaced by its parts.
@@ -53,7 +50,7 @@ impl Compound {
         self.size
     }
 
-    /// The part that owns a feature, its shape, and the feature's number within it. `first` selects the kind of number.
+    /// The part that owns a feature, its shape, and the feature's number within it. `of` selects the kind of feature.
     pub(crate) fn owner(&self, number: u32, of: impl Fn(&FirstElements) -> u32) -> Option<(usize, &Shape, u32)> {
         // A part without such features has the same first number as the next part; the last of them owns the feature.
         let part = self.first.partition_point(|first| of(first) <= number).checked_sub(1)?;

@@ -23,7 +23,7 @@ impl Shape {
         Self::Convex(polyhedron)
     }
 
-    /// A ball about the origin, m.
+    /// A ball of this radius (m) about the origin.
     ///
     /// # Errors
     /// When the radius is not positive and finite.

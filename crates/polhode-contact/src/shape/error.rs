@@ -36,8 +36,8 @@ pub enum ShapeError {
         /// How many are needed.
         limit: usize,
     },
-    /// Too many points for 32-bit indices.
-    #[error("{count} points are given, at most {limit} are possible")]
+    /// Too many vertices, edges, faces or triangles for 32-bit indices.
+    #[error("{count} vertices, edges, faces or triangles are given, at most {limit} are possible")]
     TooManyPoints {
         /// How many were given.
         count: usize,
@@ -46,7 +46,7 @@ pub enum ShapeError {
     },
     /// The points are coplanar, collinear or coincident, or so nearly so that they enclose no volume.
     #[error(
-        "the points are flat: their thickness is {thickness:e} m, at least {limit:e} m (relative to their size) is needed"
+        "the points are flat: their thickness is {thickness:e} m, and a polyhedron of this size needs at least {limit:e} m"
     )]
     Flat {
         /// Extent along the thinnest direction, m.
@@ -137,7 +137,7 @@ pub enum ShapeError {
     Decomposition(#[from] DecompositionError),
     /// The faces do not close a simple surface.
     #[error(
-        "the faces do not close a surface like a sphere's: {vertices} vertices - {edges} edges + {faces} faces must be 2 ({reason})"
+        "the faces do not close a surface like a sphere's: {reason} ({vertices} vertices, {edges} edges, {faces} faces)"
     )]
     NotClosed {
         /// How many vertices the faces use.

@@ -30,10 +30,10 @@ impl Shape {
             Self::Cone(c) => (c.base.length() + c.radius).max(c.apex().length()),
             Self::Torus(t) => t.center.length() + 0.5 * t.size(),
             Self::Compound(c) => c.parts.iter().map(Self::radius).fold(0.0, f64::max),
-            Self::TriangleMesh(m) => m.reach(),
+            Self::TriangleMesh(m) => m.radius(),
             _ => {
-                let (centers, rounding) = self.centers();
-                centers.iter().map(|c| c.length()).fold(0.0, f64::max) + rounding
+                let (centers, ball) = self.centers();
+                centers.iter().map(|c| c.length()).fold(0.0, f64::max) + ball
             }
         }
     }
@@ -97,6 +97,6 @@ pub(crate) fn turned(bounds: Aabb, pose: &Pose) -> Aabb {
     let rotation = pose.rotation.to_matrix();
     let half = 0.5 * (bounds.max - bounds.min);
     let center = pose.transform_point(bounds.min + half);
-    let reach = rotation.x_axis.abs() * half.x + rotation.y_axis.abs() * half.y + rotation.z_axis.abs() * half.z;
-    Aabb { min: center - reach, max: center + reach }
+    let half_turned = rotation.x_axis.abs() * half.x + rotation.y_axis.abs() * half.y + rotation.z_axis.abs() * half.z;
+    Aabb { min: center - half_turned, max: center + half_turned }
 }

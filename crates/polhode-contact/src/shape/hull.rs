@@ -7,6 +7,7 @@
 //! seed's plane, so that a sliver between two faces joins one of them and never merges the two. Vertices inside a face
 //! or inside an edge are removed.
 
+use crate::bounding::aabb::Aabb;
 use crate::shape::error::{ShapeError, check_point};
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::ConvexPolyhedron;
@@ -52,8 +53,8 @@ fn thickness(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
 
 /// The points without those that are nearer to an earlier kept one than the tolerance for plane faces.
 fn welded(points: &[DVec3]) -> Vec<DVec3> {
-    let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), &p| (l.min(p), h.max(p)));
-    let tolerance = 0.5 * PLANE_TOLERANCE * (high - low).max_element();
+    let around = Aabb::of_points(points.iter().copied());
+    let tolerance = 0.5 * PLANE_TOLERANCE * (around.max - around.min).max_element();
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i].x.total_cmp(&points[j].x).then(i.cmp(&j)));
     let mut kept: Vec<usize> = Vec::with_capacity(points.len());

@@ -17,7 +17,10 @@ use crate::bounding::BoxTree;
 /// A shape in its body's frame. Kinds will be added; match with a wildcard.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-#[allow(clippy::large_enum_variant, reason = "polyhedra are the common case, and a box would cost every query a jump")]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "polyhedra are the common case, and a `Box` would cost every query an indirection"
+)]
 pub enum Shape {
     /// A convex polyhedron; a box is one.
     Convex(ConvexPolyhedron),

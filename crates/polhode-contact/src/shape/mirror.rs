@@ -32,9 +32,9 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
             .map(|p| mesh.distance_to_vertex(image(p)))
             .fold(0.0, f64::max);
     }
-    let rings = circles(shape);
-    if !rings.is_empty() {
-        return rings_defect(shape, &rings, n, image);
+    let own = circles(shape);
+    if !own.is_empty() {
+        return circles_defect(shape, &own, n, image);
     }
     // The image of each part must be one of the parts; curved parts are compared by the balls whose hull contains them.
     let mut balls: Vec<(DVec3, f64)> = Vec::new();
@@ -48,7 +48,7 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
 
 /// The same for a shape with circles: the image of each must be a circle of the shape. The axis of a rim has a sign
 /// (outwards), that of a torus has none.
-fn rings_defect(shape: &Shape, rings: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
+fn circles_defect(shape: &Shape, own: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
     let turned = |a: DVec3| if n.dot(a).abs() <= PERPENDICULAR { a } else { a - n * (2.0 * n.dot(a)) };
     let two_sided = shape.is_ring();
     let distance = |circle: &Circle, axis: DVec3| {
@@ -58,8 +58,8 @@ fn rings_defect(shape: &Shape, rings: &[Circle], n: DVec3, image: impl Fn(DVec3)
     };
     let defect = |circle: &Circle| {
         let (center, axis) = (image(circle.center), turned(circle.axis));
-        let nearest = rings.iter().map(|other| (other.center - center).length() + distance(other, axis));
+        let nearest = own.iter().map(|other| (other.center - center).length() + distance(other, axis));
         nearest.fold(f64::INFINITY, f64::min)
     };
-    rings.iter().map(defect).fold(0.0, f64::max)
+    own.iter().map(defect).fold(0.0, f64::max)
 }

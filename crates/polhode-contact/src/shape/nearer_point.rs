@@ -12,19 +12,24 @@ use glam::DVec3;
 const ULPS: f64 = 8.0;
 
 /// A distance (m) and its direction, the unit vector from the body to the point.
-pub(crate) type Way = (f64, DVec3);
+pub(crate) type DistanceAndDirection = (f64, DVec3);
 
-/// Whether the first candidate is nearer than the second. `reach` is the support function of the body relative to the
-/// given point, m: minus the distance for the nearest point's direction, more for others. `lengths` is the largest
+/// Whether the first candidate is nearer than the second. `support` is the support function of the body relative to
+/// the given point, m: minus the distance for the nearest point's direction, more for others. `lengths` is the largest
 /// length that the distances are computed from, m. In a tie by distance and by direction neither is nearer.
-pub(crate) fn is_nearer(way: Way, other: Way, lengths: f64, reach: impl Fn(DVec3) -> f64) -> bool {
+pub(crate) fn is_nearer(
+    found: DistanceAndDirection,
+    other: DistanceAndDirection,
+    lengths: f64,
+    support: impl Fn(DVec3) -> f64,
+) -> bool {
     let rounding = ULPS * f64::EPSILON * lengths;
-    if (way.0 - other.0).abs() <= rounding {
-        let beyond = |(distance, direction): Way| reach(direction) + distance;
-        let (beyond, other_beyond) = (beyond(way), beyond(other));
+    if (found.0 - other.0).abs() <= rounding {
+        let beyond = |(distance, direction): DistanceAndDirection| support(direction) + distance;
+        let (beyond, other_beyond) = (beyond(found), beyond(other));
         if (beyond - other_beyond).abs() > rounding {
             return beyond < other_beyond;
         }
     }
-    way.0 < other.0
+    found.0 < other.0
 }

@@ -40,9 +40,10 @@ impl PointCloud {
     }
 }
 
-/// Up to this many points the largest distance is found over all pairs; above it the diagonal of the bounding box is
-/// used, which is at most sqrt(3) times too large. The value only scales tolerances.
-const EXACT_SIZE_LIMIT: usize = 1024;
+/// Up to this many points (of a compound: balls around its parts) the largest distance is found over all pairs; above
+/// it the diagonal of the bounding box is used, which is at most sqrt(3) times too large. The value only scales
+/// tolerances.
+pub(super) const EXACT_SIZE_LIMIT: usize = 1024;
 
 /// Largest distance between two of some points, m.
 pub(crate) fn largest_distance(points: &[DVec3]) -> f64 {

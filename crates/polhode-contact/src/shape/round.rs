@@ -96,6 +96,11 @@ impl<'a> Hull<'a> {
         Self { points, circles: circles(shape), ball }
     }
 
+    /// Points and a ball (radius in m).
+    pub(crate) const fn of_points(points: &'a [DVec3], ball: f64) -> Self {
+        Self { points: HullPoints::Listed(points), circles: Circles::NONE, ball }
+    }
+
     /// One point of a cloud.
     pub(crate) fn of_point(self, index: u32) -> Self {
         match self.points {

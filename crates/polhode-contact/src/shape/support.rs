@@ -16,6 +16,14 @@ pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {
     best
 }
 
+/// The middle of the smallest and the largest coordinate of some points along a direction.
+pub(crate) fn middle_coordinate(points: impl Iterator<Item = DVec3>, direction: DVec3) -> f64 {
+    let (low, high) = points
+        .map(|point| direction.dot(point))
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), along| (low.min(along), high.max(along)));
+    0.5 * (low + high)
+}
+
 /// The component of a vector perpendicular to a unit vector. The projection is made twice: a remainder along the axis,
 /// from rounding, would tilt a small component. Zero when the second projection removes most of it, because then all of
 /// it was rounding.

@@ -7,6 +7,7 @@ use crate::shape::error::{ShapeError, check_length, check_point};
 use crate::shape::lists::Lists;
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
+use crate::shape::support::middle_coordinate;
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,8 +23,9 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
     if vertices.len() < 4 {
         return Err(ShapeError::TooFewPoints { count: vertices.len(), limit: 4 });
     }
-    if u32::try_from(vertices.len().max(loops.len())).is_err() {
-        return Err(ShapeError::TooManyPoints { count: vertices.len(), limit: u32::MAX as usize });
+    let count = vertices.len().max(loops.len());
+    if u32::try_from(count).is_err() {
+        return Err(ShapeError::TooManyPoints { count, limit: u32::MAX as usize });
     }
     vertices.iter().try_for_each(|&v| check_point("vertex", v))?;
     let corner_edges = join_edges(vertices.len(), &loops)?;
@@ -100,13 +102,13 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
     let mut joined = JoinedEdges { endpoints: Vec::new(), faces: Vec::new(), edges: Vec::new() };
     let fail =
         |edges: usize, reason| Err(ShapeError::NotClosed { vertices: vertex_count, edges, faces: loops.len(), reason });
-    // Maps a directed edge to its edge and whether the opposite one has occurred.
+    // The number of the edge for every directed edge whose opposite has not occurred yet.
     let mut open: BTreeMap<(u32, u32), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(u32, u32)> = BTreeSet::new();
     let mut uses = vec![0_usize; vertex_count];
     for (face, corners) in loops.iter().enumerate() {
         if corners.len() < 3 {
-            return fail(joined.edges.len(), "a face has fewer than three vertices");
+            return fail(joined.endpoints.len(), "a face has fewer than three vertices");
         }
         for (i, &from) in corners.iter().enumerate() {
             let to = corners[(i + 1) % corners.len()];
@@ -114,7 +116,10 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
                 Some(count) => *count += 1,
                 None => return fail(joined.endpoints.len(), "a face names a vertex that does not exist"),
             }
-            if from == to || !seen.insert((from, to)) {
+            if from == to {
+                return fail(joined.endpoints.len(), "a face has the same vertex twice in a row");
+            }
+            if !seen.insert((from, to)) {
                 return fail(joined.endpoints.len(), "two faces run along an edge in the same direction");
             }
             if let Some(edge) = open.remove(&(to, from)) {
@@ -136,7 +141,7 @@ fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, Sh
         return fail(edges, "a vertex has fewer than three faces");
     }
     if vertex_count + loops.len() != edges + 2 {
-        return fail(edges, "it has holes or several parts");
+        return fail(edges, "it has holes or several parts, so that vertices - edges + faces is not 2");
     }
     Ok(joined)
 }
@@ -173,7 +178,8 @@ fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> V
     endpoints.iter().zip(faces).map(edge).collect()
 }
 
-/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally.
+/// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally. The offset
+/// of a plane is the middle of the smallest and the largest offset of its vertices.
 fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
     let mut first = 0;
     let mut faces = Vec::with_capacity(loops.len());
@@ -182,11 +188,8 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
         let center = (0..corners.len()).map(at).sum::<DVec3>() / corners.len() as f64;
         let area: DVec3 = (0..corners.len()).map(|i| (at(i) - center).cross(at(i + 1) - center)).sum();
         let normal = area / area.length();
-        // The offset is the middle of the smallest and largest offset of the vertices.
-        let (low, high) = (0..corners.len())
-            .map(|i| normal.dot(at(i)))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
-        faces.push(FaceRecord { first, count: corners.len(), normal, offset: 0.5 * (low + high) });
+        let offset = middle_coordinate((0..corners.len()).map(at), normal);
+        faces.push(FaceRecord { first, count: corners.len(), normal, offset });
         first += corners.len();
     }
     faces

@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// A feature of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum TriangleFeature {
     Face,
     /// From corner k to the next.
     Edge(usize),
@@ -35,7 +35,7 @@ pub(crate) fn area_vector(corners: [DVec3; 3]) -> DVec3 {
 
 /// The vector from the nearest point of a triangle, which may have no area, to a given point (m), and the feature that
 /// contains the nearest point. Of equally near sides the first is taken.
-pub(crate) fn from_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, Part) {
+pub(crate) fn from_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, TriangleFeature) {
     let [a, b, c] = *corners;
     // Any product of two sides is accurate enough for the choice of the case: its rounding, epsilon times length over
     // height, moves the border between two cases no farther than where their results differ by rounding.
@@ -46,7 +46,7 @@ pub(crate) fn from_triangle(corners: &[DVec3; 3], point: DVec3) -> (DVec3, Part)
         return from_sides(corners, point, beyond);
     }
     match over_face(corners, point) {
-        Some(height) => (height, Part::Face),
+        Some(height) => (height, TriangleFeature::Face),
         None => from_sides(corners, point, [true; 3]),
     }
 }
@@ -70,36 +70,36 @@ fn over_face(corners: &[DVec3; 3], point: DVec3) -> Option<DVec3> {
 
 /// The same for the sides in `wanted`: the nearest point lies on a side whose line separates the point from the
 /// triangle.
-fn from_sides(corners: &[DVec3; 3], point: DVec3, wanted: [bool; 3]) -> (DVec3, Part) {
+fn from_sides(corners: &[DVec3; 3], point: DVec3, wanted: [bool; 3]) -> (DVec3, TriangleFeature) {
     let lengths = corners.iter().map(|&corner| (corner - point).abs().max_element()).fold(0.0, f64::max);
-    let reach = |direction| (farthest(corners, direction) - point).dot(direction);
-    let way = |away: DVec3| (away.length(), away / away.length());
-    let mut best: Option<(DVec3, Part)> = None;
+    let support = |direction| (farthest(corners, direction) - point).dot(direction);
+    let measured = |away: DVec3| (away.length(), away / away.length());
+    let mut best: Option<(DVec3, TriangleFeature)> = None;
     for i in (0..3).filter(|&i| wanted[i]) {
         let (place, part) = on_segment(corners[i], corners[(i + 1) % 3], point);
         let away = point - place;
-        if best.is_none_or(|(other, _)| is_nearer(way(away), way(other), lengths, reach)) {
+        if best.is_none_or(|(other, _)| is_nearer(measured(away), measured(other), lengths, support)) {
             let part = match part {
-                Part::Corner(end) => Part::Corner((i + end) % 3),
-                _ => Part::Edge(i),
+                TriangleFeature::Corner(end) => TriangleFeature::Corner((i + end) % 3),
+                _ => TriangleFeature::Edge(i),
             };
             best = Some((away, part));
         }
     }
-    best.unwrap_or((point - corners[0], Part::Corner(0)))
+    best.unwrap_or((point - corners[0], TriangleFeature::Corner(0)))
 }
 
 /// Nearest point of a segment, and whether it is one of its ends.
-pub(crate) fn on_segment(p: DVec3, q: DVec3, point: DVec3) -> (DVec3, Part) {
+pub(crate) fn on_segment(p: DVec3, q: DVec3, point: DVec3) -> (DVec3, TriangleFeature) {
     let along = q - p;
     let (from, to) = ((point - p).dot(along), (q - point).dot(along));
     if from <= 0.0 {
-        (p, Part::Corner(0))
+        (p, TriangleFeature::Corner(0))
     } else if to <= 0.0 {
-        (q, Part::Corner(1))
+        (q, TriangleFeature::Corner(1))
     } else if from < to {
-        (p + along * (from / along.length_squared()), Part::Edge(0))
+        (p + along * (from / along.length_squared()), TriangleFeature::Edge(0))
     } else {
-        (q - along * (to / along.length_squared()), Part::Edge(0))
+        (q - along * (to / along.length_squared()), TriangleFeature::Edge(0))
     }
 }

@@ -10,6 +10,7 @@
 use super::error::{LARGEST_LENGTH, ShapeError, check_point};
 use super::point_cloud::largest_distance;
 use super::polyhedron::ConvexPolyhedron;
+use super::support::middle_coordinate;
 use super::topology;
 use super::triangle::area_vector;
 use crate::bounding::BoxTree;
@@ -69,7 +70,7 @@ pub struct TriangleMesh {
     pub(crate) at_vertex: Lists,
     pub(crate) tree: BoxTree,
     size: f64,
-    reach: f64,
+    radius: f64,
 }
 
 impl TriangleMesh {
@@ -96,8 +97,8 @@ impl TriangleMesh {
         let joined = joined(&vertices, &triangles);
         let normals = normals(&vertices, &joined)?;
         let at_vertex = Lists::new(vertices.len(), items_of(&joined));
-        let places: Vec<DVec3> = places(&vertices, &at_vertex).collect();
-        let size = largest_distance(&places);
+        let used: Vec<DVec3> = used_vertices(&vertices, &at_vertex).collect();
+        let size = largest_distance(&used);
         let (mut edges, edges_of) = edges_of(&vertices, &joined);
         let sides_of = |(t, n): (&[u32; 3], &DVec3)| [0, 1, 2].map(|k| side_of(&vertices, t, *n, k));
         let sides: Vec<[DVec3; 3]> = joined.iter().zip(&normals).map(sides_of).collect();
@@ -114,7 +115,7 @@ impl TriangleMesh {
         }
         let corners = |t: &[u32; 3]| Aabb::of_points(t.iter().map(|&v| vertices[v as usize]));
         let boxes: Vec<Aabb> = joined.iter().map(corners).collect();
-        let reach = places.iter().map(|place| place.length()).fold(0.0, f64::max);
+        let radius = used.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
         let tree = BoxTree::new(&boxes);
         Ok(Self {
             vertices,
@@ -129,7 +130,7 @@ impl TriangleMesh {
             at_vertex,
             tree,
             size,
-            reach,
+            radius,
         })
     }
 
@@ -161,26 +162,26 @@ impl TriangleMesh {
         self.tree.bounds()
     }
 
-    /// Largest distance of a triangle from the frame's origin, m.
-    pub(crate) const fn reach(&self) -> f64 {
-        self.reach
+    /// Largest distance of a point of the surface from the frame's origin, m.
+    pub(crate) const fn radius(&self) -> f64 {
+        self.radius
     }
 
     /// The vertices that belong to a triangle, m.
-    pub(crate) fn places(&self) -> impl Iterator<Item = DVec3> {
-        places(&self.vertices, &self.at_vertex)
+    pub(crate) fn used_vertices(&self) -> impl Iterator<Item = DVec3> {
+        used_vertices(&self.vertices, &self.at_vertex)
     }
 
-    pub(crate) fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
-        self.joined.get(triangle as usize).map(|t| t.map(|v| self.vertices[v as usize]))
+    /// Corners of a triangle that exists, m.
+    pub(crate) fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.joined[triangle as usize].map(|v| self.vertices[v as usize])
     }
 
     /// Distance of a point from the nearest vertex that belongs to a triangle, m.
     pub(crate) fn distance_to_vertex(&self, x: DVec3) -> f64 {
-        let here = Aabb { min: x, max: x };
+        let here = Aabb::of_point(x);
         self.tree.least(f64::INFINITY, 0.0, &|bounds: &Aabb| bounds.distance(&here), &mut |triangle, _| {
-            self.corners(triangle)
-                .map_or(f64::INFINITY, |corners| corners.iter().map(|c| c.distance(x)).fold(f64::INFINITY, f64::min))
+            self.corners(triangle).iter().map(|corner| corner.distance(x)).fold(f64::INFINITY, f64::min)
         })
     }
 
@@ -191,10 +192,9 @@ impl TriangleMesh {
     }
 
     /// A triangle as a polyhedron of two faces and no thickness, with the normals of its patch.
-    pub(crate) fn flat_polyhedron(&self, triangle: u32) -> Option<ConvexPolyhedron> {
-        let corners = self.corners(triangle)?;
+    pub(crate) fn flat_polyhedron(&self, triangle: u32) -> ConvexPolyhedron {
         let patch = self.patches[self.patch_of[triangle as usize] as usize];
-        Some(topology::flat_triangle(corners, patch.normal))
+        topology::flat_triangle(self.corners(triangle), patch.normal)
     }
 }
 
@@ -203,7 +203,7 @@ fn items_of(of: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
 }
 
 /// The vertices that belong to a triangle; others are not part of the surface.
-fn places(vertices: &[DVec3], at_vertex: &Lists) -> impl Iterator<Item = DVec3> {
+fn used_vertices(vertices: &[DVec3], at_vertex: &Lists) -> impl Iterator<Item = DVec3> {
     vertices.iter().enumerate().filter(|(index, _)| !at_vertex.of(*index).is_empty()).map(|(_, &place)| place)
 }
 
@@ -307,12 +307,8 @@ fn patches(
         }
         let whole: DVec3 = members.iter().map(|&t| area_vector(corners(t))).sum();
         let normal = if members.len() > 1 { whole.try_normalize().unwrap_or(normal) } else { normal };
-        let (low, high) = members
-            .iter()
-            .flat_map(|&t| corners(t))
-            .map(|v| normal.dot(v))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
-        patches.push(Patch { normal, offset: 0.5 * (low + high) });
+        let offset = middle_coordinate(members.iter().flat_map(|&t| corners(t)), normal);
+        patches.push(Patch { normal, offset });
     }
     (patches, patch_of)
 }

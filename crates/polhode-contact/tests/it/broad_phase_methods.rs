@@ -29,6 +29,7 @@ struct Methods(Vec<Asked>);
 
 impl Methods {
     fn new() -> Self {
+        // The first call must replace what the list of pairs holds.
         let asked = |method: BroadPhaseMethod| Asked { method, broad_phase: method.build(), pairs: vec![(7, 3)] };
         Self(BroadPhaseMethod::ALL.into_iter().map(asked).collect())
     }
@@ -166,6 +167,15 @@ fn degenerate_crowds() {
         })
         .collect();
     methods.check("geometric", &geometric);
+}
+
+/// Boxes that touch are pairs, also with boxes whose sizes would overflow when multiplied.
+#[test]
+fn touching_boxes() {
+    let huge = Aabb::new(DVec3::splat(-1e300), DVec3::splat(1e300)).expect("a box");
+    let boxes = [aabb(DVec3::ZERO, DVec3::ONE), aabb(DVec3::X, DVec3::ONE), huge];
+    assert_eq!(all_pairs(&boxes), [(0, 1), (0, 2), (1, 2)]);
+    Methods::new().check("touching", &boxes);
 }
 
 /// Names are parsed to their methods; another name gives an error with the list.

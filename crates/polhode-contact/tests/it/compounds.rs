@@ -2,13 +2,14 @@
 //! make up, with the same contacts and none at the seam, because a body must slide over the seam as over one plane
 //! surface.
 
-use crate::support::{Flight, Random, at, cuboid, prism};
+use crate::derivatives::assert_rate;
+use crate::support::{Flight, Random, at, ball, cuboid, floor, l_prism, prism, yaw};
 use polhode_contact::{
-    Contact, ContactFeature, ImpactSearch, Shape, ShapeError, Side, evaluate, find_impact, kinematics, manifold,
-    mirror_defect, near_manifold, separation, swept_aabb, time_of_further_impact, time_of_impact,
+    Contact, ContactFeature, ImpactSearch, Shape, ShapeError, Side, evaluate, find_impact, manifold, mirror_defect,
+    near_manifold, separation, swept_aabb, time_of_further_impact, time_of_impact,
 };
-use polhode_mesh::{DecompositionSettings, SolidMesh, convex_decomposition};
-use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector, Velocity};
+use polhode_mesh::{DecompositionSettings, convex_decomposition};
+use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector};
 
 /// Rounding of a position or a separation of bodies of size one, m: some operations on coordinates near one.
 const ROUNDING: f64 = 1e-13;
@@ -62,10 +63,10 @@ fn four_quarters_resting_on_a_plane_or_a_box_have_the_contacts_of_the_whole() {
     let size = DVec3::new(2.0, 1.0, 0.5);
     let whole = cuboid(size.x, size.y, size.z);
     let table = cuboid(1.3, 3.0, 0.4);
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     for case in 0..200 {
         let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
-        let turn = crate::support::yaw(if case % 4 == 0 { 0.0 } else { random.between(-3.0, 3.0) });
+        let turn = yaw(if case % 4 == 0 { 0.0 } else { random.between(-3.0, 3.0) });
         let shift = DVec3::new(random.between(-0.9, 0.9), random.between(-0.9, 0.9), 0.0);
         let far = if case % 3 == 0 { DVec3::new(1e6, -1e6, 0.0) } else { DVec3::ZERO };
         let gap = [0.0, 1e-13, -1e-13][case % 3];
@@ -91,7 +92,7 @@ fn a_near_manifold_is_the_manifold_within_reach() {
     let mut within = 0;
     for case in 0..300 {
         let parts = quartered(DVec3::new(2.0, 1.0, 0.5), 0.1, -0.2);
-        let pose = Pose::new(random.rotation(), 1.5 * random.vector());
+        let pose = random.pose(1.5);
         let whole = manifold(&parts, &pose, &other, &Pose::IDENTITY, 0.1);
         let near = near_manifold(&parts, &pose, &other, &Pose::IDENTITY, 0.1);
         if whole.separation <= 0.1 {
@@ -109,11 +110,11 @@ fn quarters_have_the_contacts_of_the_whole_in_both_orders() {
     let mut random = Random(23);
     let size = DVec3::new(2.0, 1.0, 0.5);
     let whole = cuboid(size.x, size.y, size.z);
-    let others = [cuboid(0.7, 0.9, 1.1), prism(7, 0.5, 0.8), Shape::sphere(0.4).expect("a ball")];
+    let others = [cuboid(0.7, 0.9, 1.1), prism(7, 0.5, 0.8), ball(0.4)];
     for case in 0..300 {
         let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
         let other = &others[case % 3];
-        let other_pose = Pose::new(random.rotation(), random.vector());
+        let other_pose = random.pose(1.0);
         let start = Pose::new(random.rotation(), other_pose.translation + 0.1 * random.vector());
         let pose = touching(&whole, start, other, &other_pose, random.direction());
         let expected = manifold(&whole, &pose, other, &other_pose, 1e-10);
@@ -142,7 +143,7 @@ fn quarters_have_the_time_of_impact_of_the_whole() {
         let parts = quartered(size, random.between(-0.9, 0.9), random.between(-0.4, 0.4));
         let start = Pose::new(random.rotation(), random.direction() * 5.0);
         let flight = Flight::new(start, -start.translation * 2.0 + random.vector(), random.vector() * 6.0);
-        let still = Still(Pose::new(random.rotation(), random.vector()));
+        let still = Still(random.pose(1.0));
         let expected = time_of_impact(&whole, &flight, &target, &still, 0.0, 1.0, &settings).expect("an answer");
         let found = find_impact(&parts, &flight, &target, &still, 0.0, 1.0, &settings).expect("an answer");
         match (expected, found.time) {
@@ -184,8 +185,7 @@ fn sliding_over_a_seam_is_no_impact_and_a_step_is() {
 /// part of its side that faces it.
 #[test]
 fn a_brick_in_the_corner_of_an_l_touches_floor_and_wall() {
-    let outline = [(0.0, 0.0), (3.0, 0.0), (3.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)];
-    let solid = extruded(&outline, 2.0);
+    let solid = l_prism([[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]], 2.0);
     let pieces = convex_decomposition(&solid, DecompositionSettings::default()).expect("parts");
     let parts = pieces
         .parts
@@ -203,22 +203,6 @@ fn a_brick_in_the_corner_of_an_l_touches_floor_and_wall() {
     assert!(found.contacts.iter().all(|c| c.geometry.normal == DVec3::Y));
 }
 
-/// A solid with this outline (anticlockwise) in x and y, and this depth along z from 0.
-fn extruded(outline: &[(f64, f64)], depth: f64) -> SolidMesh {
-    let n = outline.len() as u32;
-    let vertices: Vec<DVec3> =
-        [0.0, depth].iter().flat_map(|&z| outline.iter().map(move |&(x, y)| DVec3::new(x, y, z))).collect();
-    // The outline's caps, as two rectangles of triangles: 0 1 2 3 and 0 3 4 5.
-    let cap = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
-    let mut triangles: Vec<[u32; 3]> = cap.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + n, b + n, c + n]]).collect();
-    for i in 0..n {
-        let j = (i + 1) % n;
-        triangles.extend([[i, j, j + n], [i, j + n, i + n]]);
-    }
-    let mesh = polhode_mesh::TriangleMesh::new(vertices, triangles).expect("a mesh");
-    SolidMesh::new(mesh).expect("a closed mesh")
-}
-
 /// Every contact's derivatives against differences of its separation along the motion.
 #[test]
 fn kinematics_of_contacts_of_parts_are_the_derivatives_of_their_separation() {
@@ -229,12 +213,12 @@ fn kinematics_of_contacts_of_parts_are_the_derivatives_of_their_separation() {
         Shape::sphere(0.4).and_then(|s| s.translated(-DVec3::X)).expect("a ball"),
     ])
     .expect("three parts");
-    let ball = Shape::sphere(0.5).expect("a ball");
+    let ball = ball(0.5);
     let mut kinds = std::collections::BTreeSet::new();
     for other in [&dumbbell, &ball, &cuboid(1.0, 1.0, 1.0)] {
         for _ in 0..40 {
             let flights = [(); 2].map(|()| {
-                let start = Pose::new(random.rotation(), random.vector() * 0.8);
+                let start = random.pose(0.8);
                 Flight::new(start, random.vector(), random.vector())
             });
             let poses = flights.map(|f| f.pose(0.0));
@@ -243,21 +227,11 @@ fn kinematics_of_contacts_of_parts_are_the_derivatives_of_their_separation() {
                     std::mem::discriminant(&contact.feature)
                         == std::mem::discriminant(&ContactFeature::Spheres { center_a: 0, center_b: 0 }),
                 );
-                let at = |t: f64| {
-                    evaluate(contact.feature, &dumbbell, &flights[0].pose(t), other, &flights[1].pose(t))
-                        .expect("the contact")
-                        .separation
-                };
-                let v: [Velocity; 2] = flights.map(|f| f.velocity(0.0));
-                let exact = kinematics(contact.feature, &dumbbell, &poses[0], &v[0], other, &poses[1], &v[1])
-                    .expect("the contact");
-                let h = 1e-5;
-                let rate = (at(h) - at(-h)) / (2.0 * h);
-                assert!((rate - exact.separation_rate).abs() < 1e-6 * (1.0 + rate.abs()), "{contact:?}");
+                assert_rate(contact.feature, [&dumbbell, other], &flights);
             }
         }
     }
-    assert_eq!(kinds.len(), 2, "contacts of two spheres and others were both met");
+    assert_eq!(kinds.len(), 2, "contacts of two spheres and others must both occur");
 }
 
 #[test]
@@ -275,14 +249,14 @@ fn sizes_boxes_and_mirror_images() {
 
 /// Boxes on boxes of any attitude: edges that lie in the other body's plane give no spurious axis by rounding.
 #[test]
-fn boxes_on_sloped_boxes_touch_with_the_slope_s_normal() {
+fn boxes_on_sloped_boxes_have_four_contacts() {
     let mut random = Random(107);
     for case in 0..2000 {
         let turn = random.rotation();
         let (lower, upper) =
             (cuboid(2.0, 2.0, 1.0).placed(&Pose::new(turn, DVec3::ZERO)).expect("a box"), cuboid(0.7, 0.5, 0.4));
         let place = turn.rotate(DVec3::new(random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0.7));
-        let pose = Pose::new(turn * crate::support::yaw(random.between(-3.0, 3.0)), place);
+        let pose = Pose::new(turn * yaw(random.between(-3.0, 3.0)), place);
         let found = manifold(&upper, &pose, &lower, &Pose::IDENTITY, 1e-9);
         assert!(found.separation.abs() < 1e-14, "case {case}: {}", found.separation);
         assert_eq!(found.contacts.len(), 4, "case {case}: {found:#?}");
@@ -292,7 +266,7 @@ fn boxes_on_sloped_boxes_touch_with_the_slope_s_normal() {
 #[test]
 fn invalid_compounds_are_refused() {
     assert!(matches!(Shape::compound(Vec::new()), Err(ShapeError::NoPart { .. })));
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     assert!(matches!(Shape::compound(vec![floor]), Err(ShapeError::NotAPart { .. })));
     let parts = quartered(DVec3::ONE, 0.1, 0.1);
     let lost = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 32, face: 0 };

@@ -1,9 +1,9 @@
 //! The first and second time derivatives of the separation of every kind of contact, against finite differences of
 //! eighth order along motions that accelerate and whose spin changes direction, at separations that are not zero.
 
-use crate::support::{Random, cuboid, prism};
+use crate::support::{Flight, Random, ball, cuboid, floor, prism};
 use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature, evaluate, kinematics};
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode_spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
 
 /// `R(t) = exp(first t) exp(second t) R_0`: angular velocity `first + exp(first t) second`, and its rate at zero
 /// `first x second`.
@@ -18,7 +18,7 @@ pub(crate) struct Path {
 impl Path {
     pub(crate) fn random(random: &mut Random) -> Self {
         Self {
-            start: Pose::new(random.rotation(), random.vector()),
+            start: random.pose(1.0),
             linear: random.vector(),
             acceleration: random.vector(),
             first: random.vector() * 1.5,
@@ -47,9 +47,11 @@ impl Path {
     }
 }
 
+/// Weights of the central difference of eighth order for the first derivative.
+pub(crate) const FIRST: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+
 /// Central differences of eighth order for the first and the second derivative.
 fn differences(f: impl Fn(f64) -> f64, h: f64) -> (f64, f64) {
-    const FIRST: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     const SECOND: [f64; 4] = [8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
     let (mut first, mut second) = (0.0, -205.0 / 72.0 * f(0.0));
     for (k, (c1, c2)) in FIRST.iter().zip(SECOND).enumerate() {
@@ -61,11 +63,24 @@ fn differences(f: impl Fn(f64) -> f64, h: f64) -> (f64, f64) {
     (first / h, second / (h * h))
 }
 
+/// Asserts that the rate of a contact's separation at time zero is the difference quotient along two flights.
+pub(crate) fn assert_rate(feature: ContactFeature, [a, b]: [&Shape; 2], flights: &[Flight; 2]) {
+    let separation = |t: f64| {
+        let [pose_a, pose_b] = flights.map(|flight| flight.pose(t));
+        evaluate(feature, a, &pose_a, b, &pose_b).expect("the contact").separation
+    };
+    let ([pose_a, pose_b], [v_a, v_b]) = (flights.map(|flight| flight.pose(0.0)), flights.map(|f| f.velocity(0.0)));
+    let exact = kinematics(feature, a, &pose_a, &v_a, b, &pose_b, &v_b).expect("the contact");
+    let h = 1e-5;
+    let rate = (separation(h) - separation(-h)) / (2.0 * h);
+    assert!((rate - exact.separation_rate).abs() < 1e-6 * (1.0 + rate.abs()), "{feature:?}");
+}
+
 fn check(name: &str, feature: ContactFeature, shape_a: &Shape, shape_b: &Shape, random: &mut Random) {
     check_at(60, name, feature, shape_a, shape_b, random);
 }
 
-/// Checks at this many random poses, of which at least 20 must have the contact.
+/// Checks at this many random poses, of which more than 20 must have the contact.
 pub(crate) fn check_at(
     poses: u32,
     name: &str,
@@ -121,8 +136,8 @@ pub(crate) fn each_kind(mut visit: impl FnMut(&str, ContactFeature, &Shape, &Sha
     let (cube, hexagon) = (cuboid(0.5, 0.4, 0.3), prism(6, 0.3, 0.4));
     let moved = |s: Shape, by: DVec3| s.translated(by).expect("moved");
     let cube = moved(cube, DVec3::new(0.1, -0.05, 0.2));
-    let ball = moved(Shape::sphere(0.2).expect("radius"), DVec3::new(-0.1, 0.2, 0.1));
-    let other_ball = moved(Shape::sphere(0.1).expect("radius"), DVec3::new(0.2, 0.1, 0.0));
+    let other_ball = moved(ball(0.1), DVec3::new(0.2, 0.1, 0.0));
+    let ball = moved(ball(0.2), DVec3::new(-0.1, 0.2, 0.1));
     let cloud = Shape::points(vec![DVec3::new(0.3, 0.2, 0.1), DVec3::new(-0.2, 0.1, 0.4)]).expect("points");
     let floor = moved(Shape::half_space(UnitVector::new(DVec3::new(0.2, 0.3, 0.9)).expect("up")), DVec3::Z * 0.3);
     let smooth = |side, center, against| ContactFeature::Smooth { center_of: side, center, against };
@@ -177,7 +192,7 @@ fn margins() {
     let margin = |x, y| evaluate(corner, &cube, &at(x, y), &cube, &Pose::IDENTITY).map(|g| g.margin);
     assert_eq!(margin(0.5, 0.25), Some(0.25));
     assert_eq!(margin(1.25, 0.25), Some(-0.25));
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     let on_floor = ContactFeature::VertexFace { vertex_of: Side::A, vertex: 0, face: 0 };
     let g = evaluate(on_floor, &cube, &at(0.0, 0.0), &floor, &Pose::IDENTITY).expect("a contact");
     assert_eq!((g.margin, g.separation, g.normal), (f64::INFINITY, 0.5, DVec3::Z));

@@ -20,7 +20,7 @@ fn has_point(contacts: &[Contact], point: DVec3) -> bool {
     contacts.iter().any(|c| (c.geometry.point - point).length() < 1e-14)
 }
 
-/// Thesis figure 17: a turned box over the border of another has a contact region of five vertices, two crossings of
+/// Thesis figure 17: a turned box over the border of another has a contact region with five corners: two crossings of
 /// edges and three vertices on faces.
 #[test]
 fn figure_17() {
@@ -113,7 +113,8 @@ fn standing_on_an_edge() {
     assert_eq!((along.contacts.len(), count(&along, is_edge_edge)), (2, 0));
 }
 
-/// Flush side by side and exactly at the corner, edge along edge: two contacts in the vertical direction.
+/// A cube diagonally above another, with one edge of each along the other: the two ends of the edge, with the vertical
+/// normal. Corner to corner: one contact.
 #[test]
 fn edge_along_edge() {
     let cube = cuboid(1.0, 1.0, 1.0);

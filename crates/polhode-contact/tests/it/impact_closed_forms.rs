@@ -1,16 +1,8 @@
 //! Times of impact with closed forms: head-on shots, falls, grazing, resting contact, invalid input.
 
-use crate::support::{Flight, at, cuboid, yaw};
+use crate::support::{Flight, at, ball, cuboid, floor, yaw};
 use polhode_contact::{ImpactError, ImpactSearch, Shape, find_impact, separation, time_of_impact};
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Still, UnitVector, Velocity};
-
-fn ball(radius: f64) -> Shape {
-    Shape::sphere(radius).expect("positive radius")
-}
-
-fn floor() -> Shape {
-    Shape::half_space(UnitVector::Z)
-}
 
 fn shot(from: DVec3, velocity: DVec3) -> Flight {
     Flight::new(Pose::from_translation(from), velocity, DVec3::ZERO)
@@ -140,10 +132,10 @@ fn starting_in_touch() {
     assert!((back - 1.0).abs() < 1e-14);
     let pressed = time(&cube, &shot(DVec3::Z, DVec3::Z * -1.0), &cube, &still, 1.0).expect("it overlaps");
     assert!(pressed < 2e-12, "{pressed}");
-    let mut sinking = shot(DVec3::Z, DVec3::ZERO);
-    sinking.acceleration = DVec3::Z * -2.0;
-    let sunk = time(&cube, &sinking, &cube, &still, 1.0).expect("it overlaps");
-    assert!(sunk * sunk < 2e-12, "{sunk}");
+    let mut accelerated = shot(DVec3::Z, DVec3::ZERO);
+    accelerated.acceleration = DVec3::Z * -2.0;
+    let later = time(&cube, &accelerated, &cube, &still, 1.0).expect("it overlaps");
+    assert!(later * later < 2e-12, "{later}");
 }
 
 /// Motions that are not finite, reversed intervals and exhausted limits are errors, not hangs or panics.
@@ -179,7 +171,8 @@ fn errors() {
 }
 
 /// Two balls that start in touch, overlap by less than the touch tolerance and separate again before the interval ends
-/// have an impact (before, a minimum between two evaluations was ignored when the last one found them separated).
+/// have an impact (before the fix, a minimum between two evaluations was ignored when the last one found them
+/// separated).
 #[test]
 fn balls_that_overlap_and_separate_again_have_an_impact() {
     let ball = ball(0.2);

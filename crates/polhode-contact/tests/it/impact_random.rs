@@ -1,11 +1,11 @@
 //! Times of impact of random shots against brute force: never late, never missed, and exact.
 
-use crate::support::{Flight, Random, cuboid, prism};
+use crate::support::{Flight, Random, ball, cuboid, prism};
 use polhode_contact::clearance::touch_tolerance;
 use polhode_contact::{ImpactSearch, Shape, find_impact, kinematics, manifold, separation};
 use polhode_spatial::{DVec3, Motion, Pose, UnitVector};
 
-/// The result of a batch of shots.
+/// The result of a number of shots: bodies that fly at each other.
 #[derive(Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) hits: u32,
@@ -56,7 +56,7 @@ pub(crate) fn shoot_within(
     tally.most = tally.most.max(report.evaluations);
 }
 
-/// At the time of impact there is a contact within the touch tolerance, and at one of them the bodies approach.
+/// At the time of impact there are contacts within the touch tolerance, and at one of them the bodies approach.
 fn assert_contact(a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, t: f64) {
     let (pose_a, pose_b) = (motion_a.pose(t), motion_b.pose(t));
     let reach = touch_tolerance(a, &pose_a, b, &pose_b, 1e-11);
@@ -71,6 +71,8 @@ fn assert_contact(a: &Shape, motion_a: &Flight, b: &Shape, motion_b: &Flight, t:
     assert!(rates.iter().any(|rate| *rate < 0.0), "{rates:?} {result:?}");
 }
 
+/// The motion of a body that starts at a distance (m) from the origin in a random direction and flies past near the
+/// origin, after about `1/speed` s; `spin` is the largest angular speed, rad/s.
 pub(crate) fn shooter(random: &mut Random, distance: f64, speed: f64, spin: f64) -> Flight {
     let start = random.direction() * distance;
     let aim = random.vector() * 0.8 - start;
@@ -123,8 +125,8 @@ fn all_kinds() {
     let shapes = [
         cuboid(0.5, 0.3, 0.2),
         prism(6, 0.3, 0.2),
-        Shape::sphere(0.2).expect("radius"),
-        Shape::sphere(0.2).expect("radius").translated(DVec3::new(0.1, 0.2, -0.1)).expect("moved"),
+        ball(0.2),
+        ball(0.2).translated(DVec3::new(0.1, 0.2, -0.1)).expect("moved"),
         Shape::points(cloud).expect("points"),
         Shape::half_space(UnitVector::new(DVec3::new(0.1, -0.2, 1.0)).expect("direction")),
     ];

@@ -16,8 +16,8 @@ fn leaning_over_the_border(tilt: f64, turn: f64) -> Manifold {
     manifold(&beam, &pose, &table, &Pose::IDENTITY, 1e-2)
 }
 
-/// However little the edge is tilted, to whichever side, both ends of the line are contacts: the end of the box is, or
-/// the border's crossing, or both.
+/// However little the edge is tilted, to whichever side, both ends of the line are contacts: the one at the end of the
+/// box and the one at the border of the table.
 #[test]
 fn an_edge_tilted_by_less_than_anything_visible_keeps_both_ends() {
     for turn in [0.0, 0.3, -0.7] {

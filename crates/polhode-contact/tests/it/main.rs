@@ -2,7 +2,6 @@
 
 mod approximate_decomposition;
 mod bounding_volumes;
-mod broad_phase;
 mod broad_phase_methods;
 mod compounds;
 mod derivatives;

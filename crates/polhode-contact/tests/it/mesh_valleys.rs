@@ -31,7 +31,7 @@ fn a_rim_in_the_bottom_of_a_valley_touches_both_sides() {
         for tilt in [0.83_f64, 1.1, -0.83, -0.95] {
             for y in [0.0, 0.1, 0.5, -1.0] {
                 let rotation = Rotation::from_rotation_vector(DVec3::Y * tilt);
-                // The rim's lowest place along either wall's normal is the same, for the disc is steeper than both.
+                // The rim's lowest place along either wall's normal is the same, because the disc is steeper than both.
                 let high = Pose::new(rotation, DVec3::new(0.0, y, 3.0));
                 let rim = ContactFeature::Elements { a: SurfaceFeature::Face(0), b: SurfaceFeature::Rim(0) };
                 let floor = Shape::half_space(UnitVector::new(DVec3::Z).expect("up"));

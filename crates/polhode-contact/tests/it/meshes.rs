@@ -3,7 +3,7 @@
 //! ground.
 
 use crate::compounds::{assert_same, touching};
-use crate::support::{Random, cuboid, prism, yaw};
+use crate::support::{Random, ball, cuboid, cylinder, floor, hull, prism, ring, yaw};
 use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, aabb_of, evaluate, manifold, mirror_defect, separation};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 
@@ -38,7 +38,7 @@ pub(crate) fn grid(n: u32, side: f64, jitter: f64, random: &mut Random, height: 
 
 fn tetrahedron() -> Shape {
     let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(0.2, 0.3, 0.9)].map(|p| p - DVec3::new(0.3, 0.3, 0.2));
-    Shape::convex(ConvexPolyhedron::from_points(&points).expect("a tetrahedron"))
+    hull(&points)
 }
 
 fn scaled(shape: &Shape, by: f64) -> Shape {
@@ -61,7 +61,7 @@ fn lowest(shape: &Shape, rotation: Rotation) -> f64 {
 #[test]
 fn polyhedra_on_a_flat_grid_have_the_contacts_of_a_half_space() {
     let mut random = Random(31);
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     let bodies = [cuboid(1.0, 0.6, 0.4), tetrahedron(), prism(5, 0.4, 0.3), prism(12, 0.5, 0.3)];
     for case in 0..240 {
         let scale = [1.0, 1e-4, 1e4][case % 3];
@@ -103,9 +103,9 @@ fn polyhedra_on_a_sloped_grid_have_the_contacts_of_the_slope() {
     let bodies = [cuboid(1.0, 0.6, 0.4), tetrahedron(), prism(5, 0.4, 0.3), prism(12, 0.5, 0.3)];
     for case in 0..200 {
         let jitter = if case % 2 == 0 { 0.0 } else { 0.3 };
-        let slope = Pose::new(random.rotation(), random.vector());
+        let slope = random.pose(1.0);
         let mesh = grid(10, 4.0, jitter, &mut random, |_, _| 0.0).placed(&slope).expect("a mesh");
-        let floor = Shape::half_space(UnitVector::Z).placed(&slope).expect("a half-space");
+        let floor = floor().placed(&slope).expect("a half-space");
         let body = &bodies[case % 4];
         let turn = if case % 8 == 0 { Rotation::IDENTITY } else { yaw(random.between(-3.0, 3.0)) };
         let shift = if case % 8 == 0 { DVec3::ZERO } else { random.vector() };
@@ -176,7 +176,7 @@ fn polyhedra_on_a_small_plateau_have_the_contacts_of_a_box_of_its_outline() {
 #[test]
 fn a_ball_on_a_flat_grid_has_one_contact_with_the_plane_s_normal() {
     let mut random = Random(41);
-    let ball = Shape::sphere(0.5).expect("a ball");
+    let ball = ball(0.5);
     let mesh = grid(10, 4.0, 0.0, &mut random, |_, _| 0.0);
     let cell = 0.4;
     for case in 0..300 {
@@ -194,7 +194,7 @@ fn a_ball_on_a_flat_grid_has_one_contact_with_the_plane_s_normal() {
     }
 }
 
-/// Ridge and valley along y, both with slopes of 45 degrees.
+/// A ground with one fold along y: a ridge where the slope `up` is negative, a valley where it is positive.
 fn folded(up: f64, random: &mut Random) -> Shape {
     grid(10, 4.0, 0.0, random, |x, _| up * x.abs())
 }
@@ -202,7 +202,7 @@ fn folded(up: f64, random: &mut Random) -> Shape {
 #[test]
 fn a_ball_touches_a_valley_twice_a_ridge_once_and_a_spike_at_its_tip() {
     let mut random = Random(43);
-    let ball = Shape::sphere(0.5).expect("a ball");
+    let ball = ball(0.5);
     let deep = 0.5 * std::f64::consts::SQRT_2;
     for y in [0.0, 0.1, 0.4, 0.53] {
         let valley = folded(1.0, &mut random);
@@ -234,11 +234,9 @@ fn boxes_on_a_ridge_in_a_valley_and_over_a_crack() {
     // In a valley, turned by 45 degrees: two faces, four corners each.
     let valley = folded(1.0, &mut random);
     let turn = Rotation::from_rotation_vector(DVec3::Y * (0.25 * std::f64::consts::PI));
-    let corner = turn.rotate(DVec3::new(0.5, 0.0, -0.2)).z;
-    let low = [0.5, -0.5].map(|x| turn.rotate(DVec3::new(x, 0.0, -0.2)).z).into_iter().fold(corner, f64::min);
-    let bottom =
-        [0.5, -0.5].map(|x| turn.rotate(DVec3::new(x, 0.0, -0.2))).into_iter().min_by(|a, b| a.z.total_cmp(&b.z));
-    let pose = Pose::new(turn, DVec3::new(-bottom.expect("a corner").x, 0.05, -low));
+    let corners = [0.5, -0.5].map(|x| turn.rotate(DVec3::new(x, 0.0, -0.2)));
+    let lowest = corners.into_iter().min_by(|a, b| a.z.total_cmp(&b.z)).expect("a corner");
+    let pose = Pose::new(turn, DVec3::new(-lowest.x, 0.05, -lowest.z));
     let found = manifold(&body, &pose, &valley, &Pose::IDENTITY, 1e-9);
     let slope = std::f64::consts::FRAC_1_SQRT_2;
     let sides = [DVec3::new(-slope, 0.0, slope), DVec3::new(slope, 0.0, slope)].map(|n| count(&found, n));
@@ -258,7 +256,7 @@ fn boxes_on_a_ridge_in_a_valley_and_over_a_crack() {
 #[test]
 fn bodies_touch_a_hilly_ground_without_wrong_normals() {
     let mut random = Random(53);
-    let bodies = [cuboid(0.5, 0.4, 0.3), tetrahedron(), prism(7, 0.4, 0.3), Shape::sphere(0.4).expect("a ball")];
+    let bodies = [cuboid(0.5, 0.4, 0.3), tetrahedron(), prism(7, 0.4, 0.3), ball(0.4)];
     for case in 0..300 {
         let mesh = grid(8, 4.0, 0.3, &mut random, |x, y| 0.3 * libm::sin(2.0 * x) * libm::cos(1.7 * y));
         let body = &bodies[case % 4];
@@ -294,10 +292,10 @@ fn a_closed_mesh_has_the_contacts_of_its_solid_from_outside() {
     let mesh =
         Shape::triangle_mesh(solid.mesh().vertices().to_vec(), solid.mesh().triangles().to_vec()).expect("a mesh");
     let whole = cuboid(2.0, 1.0, 0.5);
-    let others = [cuboid(0.7, 0.9, 1.1), prism(7, 0.5, 0.8), Shape::sphere(0.4).expect("a ball")];
+    let others = [cuboid(0.7, 0.9, 1.1), prism(7, 0.5, 0.8), ball(0.4)];
     for case in 0..300 {
         let other = &others[case % 3];
-        let start = Pose::new(random.rotation(), random.vector() * 0.2);
+        let start = random.pose(0.2);
         let pose = touching(other, start, &whole, &Pose::IDENTITY, random.direction());
         let expected = manifold(other, &pose, &whole, &Pose::IDENTITY, 1e-10);
         let found = manifold(other, &pose, &mesh, &Pose::IDENTITY, 1e-10);
@@ -306,7 +304,7 @@ fn a_closed_mesh_has_the_contacts_of_its_solid_from_outside() {
 }
 
 #[test]
-fn points_touch_from_the_outer_side_and_nearest_edges_of_ridges() {
+fn points_just_below_a_sheet_touch_its_outer_side() {
     let mut random = Random(61);
     let frame = Shape::points(vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]).expect("points");
     let mesh = grid(10, 4.0, 0.3, &mut random, |_, _| 0.0);
@@ -346,21 +344,16 @@ fn a_far_vertex_of_no_triangle_changes_no_result() {
     let without = Shape::TriangleMesh(ground);
     assert_eq!((with.size(), with.radius()), (without.size(), without.radius()));
     assert_eq!(aabb_of(&with, &Pose::IDENTITY), aabb_of(&without, &Pose::IDENTITY));
-    let bodies = [
-        Shape::cylinder(0.1, 0.3).expect("a cylinder"),
-        cuboid(0.4, 0.5, 0.2),
-        Shape::sphere(0.3).expect("a ball"),
-        Shape::torus(0.3, 0.1).expect("a ring"),
-    ];
+    let bodies = [cylinder(0.1, 0.3), cuboid(0.4, 0.5, 0.2), ball(0.3), ring(0.3, 0.1)];
     for case in 0..400 {
-        let (body, pose) = (&bodies[case % 4], Pose::new(random.rotation(), random.vector()));
+        let (body, pose) = (&bodies[case % 4], random.pose(1.0));
         let found = [&with, &without].map(|mesh| manifold(mesh, &Pose::IDENTITY, body, &pose, 0.2));
         assert_eq!(found[0], found[1], "{case}");
     }
 }
 
 #[test]
-fn invalid_meshes_are_refused_and_hostile_poses_have_typed_results() {
+fn invalid_meshes_are_refused_and_extreme_poses_have_results() {
     let corners = || vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X * 2.0];
     let of = |triangles: Vec<[u32; 3]>| Shape::triangle_mesh(corners(), triangles);
     assert!(matches!(of(Vec::new()), Err(ShapeError::NoPart { .. })));
@@ -376,7 +369,7 @@ fn invalid_meshes_are_refused_and_hostile_poses_have_typed_results() {
     let huge = Pose::from_translation(DVec3::splat(1e300));
     assert!(!separation(&body, &huge, &mesh, &Pose::IDENTITY).is_nan());
     assert_eq!(separation(&mesh, &Pose::IDENTITY, &mesh, &Pose::IDENTITY), f64::INFINITY);
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     assert_eq!(manifold(&mesh, &Pose::IDENTITY, &floor, &Pose::IDENTITY, 1.0).contacts.len(), 0);
     assert!(mirror_defect(&mesh, UnitVector::Z, 0.0) < 1e-15);
     assert!(mirror_defect(&mesh, UnitVector::X, 0.0) > 0.5);

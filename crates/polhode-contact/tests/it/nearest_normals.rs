@@ -1,6 +1,7 @@
-//! Normals where the nearest point lies on an edge, close to one of its ends. The distances from the edge and from the
-//! end then differ by the square of the displacement between them, which rounding hides up to 1e-8 of the distance; the
-//! normals differ by the displacement itself. And depths where many axes are almost equally good.
+//! Normals where the nearest point lies on an edge, close to one of its ends; and depths where many axes are almost
+//! equally good. Near the end of an edge the distances from the edge and from the end differ by the square of the
+//! displacement between them, which rounding hides up to 1e-8 of the distance; the normals differ by the displacement
+//! itself.
 
 use crate::support::Random;
 use polhode_contact::{ConvexPolyhedron, Shape, ShapeError, closest_point, distance, manifold, separation};
@@ -43,9 +44,9 @@ fn on_rim(body: Result<Shape, ShapeError>, end: DVec3) -> Option<Border> {
     Some(Border { body: body.ok()?, end, along: -DVec3::X, sides: [DVec3::Z * end.z.signum(), DVec3::X] })
 }
 
-/// Balls, rods, cones and points above random edges, 1e-12 to 1e-5 from an end (before, 147 of 2000 balls and points
-/// above tetrahedra had the normal of the end, up to 1e-8 rad off, and so had as many rods; a fuzz run found a cylinder
-/// 3.7e-8 m too deep because of it).
+/// Balls, rods, cones and points above random edges, 1e-12 to 1e-5 from an end (before the fix, 147 of 2000 balls and
+/// points above tetrahedra had the normal of the end, up to 1e-8 rad off, and so had as many rods; a fuzz run found a
+/// cylinder 3.7e-8 m too deep because of it).
 #[test]
 fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
     let mut random = Random(17);
@@ -88,9 +89,9 @@ fn normals_close_to_the_end_of_an_edge_are_those_of_the_edge() {
 }
 
 /// A small cylinder, cone or capsule with its centre on a corner, an edge, a rim or a face of a large body has the same
-/// depth by the distance and by the separation, in either order of the bodies (before, the distance was up to 1.6e-6 m
-/// more: the depth hardly depends on the axis there, so that its iteration converged badly). One such case in twenty
-/// thousand still differs, by 5.2e-13 m: a flat cylinder on a rim, case 1369 of seed 29.
+/// depth by the distance and by the separation, in either order of the bodies (before the fix, the distance was up to
+/// 1.6e-6 m more: the depth hardly depends on the axis there, so that its iteration converged badly). One such case in
+/// twenty thousand still differs, by 5.2e-13 m: a flat cylinder on a rim, case 1369 of seed 29.
 #[test]
 fn small_round_bodies_on_large_corners_have_one_depth_by_both_queries() {
     let mut random = Random(30);

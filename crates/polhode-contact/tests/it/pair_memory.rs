@@ -1,10 +1,8 @@
 //! The narrow phase with a memory of each pair gives the same result as without, bit for bit, however the bodies move.
 
-use crate::support::{Random, at, cuboid, prism, yaw};
-use polhode_contact::{
-    ConvexPolyhedron, Manifold, PairMemory, Shape, Workspace, manifold, near_manifold, near_manifold_with,
-};
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+use crate::support::{Random, at, ball, cuboid, floor, hull, prism, yaw};
+use polhode_contact::{Manifold, PairMemory, Shape, Workspace, manifold, near_manifold, near_manifold_with};
+use polhode_spatial::{DVec3, Pose, Rotation};
 use std::collections::BTreeMap;
 
 /// All numbers of the contacts as bits, so that even signs of zeros count.
@@ -69,9 +67,9 @@ impl World {
     }
 }
 
-fn hull(random: &mut Random, points: usize) -> Shape {
+fn random_hull(random: &mut Random, points: usize) -> Shape {
     let points: Vec<DVec3> = (0..points).map(|_| random.direction() * 0.6).collect();
-    Shape::convex(ConvexPolyhedron::from_points(&points).expect("points on a sphere have a hull"))
+    hull(&points)
 }
 
 fn moved(pose: &Pose, random: &mut Random, step: f64) -> Pose {
@@ -91,13 +89,13 @@ fn random_walks() {
                 cuboid(1.0, 0.8, 0.6),
                 prism(3 + round, 0.5, 0.7),
                 prism(32, 0.5, 0.8),
-                hull(&mut random, 12),
-                hull(&mut random, 40),
-                Shape::sphere(0.4).expect("a ball"),
-                Shape::half_space(UnitVector::Z),
+                random_hull(&mut random, 12),
+                random_hull(&mut random, 40),
+                ball(0.4),
+                floor(),
                 Shape::points(vec![DVec3::ZERO, DVec3::X * 0.3]).expect("two points"),
             ];
-            let scatter = |random: &mut Random| Pose::new(random.rotation(), random.vector() * 0.8);
+            let scatter = |random: &mut Random| random.pose(0.8);
             let poses = shapes.iter().map(|_| scatter(&mut random)).collect();
             let mut world = World::new(shapes, poses);
             let pairs = world.all_pairs();
@@ -118,11 +116,11 @@ fn one_pair_with_changing_reach() {
     let mut compared = 0;
     for step in [1e-13, 1e-9, 1e-5, 1e-3, 0.05] {
         for round in 0..12 {
-            let shapes = [hull(&mut random, 14), prism(3 + round, 0.5, 0.7), cuboid(1.0, 0.8, 0.6)];
+            let shapes = [random_hull(&mut random, 14), prism(3 + round, 0.5, 0.7), cuboid(1.0, 0.8, 0.6)];
             let (a, b) = (&shapes[round as usize % 3], &shapes[(round as usize + 1) % 3]);
             let (mut workspace, mut memory, mut found) =
                 (Workspace::default(), PairMemory::default(), Manifold::default());
-            let mut poses = [Pose::IDENTITY, Pose::new(random.rotation(), random.vector() * 0.7)];
+            let mut poses = [Pose::IDENTITY, random.pose(0.7)];
             for k in 0..60 {
                 let back = poses;
                 poses = poses.map(|pose| moved(&pose, &mut random, step));
@@ -234,7 +232,7 @@ fn boxes_that_were_far_apart_touch_again() {
     for far in (6..40).map(|k| 10.0_f64.powi(k)) {
         let mut world = World::new(vec![cuboid(1.0, 0.9, 0.8), cuboid(1.0, 1.0, 1.0)], vec![Pose::IDENTITY; 2]);
         for round in 0..20 {
-            let near = Pose::new(random.rotation(), random.vector() * 0.8);
+            let near = random.pose(0.8);
             let away = if round % 2 == 0 { DVec3::X } else { random.direction() };
             for place in [away * far, DVec3::ZERO] {
                 world.poses[1] = Pose::new(near.rotation, near.translation + place);
@@ -253,14 +251,14 @@ fn pairs_that_come_and_go() {
     let mut random = Random(31);
     let shapes: Vec<Shape> =
         (0..12).map(|k| if k % 3 == 0 { prism(7, 0.5, 0.8) } else { cuboid(1.0, 0.9, 0.8) }).collect();
-    let poses = (0..12).map(|_| Pose::new(random.rotation(), random.vector())).collect();
+    let poses = (0..12).map(|_| random.pose(1.0)).collect();
     let mut world = World::new(shapes, poses);
     for k in 0..300 {
         let all = world.all_pairs();
         let pairs: Vec<_> = all.into_iter().filter(|_| random.unit() < 0.6).collect();
         let reach = [0.01, 0.2, 0.0, -0.01][k % 4];
         if k % 50 == 20 {
-            world.shapes[k % 12] = hull(&mut random, 9);
+            world.shapes[k % 12] = random_hull(&mut random, 9);
             let changed = (k % 12) as u32;
             world.memories.retain(|&(a, b), _| a != changed && b != changed);
         }

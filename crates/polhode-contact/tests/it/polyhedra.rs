@@ -115,6 +115,8 @@ fn refusals() {
     assert!(matches!(build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3]]), Err(ShapeError::NotClosed { .. })));
     assert!(matches!(build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 2, 3]]), Err(ShapeError::NotClosed { .. })));
     assert!(matches!(build(&[[0, 2, 1], [0, 1, 9], [1, 2, 3], [0, 3, 2]]), Err(ShapeError::NotClosed { .. })));
+    let twice = build(&[[0, 2, 2], [0, 1, 3], [1, 2, 3], [0, 3, 2]]).expect_err("a vertex twice in a row").to_string();
+    assert!(twice.contains("the same vertex twice in a row"), "{twice}");
 }
 
 proptest! {

@@ -1,8 +1,8 @@
 //! A query of a mesh or compound gives the result of its nearest part: the tree over the parts skips none, also where
 //! several are equally near. The reference queries every part by itself.
 
-use crate::distances::zoo;
-use crate::support::Random;
+use crate::distances::bounded_shapes;
+use crate::support::{Random, ball};
 use polhode_contact::{Ray, Shape, SurfaceFeature, closest_point, distance, ray_cast};
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
@@ -45,8 +45,8 @@ fn check(random: &mut Random, whole: &Shape, parts: &[Shape], pose: &Pose) {
     let hits = parts.iter().filter_map(|part| ray_cast(part, pose, &ray, f64::INFINITY)).map(|hit| hit.distance);
     assert_eq!(hit, hits.min_by(f64::total_cmp), "{ray:?}");
 
-    let zoo = zoo();
-    let (name, other) = &zoo[(random.unit() * zoo.len() as f64) as usize];
+    let shapes = bounded_shapes();
+    let (name, other) = &shapes[(random.unit() * shapes.len() as f64) as usize];
     let other_pose = Pose::new(random.rotation(), point);
     let found = distance(whole, pose, other, &other_pose).expect("finite").distance;
     let of_part = |part: &Shape| distance(part, pose, other, &other_pose).expect("finite").distance;
@@ -57,7 +57,7 @@ fn check(random: &mut Random, whole: &Shape, parts: &[Shape], pose: &Pose) {
 }
 
 fn some_pose(random: &mut Random) -> Pose {
-    if random.unit() < 0.5 { Pose::IDENTITY } else { Pose::new(random.rotation(), random.vector() * 10.0) }
+    if random.unit() < 0.5 { Pose::IDENTITY } else { random.pose(10.0) }
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn queries_of_a_mesh_are_those_of_its_nearest_triangle() {
 fn queries_of_a_compound_are_those_of_its_nearest_part() {
     let mut random = Random(3141);
     for _ in 0..6 {
-        let kinds = zoo();
+        let kinds = bounded_shapes();
         let mut parts = Vec::new();
         while parts.len() < 40 {
             let (_, shape) = &kinds[(random.unit() * kinds.len() as f64) as usize];
@@ -119,7 +119,7 @@ fn features_of_round_shapes_are_named_as_in_contacts() {
         let near = closest_point(&shape, &Pose::IDENTITY, place).expect("finite");
         assert_eq!(near.feature.surface, expected, "{shape:?}");
         let pose = Pose::from_translation(place);
-        let ball = Shape::sphere(0.1).expect("a ball");
+        let ball = ball(0.1);
         let found = distance(&shape, &Pose::IDENTITY, &ball, &pose).expect("finite");
         assert_eq!((found.feature_a.surface, found.feature_b.surface), (expected, Sphere), "{shape:?}");
         let found = distance(&ball, &pose, &shape, &Pose::IDENTITY).expect("finite");

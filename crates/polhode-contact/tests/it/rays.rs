@@ -1,7 +1,7 @@
 //! Rays: closed forms, and against shapes' own distances along the ray.
 
-use crate::distances::zoo;
-use crate::support::{Random, at, cuboid};
+use crate::distances::bounded_shapes;
+use crate::support::{Random, at, ball, capsule, cone, cuboid, cylinder, floor, ring};
 use polhode_contact::{QueryError, Ray, Shape, SurfaceFeature, closest_point, contains, ray_cast};
 use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
 use std::f64::consts::TAU;
@@ -15,10 +15,10 @@ fn ray(origin: DVec3, direction: DVec3) -> Ray {
 fn closed_forms() {
     let down = |x: f64, z: f64| ray(DVec3::new(x, 0.0, z), -DVec3::Z);
     let across = |z: f64| ray(DVec3::new(-9.0, 0.0, z), DVec3::X);
-    let (cylinder, cone) = (Shape::cylinder(0.5, 2.0).expect("made"), Shape::cone(1.0, 2.0).expect("made"));
-    let (torus, capsule) = (Shape::torus(2.0, 0.5).expect("made"), Shape::capsule(0.5, 2.0).expect("made"));
-    let ball = Shape::sphere(0.5).expect("made");
-    let floor = Shape::half_space(UnitVector::Z);
+    let (cylinder, cone) = (cylinder(0.5, 2.0), cone(1.0, 2.0));
+    let (torus, capsule) = (ring(2.0, 0.5), capsule(0.5, 2.0));
+    let ball = ball(0.5);
+    let floor = floor();
     let brick = cuboid(2.0, 2.0, 2.0);
     // The cone's base is at -0.5, its apex at 1.5.
     let cases = [
@@ -32,7 +32,7 @@ fn closed_forms() {
         ("box behind", &brick, ray(DVec3::Z * 3.0, DVec3::Z), None),
         ("floor", &floor, down(0.0, 3.0), Some((3.0, DVec3::Z))),
         ("floor left", &floor, ray(DVec3::Z, DVec3::Z), None),
-        ("cap", &cylinder, down(0.2, 3.0), Some((2.0, DVec3::Z))),
+        ("disc", &cylinder, down(0.2, 3.0), Some((2.0, DVec3::Z))),
         ("side", &cylinder, across(0.5), Some((8.5, -DVec3::X))),
         ("side missed", &cylinder, across(1.5), None),
         ("side of a capsule", &capsule, across(0.5), Some((8.5, -DVec3::X))),
@@ -66,9 +66,9 @@ fn closed_forms() {
 fn hits_are_the_first_points_of_the_surface() {
     let mut random = Random(41);
     let (mut hits, mut misses) = (0, 0);
-    for (name, shape) in zoo().into_iter().filter(|(name, _)| *name != "points") {
+    for (name, shape) in bounded_shapes().into_iter().filter(|(name, _)| *name != "points") {
         for _ in 0..400 {
-            let pose = Pose::new(random.rotation(), random.vector() * 0.2);
+            let pose = random.pose(0.2);
             let start = random.direction() * random.between(0.2, 3.0);
             let ray = ray(start, random.vector() * 0.7 - start);
             let hit = ray_cast(&shape, &pose, &ray, 10.0);
@@ -136,7 +136,7 @@ fn a_ray_in_the_plane_of_a_triangle_hits_only_the_triangle() {
         let target = if case % 2 == 0 { corner } else { within(&mut random) };
         let start = within(&mut random) + random.vector() * libm::exp10(random.between(-16.0, -11.0));
         let Ok(mesh) = Shape::triangle_mesh(corners.clone(), vec![[0, 1, 2]]) else { continue };
-        let pose = Pose::new(random.rotation(), random.vector());
+        let pose = random.pose(1.0);
         let ray = ray(pose.transform_point(start), pose.rotation.rotate(target - start));
         if let Some(hit) = ray_cast(&mesh, &pose, &ray, f64::INFINITY) {
             let off = closest_point(&mesh, &pose, hit.point).expect("finite").distance;
@@ -213,11 +213,11 @@ fn a_ray_from_far_away_hits_the_triangle_that_it_aims_at() {
 }
 
 /// Rays that deviate from the direction of an axis by any angle down to the smallest number (a fuzz finding: the square
-/// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its cap): they hit the end of the body if they start over
-/// it, and otherwise miss it.
+/// of 1e-159 underflowed, and a ray 5 m beside a cylinder hit its disc): they hit the end of the body if they start
+/// over it, and otherwise miss it.
 #[test]
 fn rays_almost_along_an_axis_hit_only_bodies_under_their_origin() {
-    let bodies = [Shape::cylinder(0.5, 0.3).expect("a cylinder"), Shape::capsule(0.5, 0.3).expect("a capsule")];
+    let bodies = [cylinder(0.5, 0.3), capsule(0.5, 0.3)];
     let mut random = Random(37);
     for power in 10..324 {
         let lean = libm::exp10(-f64::from(power));
@@ -241,7 +241,7 @@ fn rays_almost_along_an_axis_hit_only_bodies_under_their_origin() {
 /// A ray from inside has a hit at its origin; meshes are surfaces and have no inside.
 #[test]
 fn rays_from_inside_start_there() {
-    for (name, shape) in zoo() {
+    for (name, shape) in bounded_shapes() {
         let start = if name == "torus" { DVec3::X * 0.4 } else { DVec3::new(0.01, 0.02, 0.03) };
         let hit = ray_cast(&shape, &Pose::IDENTITY, &ray(start, DVec3::X), 10.0);
         match name {
@@ -255,11 +255,11 @@ fn rays_from_inside_start_there() {
 #[test]
 fn hits_do_not_depend_on_place_and_attitude() {
     let mut random = Random(6);
-    for (name, shape) in zoo() {
+    for (name, shape) in bounded_shapes() {
         for _ in 0..100 {
             let one = ray(random.direction() * 2.0, random.vector());
             let first = ray_cast(&shape, &Pose::IDENTITY, &one, 10.0);
-            let all = Pose::new(random.rotation(), random.vector() * 1e6);
+            let all = random.pose(1e6);
             let turned = Ray::new(
                 all.transform_point(one.origin()),
                 UnitVector::new(all.rotation.rotate(one.direction())).expect("unit"),
@@ -285,7 +285,7 @@ fn hits_do_not_depend_on_place_and_attitude() {
 fn hostile_rays_hit_nothing() {
     assert!(matches!(Ray::new(DVec3::X * f64::NAN, UnitVector::X), Err(QueryError::NotFinite { .. })));
     let down = ray(DVec3::Z * 3.0, -DVec3::Z);
-    for (name, shape) in zoo() {
+    for (name, shape) in bounded_shapes() {
         assert!(ray_cast(&shape, &at(f64::NAN, 0.0, 0.0), &down, 10.0).is_none(), "{name}");
         assert!(ray_cast(&shape, &Pose::IDENTITY, &down, f64::NAN).is_none(), "{name}");
         assert!(ray_cast(&shape, &Pose::IDENTITY, &down, -1.0).is_none(), "{name}");

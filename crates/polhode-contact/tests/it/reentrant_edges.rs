@@ -2,8 +2,8 @@
 //! normals are those of the two faces beside it and no others. A body at the bottom touches both faces, with contacts
 //! over the whole common region; edges of a part that the other part covers have no contacts.
 
-use crate::support::{Random, at, cuboid};
-use polhode_contact::{ConvexPolyhedron, Manifold, Shape, manifold};
+use crate::support::{Random, at, cuboid, hull};
+use polhode_contact::{Manifold, Shape, manifold};
 use polhode_spatial::{DVec3, Pose};
 
 /// Half the width of the groove at its opening, and its depth, m: its sides have a slope of 45 degrees.
@@ -11,10 +11,6 @@ const GROOVE: f64 = 0.3;
 
 /// Largest separation of a touch, m.
 const REACH: f64 = 1e-10;
-
-fn hull(points: &[DVec3]) -> Shape {
-    Shape::convex(ConvexPolyhedron::from_points(points).expect("a polyhedron"))
-}
 
 /// The prism over a convex outline in x and y, extended by `half` to either side along z.
 fn over(outline: &[[f64; 2]], half: f64) -> Shape {
@@ -39,7 +35,7 @@ fn count(found: &Manifold, normal: DVec3) -> usize {
 fn assert_counts(body: &Shape, pose: Pose, compound: &Shape, normals: &[(DVec3, usize)], what: &str) {
     let mut random = Random(5);
     for turn in 0..20 {
-        let whole = if turn == 0 { Pose::IDENTITY } else { Pose::new(random.rotation(), random.vector()) };
+        let whole = if turn == 0 { Pose::IDENTITY } else { random.pose(1.0) };
         let placed = whole * pose;
         let one = manifold(body, &placed, compound, &whole, REACH);
         let other = manifold(compound, &whole, body, &placed, REACH);
@@ -61,9 +57,10 @@ fn a_knife_at_the_bottom_of_a_groove_touches_both_sides() {
     for shift in [0.0, 3e-13, -3e-13] {
         assert_counts(&knife, at(shift, 0.0, 0.0), &grooved(), &both, &format!("shifted by {shift} m"));
     }
-    // Shorter than the groove, so that its ends are the ends of the region; and upside down, a point.
+    // A knife shorter than the groove, whose ends are the ends of the contact region.
     let short = over(&[[0.0, 0.0], [0.2, -1.5], [-0.2, -1.5]], 0.25);
     assert_counts(&short, Pose::IDENTITY, &grooved(), &both, "short");
+    // A spike that touches the bottom with its tip alone.
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, z)| DVec3::new(0.1 * x, -1.0, 0.1 * z));
     let spike = hull(&[corners.as_slice(), &[DVec3::ZERO]].concat());
     assert_counts(&spike, Pose::IDENTITY, &grooved(), &sides.map(|side| (side, 1)), "spike");

@@ -1,8 +1,8 @@
 //! Ridges that bend, as on the inner side of a ring of straight pieces: a body in a bend touches both pieces, and two
 //! bends that touch have four crossings. No edge or vertex of a single part has a valid normal there.
 
-use crate::support::{Random, at};
-use polhode_contact::{ConvexPolyhedron, Manifold, Shape, manifold};
+use crate::support::{Random, at, hull};
+use polhode_contact::{Manifold, Shape, manifold};
 use polhode_mesh::SolidMesh;
 use polhode_mesh::primitives::{Refinement, Torus};
 use polhode_spatial::{DVec3, Pose, Rotation};
@@ -32,10 +32,11 @@ fn rings() -> [(Shape, &'static str); 2] {
 fn bar() -> Shape {
     let outline = [[0.0, 0.0], [0.03, 0.1], [-0.03, 0.1]];
     let points = [-0.2, 0.2].map(|z| outline.map(|[x, y]| DVec3::new(x, y, z)));
-    Shape::convex(ConvexPolyhedron::from_points(points.as_flattened()).expect("a prism"))
+    hull(points.as_flattened())
 }
 
-/// Asserts that the contacts have exactly these unit normals, from the lower to the upper body, in any order.
+/// Asserts that the contacts have exactly these unit normals, from the lower to the upper body, in any order. `towards`
+/// is 1 when the upper body is A and -1 when it is B.
 fn assert_normals(found: &Manifold, towards: f64, normals: &[DVec3], what: &str) {
     let contacts = &found.contacts;
     assert_eq!(contacts.len(), normals.len(), "{what}: {contacts:#?}");
@@ -52,7 +53,7 @@ fn assert_normals(found: &Manifold, towards: f64, normals: &[DVec3], what: &str)
 fn assert_everywhere(lower: &Shape, upper: &Shape, pose: Pose, normals: &[DVec3], what: &str) {
     let mut random = Random(11);
     for turn in 0..10 {
-        let whole = if turn == 0 { Pose::IDENTITY } else { Pose::new(random.rotation(), random.vector()) };
+        let whole = if turn == 0 { Pose::IDENTITY } else { random.pose(1.0) };
         let placed = whole * pose;
         let turned: Vec<_> = normals.iter().map(|normal| whole.rotation.rotate(*normal)).collect();
         let what = format!("{what}, turn {turn}");

@@ -2,22 +2,12 @@
 //! hole.
 
 use crate::impact_random::{Tally, shoot, shooter};
-use crate::round_gaps::{capsule, cone, cylinder, turned};
-use crate::support::{Flight, Random, at, cuboid, prism};
+use crate::support::{Flight, Random, at, ball, capsule, cone, cuboid, cylinder, floor, hull, prism, ring, turned};
 use polhode_contact::{
-    Contact, ContactFeature, ConvexPolyhedron, ImpactSearch, Shape, SurfaceFeature, evaluate, find_impact, manifold,
-    separation,
+    Contact, ContactFeature, ImpactSearch, Shape, SurfaceFeature, evaluate, find_impact, manifold, separation,
 };
-use polhode_spatial::{DVec3, Pose, Rotation, Still, UnitVector};
+use polhode_spatial::{DVec3, Pose, Rotation, Still};
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-fn ring(major: f64, minor: f64) -> Shape {
-    Shape::torus(major, minor).expect("a ring")
-}
-
-fn ball(radius: f64) -> Shape {
-    Shape::sphere(radius).expect("a ball")
-}
 
 /// Gaps with closed forms.
 #[test]
@@ -42,19 +32,16 @@ fn closed_forms() {
                 (cuboid(scale, scale, scale), Pose::from_translation(place(1.7 + gap, 0.1, 0.0)), gap),
                 // Another ring beside it, and one standing in its hole as links of a chain do.
                 (ring(0.5 * scale, 0.1 * scale), Pose::from_translation(place(1.8 + gap, 0.0, 0.0)), gap),
-                (own.clone(), Pose::new(lying, place(1.6 + gap - 2.0 * (0.6 + gap), 0.0, 0.0)), 0.2 + gap),
+                (own.clone(), Pose::new(lying, place(0.4 + gap, 0.0, 0.0)), gap),
             ];
             for (index, (other, pose, expected)) in cases.iter().enumerate() {
-                if index == 8 {
-                    continue;
-                }
                 let found = separation(&own, &still, other, pose) / scale;
                 assert!((found - expected).abs() < 1e-14, "{index}: {found} {expected} at {scale}");
                 let swapped = separation(other, pose, &own, &still) / scale;
                 assert!((swapped - expected).abs() < 1e-14, "{index}: {swapped} {expected} at {scale}, swapped");
             }
             // On its edge on a floor.
-            let floor = Shape::half_space(UnitVector::Z);
+            let floor = floor();
             assert!((separation(&own, &standing(1.2 + gap), &floor, &still) / scale - gap).abs() < 1e-14);
         }
     }
@@ -105,13 +92,13 @@ fn against_samples() {
     }
 }
 
-/// Lying on a floor or a plate a ring touches at its eight sample points; standing, at one; across two rails, at four
-/// places over their edges; hanging on a rod along its axis, at one.
+/// Lying on a floor or a plate a ring touches at its eight sample points; standing, at one; across a rail, at four
+/// places over its two edges; hanging on a rod along its axis, at one.
 #[test]
 fn contacts() {
     let still = Pose::IDENTITY;
     let own = ring(1.0, 0.2);
-    for ground in [Shape::half_space(UnitVector::Z), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a plate")] {
+    for ground in [floor(), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a plate")] {
         let lying = manifold(&own, &at(0.1, 0.2, 0.2), &ground, &still, 1e-9);
         assert_eq!(lying.contacts.len(), 8, "{lying:?}");
         assert!(lying.contacts.iter().all(|c| c.geometry.point.z.abs() < 1e-15));
@@ -135,7 +122,7 @@ fn impacts() {
     let settings = ImpactSearch::default();
     let own = ring(1.0, 0.2);
     let tilt = 0.3;
-    for ground in [Shape::half_space(UnitVector::Z), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")] {
+    for ground in [floor(), cuboid(9.0, 9.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")] {
         for (angle, lowest) in [(0.0, 0.2), (FRAC_PI_2, 1.2), (tilt, 0.2 + libm::sin(tilt))] {
             let mut fall = Flight::new(turned(DVec3::X, angle, DVec3::Z * (lowest + 1.0)), DVec3::ZERO, DVec3::ZERO);
             fall.acceleration = DVec3::Z * -9.81;
@@ -159,8 +146,7 @@ fn spinning_shots() {
     let mut random = Random(77);
     let mut tally = Tally::default();
     let own = ring(0.3, 0.05);
-    let others =
-        [cuboid(0.3, 0.1, 0.2), ball(0.1), cylinder(0.05, 0.8), ring(0.25, 0.05), Shape::half_space(UnitVector::Z)];
+    let others = [cuboid(0.3, 0.1, 0.2), ball(0.1), cylinder(0.05, 0.8), ring(0.25, 0.05), floor()];
     for other in &others {
         for _ in 0..15 {
             let motion = shooter(&mut random, 1.5, 1.5, 8.0);
@@ -187,9 +173,9 @@ fn the_impact_of_a_body_in_the_hole_is_not_late() {
             _ => capsule(random.between(0.3, 0.8), random.between(0.5, 3.0)),
         };
         let (path, spin) = (random.vector() * 5.0, random.vector() * 0.5);
-        let motion = Flight::new(Pose::new(random.rotation(), random.vector() * 0.3), path, spin);
+        let motion = Flight::new(random.pose(0.3), path, spin);
         let spin = random.vector() * 5.0;
-        let motion_own = Flight::new(Pose::new(random.rotation(), random.vector() * 0.3), random.vector() * 4.0, spin);
+        let motion_own = Flight::new(random.pose(0.3), random.vector() * 4.0, spin);
         shoot(&mut tally, &body, &motion, &own, &motion_own, 50);
     }
     assert!(tally.hits > 20 && tally.misses > 10, "{tally:?}");
@@ -205,7 +191,7 @@ fn around_a_shaft_of_many_corners() {
         let (ring, shaft) = (ring(major, minor), prism(sides, 1.0, 2.0));
         let tight = prism(sides, 1.0 + clearance, 2.0);
         for _ in 0..8 {
-            let all = Pose::new(random.rotation(), random.vector());
+            let all = random.pose(1.0);
             let turn = random.between(0.0, 6.0);
             let spin = Pose::new(Rotation::from_rotation_vector(DVec3::Z * turn), DVec3::Z * random.between(-0.2, 0.2));
             // Coaxial, one fiftieth away from every corner.
@@ -344,10 +330,10 @@ fn minima_by_samples(own: f64, pose: &Pose, other: &Shape, pose_other: &Pose) ->
         .collect()
 }
 
-/// Two local minima that are about to merge are arbitrarily close together (before, two places 0.055 m apart on a ring
-/// of 0.3 m were taken for one, and one contact was lost): each minimum of fine samples is a contact. Two of three
-/// bodies lie above the ring, almost in its plane and with their rim or centre circle almost inside the ring's, where
-/// minima merge; the third at a random pose.
+/// Two local minima that are about to merge are arbitrarily close together (before the fix, two places 0.055 m apart on
+/// a ring of 0.3 m were taken for one, and one contact was lost): each minimum of fine samples is a contact. Two of
+/// three bodies lie above the ring, almost in its plane and with their rim or centre circle almost inside the ring's,
+/// where minima merge; the third at a random pose.
 #[test]
 fn minima_about_to_merge_are_all_found() {
     let mut random = Random(1123);
@@ -401,8 +387,8 @@ fn contacts_of_a_ring_have_the_same_names_swapped() {
         let flip = |bit: i32| turned(DVec3::X, f64::from(case >> bit & 1) * std::f64::consts::PI, DVec3::ZERO);
         let aside = random.vector() * 1.5;
         let lying = Pose::from_translation(DVec3::new(aside.x, aside.y, top + tube)) * flip(2);
-        let any = Pose::new(random.rotation(), random.vector() * 2.0);
-        let world = Pose::new(random.rotation(), random.vector());
+        let any = random.pose(2.0);
+        let world = random.pose(1.0);
         let (pose_a, pose_b) = (world * if case % 4 == 3 { any } else { lying }, world * flip(3));
         let touching = |contact: &Contact| contact.geometry.separation > -0.05;
         let contacts = manifold(&own, &pose_a, &other, &pose_b, 0.01).contacts;
@@ -435,7 +421,7 @@ fn a_ring_on_the_axis_of_a_body_has_the_same_contacts_swapped() {
         let off = random.direction() * libm::exp10(random.between(-17.0, -7.0));
         let tilted = Pose::new(Rotation::from_rotation_vector(tilt), off);
         let height = [0.0, 0.0, 0.5, 2.1, 1.8][case % others.len()] * if case % 4 < 2 { 1.0 } else { -1.0 };
-        let world = if case % 3 == 0 { Pose::IDENTITY } else { Pose::new(random.rotation(), random.vector()) };
+        let world = if case % 3 == 0 { Pose::IDENTITY } else { random.pose(1.0) };
         let (pose_a, pose_b) = (world * tilted * at(0.0, 0.0, height), world * half);
         for contact in manifold(&own, &pose_a, other, &pose_b, 1e-6).contacts {
             let swapped = evaluate(contact.feature.swapped(), other, &pose_b, &own, &pose_a);
@@ -503,7 +489,7 @@ fn a_ring_deep_in_a_polyhedron_has_the_depth_of_its_deepest_point() {
     for case in 0..300 {
         let points =
             corners.map(|corner| DVec3::from_array(corner) + random.vector() * if case == 0 { 0.0 } else { 0.5 });
-        let body = Shape::convex(ConvexPolyhedron::from_points(&points).expect("a polyhedron"));
+        let body = hull(&points);
         let own = ring(2.8, 0.1);
         let turn = if case == 0 { Rotation::IDENTITY } else { random.rotation() };
         let pose = Pose::new(turn, random.vector() * if case == 0 { 0.0 } else { 1.0 });
@@ -582,12 +568,12 @@ fn a_circle_has_at_most_one_local_minimum_on_either_half() {
             })
             .collect();
         let at = |k: usize| places[k % places.len()];
-        let dips = (0..places.len()).filter(|&k| {
+        let minima = (0..places.len()).filter(|&k| {
             let (before, (over, here, _), after) = (at(k + places.len() - 1), at(k), at(k + 1));
             over && here < before.1 && here <= after.1
         });
-        let halves = dips.fold([0, 0], |[low, high], k| if at(k).2 { [low, high + 1] } else { [low + 1, high] });
-        assert!(halves.iter().all(|&dips| dips <= 1), "{case}: {halves:?} {axis} {center} {side:?}");
+        let halves = minima.fold([0, 0], |[low, high], k| if at(k).2 { [low, high + 1] } else { [low + 1, high] });
+        assert!(halves.iter().all(|&minima| minima <= 1), "{case}: {halves:?} {axis} {center} {side:?}");
         twos += usize::from(halves == [1, 1]);
     }
     assert!(twos > 4000, "{twos}");

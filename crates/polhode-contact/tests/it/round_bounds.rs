@@ -1,7 +1,6 @@
 //! Boxes around moving round shapes, and the mirror symmetry of round shapes.
 
-use crate::round_gaps::{capsule, cone, cylinder};
-use crate::support::{Flight, Random};
+use crate::support::{Flight, Random, capsule, cone, cylinder, floor, ring};
 use polhode_contact::{Shape, mirror_defect, swept_aabb};
 use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector};
 
@@ -16,14 +15,13 @@ fn swept_boxes() {
     let aabb = swept_aabb(&cylinder(0.3, 2.0), &still, 0.0, 1.0).expect("a box");
     let half = DVec3::new(1.0 / 3.0 + 0.3 * 8.0_f64.sqrt() / 3.0, 2.0 / 3.0 + 0.3 * 5.0_f64.sqrt() / 3.0, 0.0);
     assert!((aabb.max() - DVec3::X - half).truncate().length() < 1e-12, "{aabb:?}");
-    let ring = Shape::torus(1.0, 0.25).expect("a ring");
+    let ring = ring(1.0, 0.25);
     let flat = swept_aabb(&ring, &Still(Pose::IDENTITY), 0.0, 1.0).expect("a box");
     assert!((flat.max() - DVec3::new(1.25, 1.25, 0.25)).length() < 1e-12, "{flat:?}");
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     for shape in [capsule(0.2, 0.5), cylinder(0.3, 0.6), cone(0.3, 0.7), ring] {
         for _ in 0..30 {
-            let mut motion =
-                Flight::new(Pose::new(random.rotation(), random.vector()), random.vector(), random.vector() * 3.0);
+            let mut motion = Flight::new(random.pose(1.0), random.vector(), random.vector() * 3.0);
             motion.acceleration = random.vector() * 5.0;
             let aabb = swept_aabb(&shape, &motion, 0.2, 0.7).expect("a box");
             for k in 0..=20 {
@@ -50,7 +48,7 @@ fn swept_boxes() {
 fn mirrors() {
     let (across, through) = (UnitVector::Z, UnitVector::new(DVec3::new(1.0, 2.0, 0.0)).expect("a direction"));
     let slanted = UnitVector::new(DVec3::new(1.0, 2.0, 2.0)).expect("a direction");
-    let ring = Shape::torus(1.0, 0.25).expect("a ring");
+    let ring = ring(1.0, 0.25);
     for shape in [cylinder(0.3, 0.6), capsule(0.3, 0.6), ring] {
         assert!(mirror_defect(&shape, across, 0.0) < 1e-15);
         assert!(mirror_defect(&shape, through, 0.0) < 1e-15);

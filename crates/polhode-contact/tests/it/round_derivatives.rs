@@ -6,7 +6,7 @@ use crate::support::{Random, cuboid, prism};
 use polhode_contact::{ContactFeature, Shape, Side, SurfaceFeature};
 use polhode_spatial::{DVec3, UnitVector};
 
-/// Random poses for each pair: a rim crosses an edge twice at few of them.
+/// Number of random poses for each pair. It is large because a rim crosses an edge twice at few of them.
 pub(crate) const POSES: u32 = 200;
 
 fn moved(shape: Result<Shape, polhode_contact::ShapeError>, by: DVec3) -> Shape {

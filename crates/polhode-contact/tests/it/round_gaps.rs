@@ -1,31 +1,10 @@
 //! Separations of capsules, cylinders and cones: closed forms, and random pairs between bounds that share no code with
 //! the search for the best axis.
 
-use crate::support::{Random, at, cuboid, prism};
+use crate::support::{Random, at, ball, capsule, cone, cuboid, cylinder, floor, hull, prism, ring, turned};
 use polhode_contact::{ConvexPolyhedron, Shape, manifold, separation};
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector};
+use polhode_spatial::{DVec3, Pose, Rotation};
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-pub(crate) fn capsule(radius: f64, height: f64) -> Shape {
-    Shape::capsule(radius, height).expect("a capsule")
-}
-
-pub(crate) fn cylinder(radius: f64, height: f64) -> Shape {
-    Shape::cylinder(radius, height).expect("a cylinder")
-}
-
-pub(crate) fn cone(radius: f64, height: f64) -> Shape {
-    Shape::cone(radius, height).expect("a cone")
-}
-
-fn ball(radius: f64) -> Shape {
-    Shape::sphere(radius).expect("a ball")
-}
-
-/// About an axis by an angle, at a place.
-pub(crate) fn turned(axis: DVec3, angle: f64, place: DVec3) -> Pose {
-    Pose::new(Rotation::from_rotation_vector(axis * angle), place)
-}
 
 /// Asserts a known separation: in both orders, at three scales, near and far from the origin, and mirrored.
 fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pose, expected: f64) {
@@ -57,19 +36,18 @@ fn assert_known(build: impl Fn(f64) -> (Shape, Shape), pose_a: Pose, pose_b: Pos
 fn closed_forms() {
     let still = Pose::IDENTITY;
     let lying = |place: DVec3| turned(DVec3::X, FRAC_PI_2, place);
-    let floor = |_| Shape::half_space(UnitVector::Z);
     let slope = 0.5_f64;
     for gap in [-0.05, -1e-12, 0.0, 1e-9, 0.3] {
         let up = |z: f64| at(0.1, -0.2, z + gap);
         // Above a floor: standing, lying, tilted.
-        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), up(0.6), still, gap);
-        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), lying(DVec3::Z * (0.3 + gap)), still, gap);
-        let reach = 0.6 * libm::cos(slope) + 0.3 * libm::sin(slope);
-        let tilted = turned(DVec3::X, slope, DVec3::Z * (reach + gap));
-        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor(s)), tilted, still, gap);
-        assert_known(|s| (cone(0.3 * s, 1.2 * s), floor(s)), up(0.3), still, gap);
-        assert_known(|s| (capsule(0.3 * s, 1.2 * s), floor(s)), up(0.9), still, gap);
-        assert_known(|s| (Shape::torus(s, 0.25 * s).expect("a ring"), floor(s)), up(0.25), still, gap);
+        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor()), up(0.6), still, gap);
+        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor()), lying(DVec3::Z * (0.3 + gap)), still, gap);
+        let lowest = 0.6 * libm::cos(slope) + 0.3 * libm::sin(slope);
+        let tilted = turned(DVec3::X, slope, DVec3::Z * (lowest + gap));
+        assert_known(|s| (cylinder(0.3 * s, 1.2 * s), floor()), tilted, still, gap);
+        assert_known(|s| (cone(0.3 * s, 1.2 * s), floor()), up(0.3), still, gap);
+        assert_known(|s| (capsule(0.3 * s, 1.2 * s), floor()), up(0.9), still, gap);
+        assert_known(|s| (ring(s, 0.25 * s), floor()), up(0.25), still, gap);
         // On top of each other.
         let z = DVec3::Z;
         assert_known(|s| (cylinder(0.3 * s, s), cylinder(0.7 * s, s)), at(0.1, 0.2, 1.0 + gap), still, gap);
@@ -133,7 +111,7 @@ fn faceted(shape: &Shape, sides: u32, grow: f64) -> Option<Shape> {
 /// Distance of two convex bodies by their support functions alone: the largest of `-h_A(-n) - h_B(n)` over directions,
 /// searched on a sphere of samples and then in ever smaller circles about the best ones.
 fn brute_force(random: &mut Random, a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> f64 {
-    let gap = |n: DVec3| -reach(a, pose_a, -n) - reach(b, pose_b, n);
+    let gap = |n: DVec3| -support(a, pose_a, -n) - support(b, pose_b, n);
     let mut samples: Vec<(f64, DVec3)> = Vec::new();
     for _ in 0..3000 {
         let n = random.direction();
@@ -162,7 +140,7 @@ fn brute_force(random: &mut Random, a: &Shape, pose_a: &Pose, b: &Shape, pose_b:
 }
 
 /// Support of a shape about z, from its definition.
-fn reach(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
+fn support(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
     let local = pose.rotation.inverse_rotate(n);
     let across = libm::hypot(local.x, local.y);
     let own = match shape {
@@ -181,7 +159,7 @@ fn reach(shape: &Shape, pose: &Pose, n: DVec3) -> f64 {
 #[test]
 fn against_brute_force() {
     let mut random = Random(99);
-    let stones: Vec<DVec3> = (0..40).map(|_| random.direction() * DVec3::new(0.5, 0.3, 0.4)).collect();
+    let corners: Vec<DVec3> = (0..40).map(|_| random.direction() * DVec3::new(0.5, 0.3, 0.4)).collect();
     let shapes = [
         capsule(0.2, 0.7),
         cylinder(0.4, 0.6),
@@ -192,7 +170,7 @@ fn against_brute_force() {
         cuboid(0.5, 0.4, 0.7),
         prism(5, 0.4, 0.3),
         // Many edges, most of which the search must exclude correctly.
-        Shape::convex(ConvexPolyhedron::from_points(&stones).expect("a hull")),
+        hull(&corners),
     ];
     let mut worst: f64 = 0.0;
     for (i, a) in shapes.iter().enumerate() {
@@ -208,7 +186,7 @@ fn against_brute_force() {
                     "{k}: {found} is less than {brute} for {a:?} {pose_a:?} {b:?} {pose_b:?}"
                 );
                 let result = manifold(a, &pose_a, b, &pose_b, 10.0);
-                let apart = |n: DVec3| -reach(a, &pose_a, -n) - reach(b, &pose_b, n);
+                let apart = |n: DVec3| -support(a, &pose_a, -n) - support(b, &pose_b, n);
                 // Bodies that overlap by more than their radii have no single place where they touch.
                 let deep = found < -0.1;
                 let attained = deep || result.contacts.iter().any(|c| (apart(c.geometry.normal) - found).abs() < 1e-13);
@@ -222,7 +200,8 @@ fn against_brute_force() {
     println!("largest difference {worst:e} m");
 }
 
-/// Between prisms inside and outside, whose separations come from the search over faces and edges.
+/// The separation lies between those of an inscribed and a circumscribed prism or pyramid, which come from the search
+/// over faces and edges.
 #[test]
 fn between_prisms() {
     let mut random = Random(17);

@@ -1,15 +1,10 @@
 //! Times of impact of round shapes: closed forms, and random spinning shots that are never late and never missed.
 
 use crate::impact_random::{Tally, shoot, shoot_within, shooter};
-use crate::round_gaps::{capsule, cone, cylinder, turned};
-use crate::support::{Flight, Random, at, cuboid, prism};
+use crate::support::{Flight, Random, at, ball, capsule, cone, cuboid, cylinder, floor, prism, turned};
 use polhode_contact::{ImpactSearch, Shape, find_impact};
-use polhode_spatial::{DVec3, Pose, Rotation, Still, UnitVector};
+use polhode_spatial::{DVec3, Pose, Rotation, Still};
 use std::f64::consts::FRAC_PI_2;
-
-fn floor() -> Shape {
-    Shape::half_space(UnitVector::Z)
-}
 
 fn slab() -> Shape {
     cuboid(20.0, 20.0, 2.0).translated(DVec3::NEG_Z).expect("a slab")
@@ -67,11 +62,11 @@ fn falls() {
 #[test]
 fn rim_swings_onto_a_floor() {
     let (radius, half, spin) = (0.3, 0.5, 3.0);
-    let reach = libm::hypot(radius, half);
+    let diagonal = libm::hypot(radius, half);
     for height in [0.51, 0.55, 0.58] {
         let swing = Flight::new(at(0.0, 0.0, height), DVec3::ZERO, DVec3::X * spin);
-        // half cos + radius sin = reach cos(angle - offset).
-        let expected = (libm::atan2(radius, half) - libm::acos(height / reach)) / spin;
+        // half cos + radius sin = diagonal cos(angle - offset).
+        let expected = (libm::atan2(radius, half) - libm::acos(height / diagonal)) / spin;
         for ground in [floor(), slab()] {
             let still = Still(Pose::IDENTITY);
             let report =
@@ -88,8 +83,8 @@ fn head_on() {
     let upright = Rotation::IDENTITY;
     let along = turned(DVec3::Y, FRAC_PI_2, DVec3::ZERO).rotation;
     let point = Shape::points(vec![DVec3::ZERO]).expect("a point");
-    let ball = Shape::sphere(0.5).expect("a ball");
-    // Shape, attitude and extents towards -x and +x.
+    let ball = ball(0.5);
+    // Shape, attitude, and extent towards the other body: +x of the shooters, -x of the targets.
     let shooters = [
         (capsule(0.2, 1.0), upright, 0.2),
         (capsule(0.2, 1.0), along, 0.7),
@@ -106,14 +101,14 @@ fn head_on() {
         (cylinder(0.3, 1.0), along, 0.5),
         (cone(0.3, 1.0), along, 0.25),
     ];
-    for (a, turn_a, reach_a) in &shooters {
-        for (b, turn_b, reach_b) in &targets {
+    for (a, turn_a, extent_a) in &shooters {
+        for (b, turn_b, extent_b) in &targets {
             for speed in [1e-2, 1.0, 300.0] {
                 let flight = Flight::new(Pose::new(*turn_a, DVec3::X * -3.0), DVec3::X * speed, DVec3::ZERO);
                 let still = Still(Pose::new(*turn_b, DVec3::ZERO));
                 let settings = ImpactSearch::default();
                 let time = find_impact(a, &flight, b, &still, 0.0, 1e3, &settings).expect("an answer").time;
-                let expected = (3.0 - reach_a - reach_b) / speed;
+                let expected = (3.0 - extent_a - extent_b) / speed;
                 let found = time.expect("an impact");
                 assert!((found - expected).abs() <= 1e-14 * expected, "{found} {expected} {a:?} {b:?}");
                 let swapped = find_impact(b, &still, a, &flight, 0.0, 1e3, &settings).expect("an answer").time;
@@ -132,7 +127,7 @@ fn spinning_shots() {
     let others = [
         cuboid(0.5, 0.3, 0.2),
         prism(6, 0.3, 0.2),
-        Shape::sphere(0.2).expect("radius"),
+        ball(0.2),
         Shape::points((0..4).map(|_| random.vector() * 0.3).collect()).expect("points"),
         floor(),
         cuboid(2.0, 2.0, 1e-3),

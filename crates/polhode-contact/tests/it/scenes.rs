@@ -1,19 +1,19 @@
 //! Queries of many bodies give the same results as queries of each body.
 
-use crate::distances::zoo;
-use crate::support::{Random, at, cuboid};
+use crate::distances::bounded_shapes;
+use crate::support::{Random, at, cuboid, floor};
 use polhode_contact::{Aabb, QueryError, QueryScene, Ray, Shape, closest_point, overlap, ray_cast};
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
 #[test]
 fn trees_give_the_results_of_brute_force() {
     let mut random = Random(99);
-    let zoo = zoo();
-    let floor = Shape::half_space(UnitVector::Z);
+    let shapes = bounded_shapes();
+    let floor = floor();
     let mut bodies: Vec<(&Shape, Pose)> = vec![(&floor, at(0.0, 0.0, -4.0))];
     for _ in 0..300 {
-        let (_, shape) = &zoo[(random.unit() * zoo.len() as f64) as usize];
-        bodies.push((shape, Pose::new(random.rotation(), random.vector() * 5.0)));
+        let (_, shape) = &shapes[(random.unit() * shapes.len() as f64) as usize];
+        bodies.push((shape, random.pose(5.0)));
     }
     let scene = QueryScene::new(bodies.clone()).expect("finite poses");
     assert_eq!(scene.len(), 301);
@@ -37,7 +37,7 @@ fn trees_give_the_results_of_brute_force() {
         assert_eq!(all, hits);
         assert_eq!(scene.first_hit(&ray, 8.0).map(|(i, hit)| (hit.distance, i)), hits.first().copied());
 
-        let (_, probe) = &zoo[(random.unit() * zoo.len() as f64) as usize];
+        let (_, probe) = &shapes[(random.unit() * shapes.len() as f64) as usize];
         let pose = Pose::new(random.rotation(), point);
         let touched: Vec<usize> =
             (0..bodies.len()).filter(|&i| overlap(bodies[i].0, &bodies[i].1, probe, &pose)).collect();

@@ -1,12 +1,8 @@
 //! Spheres, clouds of points and half-spaces: closed forms.
 
-use crate::support::{Random, at, cuboid};
+use crate::support::{Random, at, ball, cuboid, floor};
 use polhode_contact::{ContactFeature, SeparatingAxis, Shape, Side, SurfaceFeature, manifold, separation};
-use polhode_spatial::{DVec3, Pose, UnitVector};
-
-fn ball(radius: f64) -> Shape {
-    Shape::sphere(radius).expect("positive radius")
-}
+use polhode_spatial::{DVec3, Pose};
 
 /// A sphere around a box: over a face, an edge and a vertex the nearest feature, the distance and the normal are known.
 #[test]
@@ -47,7 +43,7 @@ fn spheres() {
     assert_eq!((contact.feature, result.contacts.len()), (ContactFeature::SphereSphere, 1));
     assert!((contact.geometry.separation - 2.0).abs() < 1e-15);
     assert!((contact.geometry.point - DVec3::new(0.0, 1.8, 2.4)).length() < 1e-15);
-    let floor = Shape::half_space(UnitVector::Z);
+    let floor = floor();
     let rest = manifold(&floor, &Pose::IDENTITY, &ball(0.5), &at(7.0, 8.0, 0.5), 1e-9);
     assert_eq!((rest.separation, rest.contacts[0].geometry.normal), (0.0, DVec3::NEG_Z));
     // Concentric: no normal, so no contact, and no panic.

@@ -1,4 +1,5 @@
-//! Symmetric stacks, the case at which general contact code fails: exact touch, every gap, every size.
+//! Symmetric stacks, where many features coincide and several axes separate equally well: exact touch, every gap, every
+//! size.
 
 use crate::support::{Random, at, cuboid, prism, yaw};
 use polhode_contact::{ContactFeature, Shape, manifold, separation};
@@ -126,7 +127,8 @@ fn tiny_turns_and_tilts() {
     }
 }
 
-/// A row of thin bricks with the sizes of rigid-body demonstrations: four contacts each, whatever the aspect ratio.
+/// Bodies of very different sizes and proportions on each other (a cube on a wide thin plate, two long crossed beams, a
+/// grain on a huge box) have four contacts.
 #[test]
 fn extreme_aspect_ratios() {
     let plate = cuboid(500.0, 500.0, 1e-3);

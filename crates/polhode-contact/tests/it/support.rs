@@ -1,7 +1,8 @@
-//! Random numbers, bodies and motions for the tests.
+//! Random numbers, shapes, poses and motions for the tests.
 
 use polhode_contact::{ContactFeature, ConvexPolyhedron, Shape, TangentialKinematics, kinematics_with_tangential};
-use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, SplitMix64, Velocity};
+use polhode_mesh::{SolidMesh, TriangleMesh};
+use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, SplitMix64, UnitVector, Velocity};
 
 /// Random numbers from a fixed seed, so that a failing case can be reproduced; the field is the state of the generator.
 pub(crate) struct Random(pub(crate) u64);
@@ -39,6 +40,11 @@ impl Random {
     pub(crate) fn rotation(&mut self) -> Rotation {
         Rotation::from_rotation_vector(self.direction() * self.between(0.0, std::f64::consts::PI))
     }
+
+    /// Any rotation, with a translation in the cube [-reach, reach]^3.
+    pub(crate) fn pose(&mut self, reach: f64) -> Pose {
+        Pose::new(self.rotation(), self.vector() * reach)
+    }
 }
 
 /// A box.
@@ -59,13 +65,71 @@ pub(crate) fn prism_points(sides: u32, radius: f64, height: f64) -> Vec<DVec3> {
 
 /// An upright prism with a regular base.
 pub(crate) fn prism(sides: u32, radius: f64, height: f64) -> Shape {
-    let points = prism_points(sides, radius, height);
-    Shape::convex(ConvexPolyhedron::from_points(&points).expect("a prism is convex"))
+    hull(&prism_points(sides, radius, height))
+}
+
+/// The convex hull of points that span a volume.
+pub(crate) fn hull(points: &[DVec3]) -> Shape {
+    Shape::convex(ConvexPolyhedron::from_points(points).expect("the points span a volume"))
+}
+
+/// A ball about the origin.
+pub(crate) fn ball(radius: f64) -> Shape {
+    Shape::sphere(radius).expect("a positive radius")
+}
+
+/// A capsule about z.
+pub(crate) fn capsule(radius: f64, height: f64) -> Shape {
+    Shape::capsule(radius, height).expect("positive lengths")
+}
+
+/// A cylinder about z.
+pub(crate) fn cylinder(radius: f64, height: f64) -> Shape {
+    Shape::cylinder(radius, height).expect("positive lengths")
+}
+
+/// A cone about z.
+pub(crate) fn cone(radius: f64, height: f64) -> Shape {
+    Shape::cone(radius, height).expect("positive lengths")
+}
+
+/// A torus about z.
+pub(crate) fn ring(major: f64, minor: f64) -> Shape {
+    Shape::torus(major, minor).expect("a torus with a hole")
+}
+
+/// All points with z <= 0.
+pub(crate) fn floor() -> Shape {
+    Shape::half_space(UnitVector::Z)
+}
+
+/// An L-shaped prism from z = 0 to `height`: its outline in x and y, anticlockwise, whose first four corners and whose
+/// first, fourth, fifth and sixth are those of two rectangles.
+pub(crate) fn l_prism(outline: [[f64; 2]; 6], height: f64) -> SolidMesh {
+    let vertices = [0.0, height].iter().flat_map(|&z| outline.map(|[x, y]| DVec3::new(x, y, z))).collect();
+    let base = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+    let mut triangles: Vec<[u32; 3]> = base.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + 6, b + 6, c + 6]]).collect();
+    for i in 0..6 {
+        let j = (i + 1) % 6;
+        triangles.extend([[i, j, j + 6], [i, j + 6, i + 6]]);
+    }
+    SolidMesh::new(TriangleMesh::new(vertices, triangles).expect("a mesh")).expect("a closed mesh")
+}
+
+/// Distance of a point from a segment.
+pub(crate) fn off_segment([p, q]: [DVec3; 2], x: DVec3) -> f64 {
+    let along = q - p;
+    x.distance(p + along * ((x - p).dot(along) / along.length_squared()).clamp(0.0, 1.0))
 }
 
 /// Rotation about the z axis, rad.
 pub(crate) fn yaw(angle: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Z * angle)
+}
+
+/// A pose rotated about an axis through its own origin (rad).
+pub(crate) fn turned(axis: DVec3, angle: f64, place: DVec3) -> Pose {
+    Pose::new(Rotation::from_rotation_vector(axis * angle), place)
 }
 
 /// A pose without rotation.

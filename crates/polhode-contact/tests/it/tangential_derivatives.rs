@@ -2,7 +2,7 @@
 //! differences of eighth order along motions that accelerate and whose spin changes direction, at separations that are
 //! not zero. `tangential_reference.rs` has smaller tolerances at fewer contacts.
 
-use crate::derivatives::{Path, each_kind};
+use crate::derivatives::{FIRST, Path, each_kind};
 use crate::round_derivatives::{POSES, each_pair_of_elements};
 use crate::support::{Random, tangential};
 use polhode_contact::{ContactFeature, Shape, TangentialKinematics, evaluate, kinematics, kinematics_with_tangential};
@@ -21,12 +21,11 @@ const ROUNDING: f64 = 2e-12;
 
 /// Central difference of eighth order.
 fn difference(f: &impl Fn(f64) -> DVec3, h: f64) -> DVec3 {
-    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let term = |(k, weight): (usize, f64)| {
         let s = h * (k + 1) as f64;
         (f(s) - f(-s)) * weight
     };
-    WEIGHTS.into_iter().enumerate().map(term).sum::<DVec3>() / h
+    FIRST.into_iter().enumerate().map(term).sum::<DVec3>() / h
 }
 
 /// The derivative at zero and the difference between the three steps; none when they do not agree.

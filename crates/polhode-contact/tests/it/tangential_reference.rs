@@ -2,12 +2,12 @@
 //! language, by finite differences of contact points that it finds from the surfaces themselves
 //! (fixtures/reference/contact_kinematics explains how): apart, overlapping, and touching to the rounding of the poses.
 
-use crate::support::cuboid;
+use crate::support::{cuboid, floor};
 use polhode_contact::{
     ContactFeature, ContactKinematics, Shape, Side, SurfaceFeature, TangentialKinematics, evaluate,
     kinematics_with_tangential,
 };
-use polhode_spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
 const CASES: &str = include_str!("../../../../fixtures/reference/contact_kinematics/contacts.csv");
 
@@ -83,7 +83,7 @@ fn surface(name: &str) -> (Shape, Vec<SurfaceFeature>) {
     let (shape, kind) = name.split_once('-').unwrap_or((name, ""));
     let shape = match shape {
         "sphere" => Shape::sphere(0.2),
-        "half" => Ok(Shape::half_space(UnitVector::Z)),
+        "half" => Ok(floor()),
         "box" => Ok(cuboid(0.5, 0.4, 0.3)),
         "point" => Shape::points(vec![DVec3::new(0.3, 0.2, 0.1)]),
         "capsule" => Shape::capsule(0.1, 0.6),
@@ -186,12 +186,12 @@ fn every_pair_of_surfaces_to_rounding() {
             }
             let terms =
                 kinematics_with_tangential(feature, &shape_a, &a.pose, &a.velocity, &shape_b, &b.pose, &b.velocity);
-            let terms = terms.expect("what has a place has its rates");
+            let terms = terms.expect("a contact that can be evaluated has rates");
             assert_eq!(terms.0.geometry, geometry);
             worst = worst.max(check(&name, (&a, &b), terms, &truth));
             found += 1;
         }
-        assert!(found > 0, "{name}: no feature stands there");
+        assert!(found > 0, "{name}: the crate has no contact there");
         (contacts, checked) = (contacts + 1, checked + found);
     }
     assert!(contacts == 149 && checked >= contacts, "{contacts} {checked}");

@@ -8,13 +8,11 @@ use crate::format::{
     RotationRateName, TierName,
 };
 use polhode::SceneError;
-use polhode::scene::{ContactMethod, Crowding, ImpactLaw, Method, Orientation, RotationRate, Tier};
+use polhode::scene::{ContactMethod, Crowding, ImpactLaw, Method, Orientation, Response, RotationRate, Tier};
 
 /// The method that the file asks for.
 pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let path = KeyPath::of(&["method"]);
-    // This has one member yet, the one that the engine has: a scene that names it gets it.
-    let (None | Some(ResponseName::Constraint)) = entry.response;
     let step_s = entry.step.map(|step| positive(step, &path.key("step"))).transpose()?;
     let tolerance = entry.tolerance.map(|tolerance| positive(tolerance, &path.key("tolerance"))).transpose()?;
     let crowding_tolerance = entry.crowding_tolerance;
@@ -31,6 +29,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         rotation_rate: entry.rotation_rate.map(rotation_rate),
         impact: entry.impact.map(impact),
         contact: entry.contact.map(contact),
+        response: entry.response.map(response),
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
         max_events_per_step: entry.max_events_per_step,
@@ -49,6 +48,11 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
         // Knobs that do not go together: the one that is not the tier or the integrator.
         _ if entry.contact == Some(ContactName::LeastForce) && entry.tier != Some(TierName::Thesis) => {
             path.key("contact")
+        }
+        _ if entry.tier != Some(TierName::Thesis)
+            && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
+        {
+            path.key("response")
         }
         _ if entry.integrator.is_some() && entry.tier == Some(TierName::Stepped) => path.key("integrator"),
         _ if entry.orientation.is_some() => path.key("orientation"),
@@ -88,6 +92,15 @@ const fn impact(name: ImpactName) -> ImpactLaw {
         ImpactName::Propagation => ImpactLaw::Propagation,
         ImpactName::Simultaneous => ImpactLaw::Simultaneous,
         ImpactName::Reflection => ImpactLaw::Reflection,
+    }
+}
+
+const fn response(name: ResponseName) -> Response {
+    match name {
+        ResponseName::Constraint => Response::Constraint,
+        ResponseName::Impulse => Response::Impulse,
+        ResponseName::ImpulseProjection => Response::ImpulseProjection,
+        ResponseName::ImpulseUnconditional => Response::ImpulseUnconditional,
     }
 }
 

@@ -119,4 +119,10 @@ pub enum ContactName {
 pub enum ResponseName {
     /// By forces that keep bodies from overlapping, and impulses where they hit.
     Constraint,
+    /// By impulses alone, where bodies approach; tier thesis (thesis 3.3): resting bodies sink.
+    Impulse,
+    /// By impulses, and bodies that overlap are moved apart; tier thesis (thesis 3.3): resting bodies vibrate.
+    ImpulseProjection,
+    /// By impulses wherever bodies overlap, also where they separate; tier thesis (thesis 3.3): bodies stay caught.
+    ImpulseUnconditional,
 }

@@ -51,7 +51,7 @@ const PLANNED: &[Planned] = &[
         values: &["interior-point", "sequential-impulses"],
         instead: "active-set or least-force",
     },
-    Planned { path: &["method", "response"], values: &["impulse", "penalty"], instead: "constraint" },
+    Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
 ];
 
 /// The first planned member that a document asks for, in the order of the list.

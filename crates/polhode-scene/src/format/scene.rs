@@ -16,6 +16,10 @@ pub struct SceneFile {
     pub format: u32,
     /// Name of the scene; the name of the file when absent.
     pub name: Option<String>,
+    /// What the scene is, in a few words: a heading.
+    pub title: Option<String>,
+    /// What the scene shows and what to look at, in a sentence or a few. Line breaks count as spaces.
+    pub description: Option<String>,
     /// Simulated time, s; 1 when absent.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: Option<f64>,

@@ -1,7 +1,7 @@
 //! The scenes of the project load, and are what their comments say.
 
 use polhode::Scene;
-use polhode_scene::load;
+use polhode_scene::{load, load_with};
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
@@ -12,7 +12,7 @@ fn fixture(name: &str) -> Scene {
     load(&folder().join(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Every scene file loads, begins with a comment, and bears the name of its file.
+/// Every scene file loads, begins with a comment, bears the name of its file, and says what it shows.
 #[test]
 fn all_load() {
     let mut count = 0;
@@ -21,8 +21,10 @@ fn all_load() {
         if path.extension().is_some_and(|ending| ending == "toml") {
             let text = std::fs::read_to_string(&path).unwrap();
             assert!(text.starts_with("# "), "{} does not say what it shows", path.display());
-            let scene = load(&path).unwrap_or_else(|error| panic!("{error}"));
-            assert_eq!(path.file_stem().unwrap().to_str(), Some(scene.name()));
+            let loaded = load_with(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(path.file_stem().unwrap().to_str(), Some(loaded.scene.name()));
+            assert_ne!(loaded.title(), loaded.scene.name());
+            assert!(loaded.description().is_some_and(|text| text.ends_with('.')), "{}", path.display());
             count += 1;
         }
     }

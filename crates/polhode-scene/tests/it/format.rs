@@ -2,7 +2,7 @@
 
 use crate::{BASE, scene};
 use polhode::scene::{
-    BroadPhaseMethod, ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, Response, RotationRate, Tier,
 };
 use polhode::spatial::{DVec3, Rotation};
 use polhode_scene::names;
@@ -28,7 +28,7 @@ fn method() {
     let text = BASE.replace(
         "name = \"base\"",
         "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"matrix\", \
-         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"constraint\", broad_phase = \"kd-tree\", tolerance = 1e-9, \
+         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"impulse\", broad_phase = \"kd-tree\", tolerance = 1e-9, \
          max_events_per_step = 77 }",
     );
     let method = scene(&text).method().clone();
@@ -39,6 +39,7 @@ fn method() {
     assert_eq!(method.rotation_rate, Some(RotationRate::AngularVelocity));
     assert_eq!(method.impact, Some(ImpactLaw::Simultaneous));
     assert_eq!(method.contact, Some(ContactMethod::LeastForce));
+    assert_eq!(method.response, Some(Response::Impulse));
     assert_eq!(method.broad_phase, Some(BroadPhaseMethod::KdTree));
     assert_eq!(method.tolerance, Some(1e-9));
     assert_eq!(method.max_events_per_step, Some(77));
@@ -51,6 +52,11 @@ fn words() {
         ("impact", &["propagation", "simultaneous", "reflection"][..]),
         ("contact", &["active-set"]),
         ("tier = \"thesis\"\nmethod.contact", &["least-force", "active-set"]),
+        ("response", &["constraint"]),
+        (
+            "tier = \"thesis\"\nmethod.response",
+            &["constraint", "impulse", "impulse-projection", "impulse-unconditional"],
+        ),
     ] {
         for word in words {
             scene(&BASE.replace("name = \"base\"", &format!("method.{knob} = \"{word}\"")));
@@ -129,4 +135,16 @@ fn no_contact() {
     assert!(scene(BASE).may_collide(0, 1));
     let group = format!("{BASE}[[no_contact]]\nbodies = [\"floor\", \"brick\"]\n");
     assert!(!scene(&group).may_collide(0, 1));
+}
+
+/// Title and description are on one line however they are broken in the file; without a title the name is it, and a
+/// description of blanks is none.
+#[test]
+fn title_and_description() {
+    let load =
+        |lines: &str| polhode_scene::load_text("test.toml", &BASE.replace("name = \"base\"", lines), &[]).unwrap();
+    let said = load("title = \" A base \"\ndescription = \"\"\"\nLook\n  here.\n\"\"\"");
+    assert_eq!((said.title(), said.description().as_deref()), ("A base".to_owned(), Some("Look here.")));
+    let silent = load("name = \"base\"\ntitle = \"\"\ndescription = \"  \"");
+    assert_eq!((silent.title(), silent.description()), ("base".to_owned(), None));
 }

@@ -171,7 +171,7 @@ fn planned_members() {
         ("tier", &["fast"][..]),
         ("impact", &["poisson", "energetic", "pulse"]),
         ("contact", &["interior-point", "sequential-impulses"]),
-        ("response", &["impulse", "penalty"]),
+        ("response", &["penalty"]),
     ];
     for (knob, values) in knobs {
         for value in values {
@@ -194,6 +194,9 @@ fn knobs_that_do_not_go_together() {
         ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.tier = \"stepped\"", "method.contact"),
         ("integrator = \"rk4\"\nmethod.tier = \"stepped\"", "method.integrator"),
+        ("response = \"impulse\"", "method.response"),
+        ("response = \"impulse-projection\"\nmethod.tier = \"stepped\"", "method.response"),
+        ("response = \"impulse-unconditional\"\nmethod.integrator = \"rk4\"", "method.response"),
         ("orientation = \"matrix\"", "method.orientation"),
         ("orientation = \"quaternion\"\nmethod.integrator = \"rkmk4\"", "method.orientation"),
         ("rotation_rate = \"angular-velocity\"", "method.rotation_rate"),

@@ -69,7 +69,7 @@ impl Worst {
     }
 
     /// The worst, if it exceeds its limit.
-    fn broken(&self) -> Option<Measure> {
+    fn exceeded(&self) -> Option<Measure> {
         self.worst.filter(|worst| worst.ratio() > 1.0)
     }
 }
@@ -144,32 +144,35 @@ impl Measures {
     }
 
     /// The limits that were exceeded.
-    pub(crate) fn broken(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
+    pub(crate) fn exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
         let names = |measure: &Measure| world.pair_names(measure.pair.0, measure.pair.1);
-        let mut broken = Vec::new();
-        if let Some(worst) = self.penetration.broken() {
+        let mut exceeded = Vec::new();
+        if let Some(worst) = self.penetration.exceeded() {
             let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
             let names = names(&worst);
-            broken.push(format!("t = {t} s: degraded: {names} overlapped by {value:e} m, promised is {allowed:e} m"));
+            exceeded.push(format!(
+                "t = {t} s: degraded: {names} overlapped by {value:e} m, the promised limit is {allowed:e} m"
+            ));
         }
-        if let Some(worst) = self.projection.broken() {
+        if let Some(worst) = self.projection.exceeded() {
             let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
             let names = names(&worst);
-            broken.push(format!(
-                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, promised is {allowed:e} m"
+            exceeded.push(format!(
+                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, the promised limit is \
+                 {allowed:e} m"
             ));
         }
         let sum = self.drift_energy.value();
         let allowed = limits.projection_energy_relative * ledger.scale_j.max(limits.smallest_energy_j);
         if let Some(worst) = self.projection_energy.worst.filter(|_| sum.abs() > allowed) {
             let (t, value, names) = (worst.t, worst.value, names(&worst));
-            broken.push(format!(
+            exceeded.push(format!(
                 "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
-                 promised is {allowed:e} J"
+                 the promised limit is {allowed:e} J"
             ));
         }
-        broken.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
-        broken
+        exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
+        exceeded
     }
 }
 
@@ -188,26 +191,26 @@ mod tests {
 
     /// The large pair penetrates deeper, but within its limit. The small pair exceeds its limit and is the one named.
     #[test]
-    fn each_pair_is_judged_by_its_own_limit() {
+    fn each_pair_is_compared_with_its_own_limit() {
         let mut worst = Worst::default();
         worst.note(measure(0.5, (0, 1), 1e-10, 1e-9));
         worst.note(measure(0.75, (2, 3), 1e-11, 1e-12));
         worst.note(measure(1.0, (0, 1), 2e-10, 1e-9));
-        assert!(worst.broken().is_some_and(|broken| (broken.t, broken.pair) == (0.75, (2, 3))), "{worst:?}");
+        assert!(worst.exceeded().is_some_and(|exceeded| (exceeded.t, exceeded.pair) == (0.75, (2, 3))), "{worst:?}");
         assert_eq!(worst.largest, 2e-10);
         assert!((worst.of_limit() - 10.0).abs() < 1e-12);
     }
 
     /// A value without a limit never exceeds it; NaN and values that are not positive are ignored.
     #[test]
-    fn nothing_promised_is_not_broken() {
+    fn a_value_without_a_limit_never_exceeds_it() {
         let mut worst = Worst::default();
         worst.note(measure(0.0, (0, 1), f64::NAN, 1.0));
         worst.note(measure(0.0, (0, 1), -1.0, 1.0));
         assert!(worst.at().is_none());
         worst.note(measure(0.0, (0, 1), 5.0, f64::INFINITY));
         worst.note(measure(1.0, (0, 2), 7.0, f64::INFINITY));
-        assert!(worst.broken().is_none());
+        assert!(worst.exceeded().is_none());
         assert_eq!((worst.largest, worst.of_limit(), worst.at().map(|at| at.t_s)), (7.0, 0.0, Some(1.0)));
     }
 }

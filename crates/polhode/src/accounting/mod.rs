@@ -37,7 +37,7 @@ pub(crate) struct Accounts {
     events: Vec<Event>,
     event_count: u64,
     steps: u64,
-    /// Number of the next sample of the output's grid.
+    /// Number of the next output sample; sample k is due at k output intervals.
     next_sample: u64,
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
@@ -103,7 +103,7 @@ impl Accounts {
         for _ in 0..report.fallbacks {
             self.tolerate(
                 report.impulses.last().map_or(0.0, |last| last.t),
-                "a problem of a time step was approximated",
+                "a contact problem of a time step was solved approximately",
             );
         }
         for given in &report.impulses {
@@ -162,11 +162,15 @@ impl Accounts {
             ),
             ImpactStatus::RestitutionLowered => self.warn_of_tolerated(
                 t,
-                "an impact between contacts of different restitution would have gained energy: the smallest was used",
+                "an impact between contacts of different restitution would have gained energy: the smallest \
+                 restitution was used",
             ),
             ImpactStatus::LimitReached => self.warn_of_tolerated(
                 t,
-                format!("an impact by {law} reached its limit of applications: the rest was resolved inelastically"),
+                format!(
+                    "an impact by {law} reached its limit of applications: the remaining approach was resolved without \
+                     restitution"
+                ),
             ),
             ImpactStatus::NotSolved => {
                 let (names, residual) = (world.names_of(bodies), outcome.residual);
@@ -227,7 +231,7 @@ impl Accounts {
         }
     }
 
-    /// Time of the next sample of the output's grid, s.
+    /// Time of the next output sample, s.
     pub(crate) fn next_sample_s(&self, world: &World) -> f64 {
         self.next_sample as f64 * world.scene.output_interval_s()
     }
@@ -273,7 +277,7 @@ impl Accounts {
         report.ledger = self.books.ledger;
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
-        report.warnings = self.measures.broken(world, &report.ledger, limits);
+        report.warnings = self.measures.exceeded(world, &report.ledger, limits);
         if !report.warnings.is_empty() {
             report.outcome = Outcome::Degraded;
         }

@@ -69,7 +69,7 @@ mod tests {
     use super::Occurrences;
 
     #[test]
-    fn what_happens_again_is_counted_and_keeps_its_first_and_last_time() {
+    fn repeated_messages_are_counted_with_first_and_last_time() {
         let mut warnings = Occurrences::default();
         warnings.add(0.5, "a".to_owned());
         warnings.add(0.75, "b".to_owned());

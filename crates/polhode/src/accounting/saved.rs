@@ -60,7 +60,7 @@ fn restored_stretch(saved: &content::CrowdedStretch) -> CrowdedStretch {
 }
 
 fn save_books(books: &Books) -> content::Books {
-    // Every field by its name: a new one must not be forgotten.
+    // Every field is named here, so that the compiler finds a new one that has been forgotten.
     let Ledger {
         impact,
         friction,
@@ -158,7 +158,7 @@ fn restored_momentum(saved: &content::MomentumLedger) -> MomentumLedger {
 }
 
 fn save_certificate(certificate: Certificate) -> content::Certificate {
-    // The others are written when a report is filled, from the measures and from what was tolerated.
+    // The other fields are computed when a report is filled, from the measures and from what was tolerated.
     let Certificate {
         max_residual, max_penetration_m, max_acceleration_error_bound, max_step_error, fallbacks, ..
     } = certificate;

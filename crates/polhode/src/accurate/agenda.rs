@@ -68,7 +68,7 @@ mod tests {
     use super::{Agenda, Due};
 
     #[test]
-    fn entries_are_due_in_order_of_time_then_of_kind_whatever_the_order_they_came_in() {
+    fn entries_are_ordered_by_time_then_kind_and_not_by_insertion() {
         let mut agenda = Agenda::default();
         agenda.add(2.0, Due::FlightBoxes);
         agenda.add(1.0, Due::Impact(1, 2));

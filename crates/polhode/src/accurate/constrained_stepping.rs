@@ -166,7 +166,7 @@ impl Engine {
     /// its rounding.
     fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
         let is_held = held.iter().any(|id| id.a == body || id.b == body);
-        if is_held || core.settings.asked_integrator.is_some() || !core.world.is_pushed_only(body) {
+        if is_held || core.settings.named_integrator.is_some() || !core.world.is_loaded_without_torque(body) {
             return None;
         }
         let state = self.states[body];
@@ -260,7 +260,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
         velocity.angular.length() * length,
         (size(rates, LINEAR_VELOCITY) * length).sqrt(),
         per_moment(size(rates, ANGULAR_MOMENTUM)).sqrt() * length,
-        // If a force sets in within the step, the speed at its end may be of the order of the error.
+        // If a force begins to act within the step, the speed at the end may be of the order of the error.
         (load.force.length() * inverse_mass * length).sqrt(),
         per_moment(load.torque.length()).sqrt() * length,
         size(end, LINEAR_VELOCITY),

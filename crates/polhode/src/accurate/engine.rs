@@ -84,8 +84,8 @@ impl Track {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// For bodies in an island at the start of its step, for bodies in flight at the start of their record or their
-    /// last event, for kinematic bodies at the event or step being processed.
+    /// Of bodies in an island the states at the start of its step, of bodies in flight those at the start of their
+    /// record or at their last event, of kinematic bodies those at the event or step being processed.
     pub(super) states: Vec<BodyState>,
     /// A copy of `states`, used to evaluate other times.
     pub(super) scratch: Vec<BodyState>,
@@ -380,7 +380,7 @@ impl Engine {
         match step {
             Ok(step) => Ok(Step::Free(Box::new(step))),
             Err(error) if core.settings.splits_by_choice() && too_strong(&error) => {
-                let what = "forces have grown too strong for splitting: dop853 goes on from here";
+                let what = "forces have grown too strong for splitting: dop853 continues from here";
                 core.accounts.warn_of_tolerated(t, what);
                 for &body in bodies {
                     self.tracks[body].gave_up_splitting = true;

@@ -261,7 +261,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Counts an event for all bodies it affects. Returns an entry if time no longer advances.
+    /// Counts an event for all bodies it affects. Returns how little time has advanced, if it no longer does.
     fn note_events(
         &mut self,
         core: &mut Core,

@@ -1,6 +1,6 @@
-//! Steps of bodies without contacts by the integrator that the scene names.
+//! Steps of bodies without contacts by the integrator that the scene names or the plan chooses.
 //!
-//! The integrator moves the bodies of an island by steps of the length given, and keeps its own variables from step to
+//! The integrator moves the bodies of an island by steps of a given length, and keeps its own variables from step to
 //! step; after an event it starts anew from the states. The states within a step are evaluated by the method itself. If
 //! such bodies may collide, the search for impacts needs their motion over the step. It is then represented by
 //! polynomials, each through eight states; the number of polynomials follows from the angle by which the bodies turn.
@@ -137,7 +137,7 @@ impl FreeStep {
         step.start = read_states(&saved.start, bodies.len())?;
         step.present = read_states(&saved.present, bodies.len())?;
         let motion = Self::motion(&step.rigid, &step.fields, &core.world);
-        let refused = SnapshotError::Invalid("the variables of an integrator are not those of its bodies");
+        let refused = SnapshotError::Invalid("the variables of an integrator do not fit its bodies");
         step.integrator.restore(&motion, &saved.integrator).map_err(|_| refused.clone())?;
         let is_within = t <= step.end && step.from <= step.integrator.time();
         if !is_within || step.integrator.states().len() != bodies.len() {
@@ -314,7 +314,7 @@ impl Field for Restricted {
 
 /// Whether the length of the steps adapts to the motion.
 fn adapts_step(core: &Core) -> bool {
-    core.settings.splits_by_choice() && !core.settings.step_is_asked && !core.world.may_collide_at_all()
+    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.world.may_collide_at_all()
 }
 
 fn tolerance(settings: &Settings) -> Tolerance {

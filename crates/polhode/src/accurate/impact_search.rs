@@ -99,7 +99,7 @@ impl Engine {
     fn next_flight_end(core: &Core, t: f64) -> f64 {
         let step = core.settings.step_s;
         let next = ((t / step + 0.5).floor() + 1.0) * step;
-        // The quotient may round to the cell below.
+        // The quotient may be rounded down, which would give a time that is not after t.
         if next > t { next } else { next + step }
     }
 
@@ -127,7 +127,7 @@ impl Engine {
         let collides = |body: usize| core.world.bodies[body].shape.is_some();
         let flying: Vec<usize> = (0..self.tracks.len()).filter(|&body| collides(body) && flies(self, body)).collect();
         if flying.is_empty() {
-            // The next flight that begins sets an end anew.
+            // The next flight that begins sets a new end.
             self.near.flight_end = f64::NEG_INFINITY;
             return Ok(());
         }
@@ -158,7 +158,7 @@ impl Engine {
             let margin = core.world.touch_distance(&self.states, body, body);
             near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
         }
-        // Each with its partner; those of one body ascending.
+        // Pairs of a body and its partner; sorted below.
         let mut found: Vec<(usize, usize)> = Vec::new();
         let moves = |body: usize| !matches!(self.tracks[body].mode, Mode::Fixed | Mode::Rest);
         if bodies.len() < MANY_NEW_BOXES {
@@ -184,7 +184,7 @@ impl Engine {
             let start = found.partition_point(|&(first, _)| first < body);
             let end = found.partition_point(|&(first, _)| first <= body);
             let own = &found[start..end];
-            // Most of many bodies in flight have no partner, and had none.
+            // Most bodies in flight have no partner and had none: nothing changes for them.
             if !(own.is_empty() && self.near.partners[body].is_empty()) {
                 self.replace_partners(body, own.iter().map(|&(_, other)| other).collect());
             }
@@ -355,9 +355,9 @@ impl Engine {
         let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
         loop {
             match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
-                // No impact up to there, but close to touch, where the search takes ever smaller steps. It is restarted
-                // there. Not for bodies of several parts, of which only the searched parts are known to be apart, nor
-                // for held pairs.
+                // The search has found no impact up to `t`, but close to touch it takes ever smaller steps. It is
+                // restarted at `t`, except for held pairs and for bodies of several parts, of which only the parts
+                // searched are known to be apart.
                 Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
                     (from, left) = (t, left - 1);
                 }

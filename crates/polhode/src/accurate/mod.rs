@@ -13,7 +13,7 @@
 //! | `agenda` | times of what is due: ends of steps, impacts, renewals of boxes |
 //! | `island` | bodies that move together, and their present step |
 //! | `constrained_step`, `constrained_stepping`, `stage_method` | a step with held contacts, and how it is made: by DOP853 or RK4 over `system` |
-//! | `free_stepping` | a step by the integrator that the scene names |
+//! | `free_stepping` | a step by the integrator of free motion: that of the scene or of the plan |
 //! | `locate`, `penetration` | location of contact changes: how long the active set is valid |
 //! | `state_cache` | the states of all bodies at the last observation |
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |

@@ -60,12 +60,12 @@ impl NearPairs {
             list.is_sorted_by(|x, y| x < y) && list.iter().all(|&other| other < bodies && other != body)
         };
         if saved.partners.len() != bodies || !saved.partners.iter().enumerate().all(is_list) {
-            return Err(SnapshotError::Invalid("the lists of bodies that may meet are not those of its bodies"));
+            return Err(SnapshotError::Invalid("the lists of bodies that may meet do not fit its bodies"));
         }
         let mut watches = BTreeMap::new();
         for &content::Watch { a, b, until, impact } in &saved.watches {
             if a >= b || b >= bodies {
-                return Err(SnapshotError::Invalid("a pair that may meet is not one of its bodies"));
+                return Err(SnapshotError::Invalid("a pair that may meet names a body that it does not have"));
             }
             watches.insert((a, b), Watch { until, impact });
         }

@@ -63,7 +63,7 @@ impl Engine {
         self.resolve(core, &mut instant)?;
         let t = instant.t;
         self.continue_motion(core, instant)?;
-        // No step begins for a body that no force moves; its box is new all the same.
+        // A body that no force moves makes no step, but its box is new.
         let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
         for &body in &unmoved {
             self.expect_corner(core, body, t);

@@ -333,7 +333,9 @@ impl Engine {
             let scale = instant.speed_scale;
             let rests = allow_rest(core, instant.t, &ids)
                 && component.bodies.iter().all(|&body| {
-                    balanced.contains(&body) && self.is_slow(core, scale, body) && self.forces_last(core, scale, body)
+                    balanced.contains(&body)
+                        && self.is_slow(core, scale, body)
+                        && self.forces_stay_constant(core, scale, body)
                 });
             for &body in &component.bodies {
                 if rests {
@@ -455,7 +457,7 @@ impl Engine {
 
     /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
     /// by forces rest too or are slow enough to rest.
-    fn forces_last(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
+    fn forces_stay_constant(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
         let couplings = core.world.couplings_of(body);
         let still =
             |&other: &usize| matches!(self.tracks[other].mode, Mode::Rest) || self.is_slow(core, speed_scale, other);

@@ -74,8 +74,8 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Fills the agenda from the islands, the pairs and the prescribed motions. Before the first instant has been resolved
-    /// it is empty.
+    /// Fills the agenda from the islands, the pairs and the prescribed motions. Before the first instant has been
+    /// resolved it is empty.
     fn rebuild_agenda(&mut self, core: &Core) {
         if self.begun {
             for &body in core.world.prescribed() {
@@ -102,7 +102,10 @@ impl Engine {
             content::Step::Crowd(end, pairs) => {
                 let can_touch = |&(a, b): &(usize, usize)| a < b && b < self.states.len();
                 if !(pairs.iter().all(can_touch) && t < *end && end.is_finite()) {
-                    return Err(SnapshotError::Invalid("a time step of a crowd is not one of its bodies").into());
+                    return Err(SnapshotError::Invalid(
+                        "a time step of crowded events has pairs or times that no run has",
+                    )
+                    .into());
                 }
                 Step::Crowd(Box::new(self.repeated_crowd_step(core, &bodies, pairs.clone(), (t, *end))?))
             }
@@ -192,7 +195,7 @@ fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<B
 }
 
 fn save_track(track: &Track) -> content::Track {
-    // The island follows from the islands.
+    // The island of a body is known from the list of islands.
     let Track { mode, island: _, pace, proposed_step_s, speed_scale, rest_booked_s, last_stretch_s, gave_up_splitting } =
         track;
     content::Track {

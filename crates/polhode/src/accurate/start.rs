@@ -17,7 +17,7 @@ impl Engine {
     /// Finds the touching contacts at the start and removes overlaps within the touch distance.
     ///
     /// # Errors
-    /// When two bodies overlap by more than touch.
+    /// When two bodies overlap by more than counts as touch.
     pub(super) fn find_initial_contacts(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         for body in 0..self.tracks.len() {
             self.begin_free_motion(core, body, core.t);
@@ -112,7 +112,9 @@ impl Engine {
         if deepest == 0.0 {
             return Ok(());
         }
-        let what = format!("bodies overlapped by up to {deepest:e} m at the start, within touch: moved apart");
+        let what = format!(
+            "bodies overlapped by up to {deepest:e} m at the start, which counts as touch: they were moved apart"
+        );
         core.accounts.warn(core.t, what);
         let all: Vec<_> = contacts.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b)).collect();
         for group in groups(&core.world, all.into_iter()) {
@@ -137,7 +139,7 @@ impl Engine {
     }
 }
 
-/// Checks that two bodies overlap by no more than touch.
+/// Checks that two bodies overlap by no more than counts as touch.
 fn check_overlap(
     core: &Core,
     states: &[polhode_dynamics::BodyState],

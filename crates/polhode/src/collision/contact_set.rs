@@ -85,7 +85,7 @@ impl World {
         self.kinematics_in_space(states, id).map(|kinematics| self.in_plane(kinematics))
     }
 
-    /// A contact as it acts in planar motion: it stands for its mirror image too, and the resultant of both acts in the
+    /// A contact as it acts in planar motion: it represents its mirror image too, and the resultant of both acts in the
     /// plane.
     fn in_plane(&self, mut kinematics: ContactKinematics) -> ContactKinematics {
         if let Some(plane) = &self.plane {
@@ -110,7 +110,7 @@ impl World {
         )
     }
 
-    /// In planar motion: the vector from the plane to a contact point that stands for its mirror image too, m. None for
+    /// In planar motion: the vector from the plane to a contact point that represents its mirror image too, m. None for
     /// a point that is its own image, and in motion in space.
     pub(crate) fn mirrored(&self, states: &[BodyState], id: ContactId) -> Option<DVec3> {
         let plane = self.plane?;

@@ -50,7 +50,7 @@ impl Coordinates {
         match (self, c) {
             (Self::Space, &[a, b, c, d, e, f]) => (DVec3::new(a, b, c), DVec3::new(d, e, f)),
             (Self::Plane(plane), &[a, b, c]) => plane.velocity([a, b, c]),
-            // Coordinates come in chunks of the width.
+            // Never reached: all chunks of coordinates have the right width.
             _ => (DVec3::ZERO, DVec3::ZERO),
         }
     }

@@ -69,7 +69,7 @@ mod tests {
     use std::convert::Infallible;
 
     #[test]
-    fn a_signed_function_is_closed_in_to_the_resolution() {
+    fn the_zero_of_a_signed_function_is_bracketed_to_the_resolution() {
         let found = close_in((0.0, 2.0), |t| Ok::<_, Infallible>(Side::of(2.0 - t * t)));
         assert!(found.is_ok_and(|found| {
             let (before, after) = (found.before * found.before, found.after * found.after);
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_end_the_search_and_so_does_what_is_near_enough() {
+    fn the_search_ends_at_adjacent_numbers_and_at_a_time_close_enough() {
         let next = f64::from_bits(1.0_f64.to_bits() + 1);
         let found = close_in((1.0, next), |_| -> Result<Side, &str> { Err("asked") });
         assert!(found.is_ok_and(|found| (found.before, found.after) == (1.0, next)));

@@ -210,7 +210,7 @@ pub(crate) fn project_positions(
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
         separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
-        // One allowance for all Newton steps: nearly dependent rows could use the whole of it in every step.
+        // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
         let displacement =
             largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));

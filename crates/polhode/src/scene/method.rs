@@ -52,6 +52,35 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
+/// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
+/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Response {
+    /// By forces that keep contacts from closing, and by impulses where bodies approach.
+    #[default]
+    Constraint,
+    /// By impulses alone, where bodies approach. Between two steps a resting body falls freely: it sinks.
+    Impulse,
+    /// By impulses where bodies approach, after which bodies that overlap are moved apart. Lifting a body gives it
+    /// energy: it never comes to rest.
+    ImpulseProjection,
+    /// By impulses at every contact that overlaps, whether the bodies approach or separate. An impulse at a contact
+    /// that separates pulls: bodies stay caught in each other.
+    ImpulseUnconditional,
+}
+
+impl Response {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Constraint => "constraint",
+            Self::Impulse => "impulse",
+            Self::ImpulseProjection => "impulse-projection",
+            Self::ImpulseUnconditional => "impulse-unconditional",
+        }
+    }
+}
+
 /// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Crowding {
@@ -87,6 +116,8 @@ pub struct Method {
     pub impact: Option<ImpactLaw>,
     /// Contact forces.
     pub contact: Option<ContactMethod>,
+    /// How bodies that touch act on each other.
+    pub response: Option<Response>,
     /// Broad phase: how pairs that may touch are found. It affects the computing time only; results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
     /// Local error per step of constrained motion, relative to size and speed of each body. Above the default (1e-11)
@@ -131,6 +162,14 @@ impl Method {
             return refuse(
                 &format!("contact = \"least-force\" with tier = \"{tier}\""),
                 "contact = \"active-set\", or tier = \"thesis\"",
+            );
+        }
+        if let (Tier::Accurate | Tier::Stepped, Some(response)) = (tier, self.response)
+            && response != Response::Constraint
+        {
+            return refuse(
+                &format!("response = \"{}\" with this tier", response.name()),
+                "response = \"constraint\", or tier = \"thesis\"",
             );
         }
         if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {

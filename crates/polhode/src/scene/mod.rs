@@ -33,7 +33,7 @@ pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
 pub use method::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
 };
 pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
@@ -167,7 +167,7 @@ impl Scene {
 
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
-        // Two neighbours in the list mostly may, which is a fast way to the answer.
+        // Two neighbours in the list usually may collide; testing them first saves the count of all pairs.
         (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 

@@ -120,10 +120,10 @@ mod tests {
     use polhode_mesh::primitives::solid_box;
     use polhode_spatial::{DVec3, Mass, SplitMix64};
 
-    /// Scenes of all kinds of bodies, materials, rules and groups: the count and the restitution are those of a walk
-    /// over all pairs.
+    /// For scenes of all kinds of bodies, materials, rules and groups, the count and the restitution are those of a
+    /// loop over all pairs.
     #[test]
-    fn counts_are_those_of_a_walk_over_all_pairs() {
+    fn counts_are_those_of_a_loop_over_all_pairs() {
         let mut numbers = SplitMix64::new(7);
         let mut random = |below: usize| numbers.bits() as usize % below;
         for _ in 0..200 {

@@ -19,12 +19,12 @@ pub(crate) fn write_states(states: &[BodyState]) -> Vec<State> {
     states.iter().map(BodyState::to_array).collect()
 }
 
-/// One state.
+/// A state from numbers.
 pub(crate) fn read_state(numbers: &State) -> Result<BodyState, SnapshotError> {
     BodyState::from_stored(numbers).map_err(|_| SnapshotError::Invalid("the attitude of a body is not a rotation"))
 }
 
-/// As many states as there are bodies.
+/// The states of all bodies from numbers; refused unless there is one state for each body.
 pub(crate) fn read_states(numbers: &[State], bodies: usize) -> Result<Vec<BodyState>, SnapshotError> {
     if numbers.len() != bodies {
         return Err(SnapshotError::Invalid("it does not have one state for each body"));

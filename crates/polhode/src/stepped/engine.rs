@@ -322,7 +322,8 @@ impl Tier for SteppedEngine {
     }
 
     fn stride(&self, core: &Core) -> f64 {
-        // The step ends on the grid at the latest, which the present plus one step may miss by a rounding.
+        // The step ends at the next multiple of its length at the latest. The present plus one length may miss that by
+        // a rounding.
         2.0 * core.settings.step_s
     }
 

@@ -1,5 +1,6 @@
 //! A run by the thesis's algorithm: one step, and queries at the present.
 
+use super::impulse_models::{move_apart, strike_unconditionally};
 use super::system::LoadedBodies;
 use crate::accounting::books::Received;
 use crate::collision::boxes::Boxes;
@@ -9,11 +10,11 @@ use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::{Assembly, free_acceleration};
-use crate::interaction::groups::groups;
+use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, strike, support};
 use crate::observer::Observer;
 use crate::sampling::emit_samples_before;
-use crate::scene::ContactMethod;
+use crate::scene::{ContactMethod, Response};
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
@@ -23,7 +24,7 @@ use crate::{Acceleration, BodyId, Momentum, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::Integrator;
-use polhode_response::impact::ImpactSettings;
+use polhode_response::impact::{ImpactOutcome, ImpactSettings};
 use polhode_response::least_force::{LeastForceStage, least_force};
 use polhode_response::{Delassus, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Still};
@@ -89,7 +90,7 @@ impl ThesisEngine {
     pub(crate) fn restored(core: &Core, saved: &content::Thesis) -> Result<Self, SnapshotError> {
         let mut integrator = core.settings.build_integrator();
         let restored = integrator.restore(&core.world.free_motion(), &saved.integrator);
-        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator are not those of its bodies"))?;
+        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
         let bodies = core.world.bodies.len();
         Ok(Self {
             states: read_states(&saved.states, bodies)?,
@@ -122,8 +123,12 @@ impl ThesisEngine {
         core.t = t_next;
         core.accounts.count_step();
         core.accounts.observe(&core.world, &self.states, core.t)?;
-        for touch in self.detect(core)? {
+        let touches = self.detect(core)?;
+        for touch in &touches {
             core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+        }
+        if core.settings.response == Response::ImpulseProjection {
+            move_apart(core, &mut self.states, &touches);
         }
         Ok(())
     }
@@ -145,24 +150,15 @@ impl ThesisEngine {
         touches: &[Touch],
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        let solver_settings = SolverSettings::default();
-        let settings =
-            ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: PROPAGATION_LIMIT, solver: solver_settings };
         let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
         for group in groups(&core.world, all) {
-            if group.contacts.iter().all(|&i| touches[i].kinematics.separation_rate >= 0.0) {
-                continue;
-            }
-            let law = core.settings.impact;
-            let outcome = strike(&core.world, &mut self.states, &group, touches, law, &settings, &mut core.solver)
-                .map_err(|source| Core::response_error(core.t, source))?
-                .outcome;
+            let Some(outcome) = self.strike(core, &group, touches)? else { continue };
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
             let work = core.world.prescribed_work(&self.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
             core.accounts.books.impact(outcome.energy_change, given, work);
-            core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
+            core.accounts.note_impact(&core.world, core.t, core.settings.impact, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];
                 core.accounts.add_event(impulse_event(core.t, touch, application));
@@ -172,8 +168,33 @@ impl ThesisEngine {
         Ok(())
     }
 
-    /// The resting contacts and their forces.
+    /// Applies impulses to the contacts of a group; nothing when its bodies are left as they are.
+    fn strike(
+        &mut self,
+        core: &mut Core,
+        group: &Group,
+        touches: &[Touch],
+    ) -> Result<Option<ImpactOutcome>, SimulationError> {
+        let (world, states) = (&core.world, &mut self.states);
+        let outcome = if core.settings.response == Response::ImpulseUnconditional {
+            strike_unconditionally(world, states, group, touches)
+        } else {
+            if group.contacts.iter().all(|&i| touches[i].kinematics.separation_rate >= 0.0) {
+                return Ok(None);
+            }
+            let solver = SolverSettings::default();
+            let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: PROPAGATION_LIMIT, solver };
+            let law = core.settings.impact;
+            strike(world, states, group, touches, law, &settings, &mut core.solver).map(|struck| struck.outcome)
+        };
+        outcome.map(Some).map_err(|source| Core::response_error(core.t, source))
+    }
+
+    /// The resting contacts and their forces; none where bodies act on each other by impulses alone.
     fn resting_forces(&mut self, core: &mut Core) -> Result<RestingForces, SimulationError> {
+        if core.settings.response != Response::Constraint {
+            return Ok(RestingForces { touches: Vec::new(), forces: Vec::new() });
+        }
         let slow = RESTING_STEPS * core.world.gravity().length() * core.settings.step_s;
         let mut touches = self.detect(core)?;
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);

@@ -11,12 +11,17 @@
 //! No event is located and nothing is projected. Bodies in a stack therefore penetrate each other and vibrate, by about
 //! the distance that they travel in a step; the certificate bounds the error of the forces.
 //!
+//! With a [`Response`](crate::scene::Response) other than by constraint, stages 3 and 4 are left out, and the tier does
+//! what the thesis tried before it had them (`impulse_models`).
+//!
 //! | module | holds |
 //! |---|---|
 //! | `engine` | a run, one step of it, and queries at the present |
+//! | `impulse_models` | what the thesis tried before it had contact forces |
 //! | `system` | bodies under fields and constant contact forces |
 
 mod engine;
+mod impulse_models;
 mod system;
 
 pub(crate) use engine::ThesisEngine;

@@ -1,8 +1,9 @@
 //! Error estimate of a time step by step halving, used in stretches of crowded events.
 //!
-//! A step of h is compared with two of h/2 from the same state. The largest displacement between the two, relative to
-//! the size of each body, estimates the error of the longer one; the result of the two halves is used. Between changes
-//! of contact it is of order h^3 and per second of order h^2; where a contact changes within the step it is of order h.
+//! A step of h is compared with two of h/2 from the same state, and the result of the two halves is used. The largest
+//! displacement between the two results, relative to the size of each body, estimates the error of the longer step.
+//! Between changes of contact this error is of order h^3 in a step, and of order h^2 in a second; where a contact
+//! changes within the step it is of order h.
 
 use super::report::TimeStepReport;
 use super::step::TimeStepper;

@@ -38,8 +38,8 @@ pub(crate) use step::{TimeStepper, given_by_gravity};
 use crate::world::World;
 use polhode_dynamics::{BodyState, Flight};
 
-/// Work of prescribed motions, J, in the removal of penetration and in setting velocities to zero: it is booked with
-/// the impulses before.
+/// Work of prescribed motions, J, when penetration is removed or velocities are set to zero: none, because their work
+/// in a step is booked with its impulses.
 const NO_WORK_J: f64 = 0.0;
 
 /// The state of a body after `h` seconds of free flight under gravity alone: exact; without rotation the attitude is

@@ -67,7 +67,7 @@ pub(crate) struct TimeStepper {
     pub(super) about: DVec3,
     /// Most impacts at which [`TimeStepper::advance`] splits a step.
     splits: u32,
-    /// See [`Span`].
+    /// Largest height of a bounce that need not be resolved, relative to the size of the smaller body ([`Span`]).
     pub(super) unseen_bounce: f64,
     pub(super) solver: ComplementaritySolver,
     pub(super) delassus: Delassus,

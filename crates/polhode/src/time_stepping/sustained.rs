@@ -205,7 +205,7 @@ fn note(
             }
             let row = &rows[index];
             let contact = &near[row.contact];
-            // Its speed of approach at the start of the step.
+            // The speed of approach of the contact at the start of the step.
             let approach = -(row.kinematics.separation_rate - row.half_fall);
             let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
                 let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);

@@ -10,7 +10,7 @@ use polhode_spatial::{DVec3, MassProperties, Pose};
 
 /// A body of the model.
 #[derive(Debug, Clone)]
-// This order puts what samples and ledgers read of every body together, at the front.
+// The fields that samples and ledgers read of every body come first and are next to each other in memory.
 #[repr(C)]
 pub(crate) struct WorldBody {
     /// Whether a program has removed the body. Its index is kept so that other bodies keep theirs.
@@ -87,7 +87,7 @@ impl WorldBody {
     }
 }
 
-/// The shape that stands for a solid mesh in collisions: its convex parts, or its surface when no force moves it and it
+/// The shape that represents a solid mesh in collisions: its convex parts, or its surface when no force moves it and it
 /// is not convex.
 fn colliding(mesh: &SolidMesh, is_fixed: bool) -> Result<Shape, ShapeError> {
     if !is_fixed || convexity(mesh).is_convex() {

@@ -111,7 +111,7 @@ impl World {
     }
 
     /// Whether fields act on a body, but none exerts a torque.
-    pub(crate) fn is_pushed_only(&self, body: usize) -> bool {
+    pub(crate) fn is_loaded_without_torque(&self, body: usize) -> bool {
         let motion = self.free_motion();
         !self.is_held_by_rows(body)
             && self.is_loaded(body)

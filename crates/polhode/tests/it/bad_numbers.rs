@@ -1,4 +1,4 @@
-//! Numbers that no scene should have: a typed error or a finite result, in a bounded number of steps.
+//! Numbers that no scene should have give a typed error or a finite result, in a bounded number of steps.
 
 use crate::checks::{by, particle, try_run};
 use crate::support::{accurate, ball, elastic, floor};
@@ -8,13 +8,14 @@ use polhode::spatial::{DVec3, Velocity};
 use polhode::{Scene, SceneBuilder};
 use std::sync::atomic::{AtomicU32, Ordering};
 
+/// Numbers that are not finite, that overflow or underflow when squared, and zero.
 const STRANGE: [f64; 9] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 1e150, 1e12, 1e-300, 0.0];
 
-/// Steps that a run of a scene of these may take.
+/// Steps that a run of one of these scenes may take.
 const STEPS: u32 = 1000;
 
-/// Runs what can be built; what comes out must be finite.
-fn survives(what: &str, builder: SceneBuilder) {
+/// Runs a scene if it can be built. The run must end in an error, or in finite states.
+fn check_survival(what: &str, builder: SceneBuilder) {
     let Ok(scene) = builder.build() else { return };
     match try_run(&scene, STEPS) {
         Ok((report, recorder)) => {
@@ -51,7 +52,7 @@ fn spring(stiffness: f64, rest_length: f64, damping: f64, point: DVec3) -> Force
     }
 }
 
-/// Every number of every force.
+/// Each strange number in turn as each number of each force.
 #[test]
 fn strange_forces_end_in_an_error_or_a_finite_motion() {
     for x in STRANGE {
@@ -79,22 +80,22 @@ fn strange_forces_end_in_an_error_or_a_finite_motion() {
             ("wind", Force::Drag { body: 1, law: DragLaw::Quadratic, translational: 0.1, rotational: 0.1, wind: v }),
         ];
         for (what, force) in forces {
-            survives(&format!("{what} = {x}"), scene(force.clone()));
+            check_survival(&format!("{what} = {x}"), scene(force.clone()));
             let by_rk4 = scene(force.clone()).method(by(Integrator::Rk4, 0.01));
-            survives(&format!("{what} = {x} by rk4"), by_rk4);
+            check_survival(&format!("{what} = {x} by rk4"), by_rk4);
             let by_exact = scene(force.clone()).method(by(Integrator::Exact, 0.01));
-            survives(&format!("{what} = {x} by exact"), by_exact);
+            check_survival(&format!("{what} = {x} by exact"), by_exact);
             let thesis = Method { tier: Some(Tier::Thesis), ..Method::default() };
-            survives(&format!("{what} = {x} by the thesis"), scene(force.clone()).method(thesis));
+            check_survival(&format!("{what} = {x} by the thesis"), scene(force.clone()).method(thesis));
             let stepped = Method { tier: Some(Tier::Stepped), ..Method::default() };
-            survives(&format!("{what} = {x} by time steps"), scene(force).method(stepped));
+            check_survival(&format!("{what} = {x} by time steps"), scene(force).method(stepped));
         }
     }
 }
 
-/// Springs whose ends meet, with and without a rest length and a damper.
+/// Springs whose ends coincide, with and without a rest length and a damper.
 #[test]
-fn spring_of_no_length_is_no_trouble() {
+fn spring_of_zero_length_gives_a_finite_motion() {
     for (rest_length, damping) in [(0.0, 0.0), (0.0, 1.0), (0.2, 0.0), (0.2, 1.0)] {
         let builder = Scene::builder("spring")
             .gravity(DVec3::ZERO)
@@ -102,11 +103,11 @@ fn spring_of_no_length_is_no_trouble() {
             .body(ball("idle", 1.0, 0.1, DVec3::Y * 3.0, DVec3::ZERO))
             .body(ball("a", 1.0, 0.1, DVec3::ZERO, DVec3::ZERO))
             .force(spring(1e12, rest_length, damping, DVec3::ZERO));
-        survives("spring", builder);
+        check_survival("spring", builder);
     }
 }
 
-/// Steps, tolerances and durations at the ends of what is accepted.
+/// Steps, tolerances and durations, strange and at the limits of what is accepted.
 #[test]
 fn strange_methods_end_in_an_error_or_a_finite_motion() {
     let force = || spring(100.0, 0.1, 0.0, DVec3::ZERO);
@@ -114,29 +115,29 @@ fn strange_methods_end_in_an_error_or_a_finite_motion() {
         for step in STRANGE.into_iter().chain([1e-9, 1e3, 0.04, 0.05, 0.06]) {
             for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
                 let method = Method { tier: Some(tier), integrator, step_s: Some(step), ..Method::default() };
-                survives(&format!("{integrator:?} {tier:?} step {step}"), scene(force()).method(method));
+                check_survival(&format!("{integrator:?} {tier:?} step {step}"), scene(force()).method(method));
             }
         }
     }
     for tolerance in STRANGE.into_iter().chain([1e-15, 1e-16, 1e-3, 0.1, 0.2]) {
         for step_s in [0.01, 1e3] {
             let method = Method { tolerance: Some(tolerance), step_s: Some(step_s), ..accurate() };
-            survives(&format!("tolerance {tolerance}"), scene(force()).method(method.clone()));
+            check_survival(&format!("tolerance {tolerance}"), scene(force()).method(method.clone()));
             let dop853 = Method { integrator: Some(Integrator::Dop853), ..method };
-            survives(&format!("tolerance {tolerance}"), scene(force()).method(dop853));
+            check_survival(&format!("tolerance {tolerance}"), scene(force()).method(dop853));
         }
     }
     for interval in STRANGE.into_iter().chain([1e-5, 0.05, 0.050_000_000_000_000_01]) {
-        survives(&format!("interval {interval}"), scene(force()).output_interval_s(interval));
+        check_survival(&format!("interval {interval}"), scene(force()).output_interval_s(interval));
     }
     for duration in STRANGE.into_iter().chain([1e-9, 1e-15, 0.0099]) {
-        survives(&format!("duration {duration}"), scene(force()).duration_s(duration));
+        check_survival(&format!("duration {duration}"), scene(force()).duration_s(duration));
     }
 }
 
-/// The tightest and the loosest tolerance still give an oscillation, to what they promise.
+/// At the tightest and at the loosest tolerance an oscillation is as accurate as the tolerance promises.
 #[test]
-fn tolerance_is_what_it_says() {
+fn oscillation_keeps_its_tolerance() {
     for (tolerance, allowed) in [(1e-15, 1e-11), (1e-11, 1e-9), (1e-6, 1e-3), (0.1, 1.0)] {
         let scene = Scene::builder("oscillator")
             .gravity(DVec3::ZERO)
@@ -153,7 +154,7 @@ fn tolerance_is_what_it_says() {
     }
 }
 
-/// A pivot far away, and one with a spin that overflows.
+/// A pivot far away, and a spin about it that overflows.
 #[test]
 fn strange_pivots_end_in_an_error_or_a_finite_motion() {
     for x in STRANGE {
@@ -161,14 +162,14 @@ fn strange_pivots_end_in_an_error_or_a_finite_motion() {
             let body = particle("body", 1.0, DVec3::ZERO, DVec3::ZERO)
                 .pivot(pivot)
                 .velocity(Velocity::new(DVec3::ZERO, DVec3::Y * spin));
-            survives(&format!("pivot {pivot} spin {spin}"), Scene::builder("pivot").duration_s(0.05).body(body));
+            check_survival(&format!("pivot {pivot} spin {spin}"), Scene::builder("pivot").duration_s(0.05).body(body));
         }
     }
 }
 
 /// A method that is replaced after the scene was built is checked too: a step of length zero is refused.
 #[test]
-fn method_put_in_later_is_checked() {
+fn method_replaced_later_is_checked() {
     let scene = scene(spring(100.0, 0.1, 0.0, DVec3::ZERO)).build().unwrap();
     for step in [0.0, -1.0, 1e-300, f64::NAN] {
         for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
@@ -182,9 +183,9 @@ fn method_put_in_later_is_checked() {
     }
 }
 
-/// Calls of a user's function are at times of the run only.
+/// The simulation calls a user's signal at times of the run only.
 #[test]
-fn signals_are_asked_within_the_run_only() {
+fn signals_are_evaluated_within_the_run_only() {
     static OUTSIDE: AtomicU32 = AtomicU32::new(0);
     let signal = Signal::from_fn(|t| {
         if !(0.0..=0.05).contains(&t) {

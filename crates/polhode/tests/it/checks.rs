@@ -7,7 +7,7 @@ use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
 use polhode::{Body, BodySample, Effects, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
 
-/// Closure of a ledger: compensated sums of terms of the size of the scale leave some roundings.
+/// The largest closure error of a ledger, relative to its scale: compensated sums leave some roundings.
 pub(crate) const CLOSURE: f64 = 1e-12;
 
 /// A body without a shape, with three different moments about its centre of mass.
@@ -25,12 +25,12 @@ pub(crate) fn heavy_brick(name: &str, mass: f64, size: DVec3, center: DVec3) -> 
     Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(center))
 }
 
-/// By this integrator, with this step.
+/// A method with this integrator and this step.
 pub(crate) fn by(integrator: Integrator, step_s: f64) -> Method {
     Method { integrator: Some(integrator), step_s: Some(step_s), ..Method::default() }
 }
 
-/// Energy that the integrator lost, relative to the largest energy of the run.
+/// The error of the integrator in the energy, relative to the largest energy of the run.
 pub(crate) fn numerical_relative(report: &RunReport) -> f64 {
     report.ledger.numerical.value().abs() / report.ledger.scale_j
 }
@@ -41,14 +41,14 @@ pub(crate) fn assert_closes(report: &RunReport) {
     assert!(energy < CLOSURE && momentum < CLOSURE, "energy {energy:e}, momentum {momentum:e}");
 }
 
-/// Largest distance of a recorded body's place from what `expected` gives for its time, m.
-pub(crate) fn worst_place(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
+/// The largest distance of a recorded body from the position that `expected` gives for its time, m.
+pub(crate) fn max_position_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
     let rows = recorder.times.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].pose.translation - expected(t)).length()).fold(0.0, f64::max)
 }
 
-/// The same for the velocity of its centre of mass, m/s.
-pub(crate) fn worst_velocity(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
+/// The largest difference of the velocity of its centre of mass from what `expected` gives for its time, m/s.
+pub(crate) fn max_velocity_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
     let rows = recorder.times.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].velocity.linear - expected(t)).length()).fold(0.0, f64::max)
 }
@@ -62,7 +62,7 @@ pub(crate) fn complete_elliptic(k: f64) -> f64 {
     std::f64::consts::PI / (a + b)
 }
 
-/// Where a function that is positive at `low` and not at `high` changes its sign.
+/// The zero, found by bisection, of a function that is positive at `low` and not at `high`.
 pub(crate) fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
@@ -92,7 +92,7 @@ impl Observer for Budget {
     }
 }
 
-/// Runs a scene for at most so many steps; what it refuses or where it fails is returned.
+/// Runs a scene for at most so many steps. Returns the error of a scene that is refused or of a run that fails.
 pub(crate) fn try_run(scene: &Scene, steps: u32) -> Result<(RunReport, Recorder), SimulationError> {
     let mut budget = Budget { recorder: Recorder::default(), steps_left: steps };
     let report = Simulation::new(scene, Effects::Planned)?.run(&mut budget)?;

@@ -8,7 +8,7 @@ use polhode::scene::Method;
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Geometry, RunReport, Scene, Simulation, Unobserved};
 
-/// What a method errs by in the pose of a body, against a run at a tighter tolerance: m and rad.
+/// The error of the final pose of a body against a run at a tighter tolerance: the sum of m and rad.
 fn error_of(report: &RunReport, reference: &RunReport, body: usize) -> f64 {
     let (found, exact) = (report.bodies[body].1.pose, reference.bodies[body].1.pose);
     (found.translation - exact.translation).length() + found.rotation.angle_to(exact.rotation)
@@ -18,7 +18,7 @@ fn precise() -> Method {
     Method { tolerance: Some(1e-13), ..accurate() }
 }
 
-/// A ring that spins about its own axis, tilted on a smooth floor: one contact whose place goes round the ring.
+/// A tilted ring that spins about its own axis on a smooth floor: the one contact point runs round the ring.
 fn ring(method: Method) -> Scene {
     let (major, minor, tilt) = (0.3, 0.05, 0.5_f64);
     let properties = polhode::mesh::primitives::Torus::new(major, minor).unwrap();
@@ -32,8 +32,8 @@ fn ring(method: Method) -> Scene {
     Scene::builder("ring").method(method).duration_s(0.4).body(floor()).body(body).build().unwrap()
 }
 
-/// The error of RK4 over a smooth motion on a held contact falls with the fourth power of its step, and DOP853 goes
-/// where it leads.
+/// The error of RK4 over a smooth motion with a held contact falls with the fourth power of its step; DOP853 agrees
+/// with the reference.
 #[test]
 fn rk4_moves_a_held_contact_at_order_four() {
     let reference = run(&ring(precise()), Effects::Planned).0;
@@ -58,8 +58,8 @@ fn rk4_moves_a_held_contact_at_order_four() {
     assert!(error_of(&dop853, &reference, 1) < 1e-9, "{:e}", error_of(&dop853, &reference, 1));
 }
 
-/// A box slides off a table and tips (RC-10): RK4 locates the change of its contacts and the end of the last one to its
-/// own order.
+/// A box slides off a table and tips (case RC-10). RK4 finds the times when contacts change and when the last one ends
+/// to its own order.
 #[test]
 fn rk4_locates_changes_of_contacts() {
     let scene = |method| {
@@ -80,12 +80,12 @@ fn rk4_locates_changes_of_contacts() {
         ((detached[3].t - 0.906_228_978_0).abs(), error_of(&report, &reference, 1))
     });
     assert!(errors[2].0 < 1e-6 && errors[2].1 < 1e-6, "{errors:?}");
-    // The number of steps of each phase is not a power of two: between them lie some three halvings.
+    // Two halvings of the step gain 256 at order four. The last step of each phase of motion is shorter than the
+    // others, so that the gain is not exactly that.
     assert!(errors[0].1 / errors[2].1 > 100.0, "{errors:?}");
 }
 
-/// Where accelerations are constant RK4 is exact: a box slides down a slope as its closed form says, and a diamond
-/// rests.
+/// Where accelerations are constant RK4 is exact: a box slides down a slope by its closed form, and a diamond rests.
 #[test]
 fn rk4_is_exact_under_constant_forces() {
     let angle = 0.3_f64;
@@ -108,7 +108,7 @@ fn rk4_is_exact_under_constant_forces() {
     }
 }
 
-/// A stack topples and slides apart by RK4 as by DOP853, and a run that is stopped on the way goes on with the same
+/// A stack topples and slides apart with RK4 as with DOP853. A run that is stopped on the way continues with the same
 /// bits.
 #[test]
 fn rk4_topples_a_stack() {

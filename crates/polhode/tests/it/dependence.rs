@@ -1,4 +1,4 @@
-//! What a field says that it depends on decides whether a body under it may be left at rest.
+//! A body under a force field may be left at rest or not, depending on what the field declares that it depends on.
 
 use crate::support::{accurate, brick, floor};
 use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 const G: f64 = 9.81;
 
-/// A pull upwards on the first body that moves, whose strength a program sets behind the simulation's back.
+/// An upward force on the first movable body; a program changes its strength without telling the simulation.
 #[derive(Debug)]
 struct Hoist {
     /// Bits of the force, N.
@@ -37,7 +37,7 @@ impl Field for Hoist {
     }
 }
 
-/// Height of a resting box of 1 kg half a second after a program has set a pull of twice its weight on it.
+/// The rise of a resting box of 1 kg half a second after a program has set a force of twice its weight.
 fn height_half_a_second_after(says: Dependence) -> f64 {
     let hoist = Arc::new(Hoist { pull: AtomicU64::new(0.0_f64.to_bits()), says });
     let scene = Scene::builder("hoist")
@@ -55,10 +55,10 @@ fn height_half_a_second_after(says: Dependence) -> f64 {
     simulation.body(id).pose.translation.z - 0.5
 }
 
-/// A field that says that it depends on time is asked at every step: the box rises with g, from the step after the
-/// change on.
+/// A field that declares a dependence on time is evaluated at every step: the box rises with g, at the latest from the
+/// step after the change.
 #[test]
-fn field_that_says_time_moves_what_rests_when_its_value_changes() {
+fn field_that_depends_on_time_moves_a_resting_body_when_it_changes() {
     let height = height_half_a_second_after(Dependence::PosesAndTime);
     let longest_step_s = 0.01;
     let at_once = 0.5 * G * 0.25;
@@ -68,9 +68,9 @@ fn field_that_says_time_moves_what_rests_when_its_value_changes() {
     );
 }
 
-/// A field that says that it depends on poses alone promises the same force at the same poses: what rests under it is
-/// left at rest, and a value that changes behind the simulation's back is not seen.
+/// A field that declares a dependence on poses alone promises the same force at the same poses. A body that rests under
+/// it stays at rest, and a change without notice goes unseen.
 #[test]
-fn field_that_says_poses_alone_leaves_at_rest_what_rests() {
+fn field_that_depends_on_poses_alone_leaves_a_resting_body_at_rest() {
     assert_eq!(height_half_a_second_after(Dependence::Poses), 0.0);
 }

@@ -1,11 +1,11 @@
-//! Free flight: the record is exact, and what is asked of it does not change it.
+//! Free flight: the flight record is exact, and evaluating it more often does not change it.
 
 use crate::support::{accurate, run};
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Velocity};
 use polhode::{Body, Effects, Scene, SceneBuilder};
 
-/// FR-02: the Dzhanibekov body.
+/// Case FR-02: the Dzhanibekov body, which flips about its middle axis.
 fn dzhanibekov() -> SceneBuilder {
     let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0)).unwrap();
     let properties = MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia);
@@ -16,7 +16,7 @@ fn dzhanibekov() -> SceneBuilder {
         .body(Body::movable("nut", properties).velocity(spin))
 }
 
-/// The orientation at 100 s has ten digits, and one step of 100 s and 6000 samples give the same bits.
+/// The orientation at 100 s is right to ten digits, and one step of 100 s gives the same bits as 6000 samples.
 #[test]
 fn dzhanibekov_orientation_does_not_depend_on_how_it_is_asked_for() {
     let reference = [0.006157426554914883, -0.5041426374441205, 6.170773042980609e-05, 0.863598450323565];

@@ -1,6 +1,8 @@
 //! Forces on bodies that touch nothing, against closed forms.
 
-use crate::checks::{assert_closes, complete_elliptic, numerical_relative, particle, worst_place, worst_velocity};
+use crate::checks::{
+    assert_closes, complete_elliptic, max_position_error, max_velocity_error, numerical_relative, particle,
+};
 use crate::support::run;
 use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
 use polhode::dynamics::integrator::Method as Integrator;
@@ -16,7 +18,7 @@ fn space(name: &str, duration_s: f64, interval_s: f64) -> SceneBuilder {
     Scene::builder(name).gravity(DVec3::ZERO).duration_s(duration_s).output_interval_s(interval_s)
 }
 
-/// A body with its centre of mass beside its own origin.
+/// A centre of mass that is not the origin of the body's frame.
 const CENTER_OF_MASS: DVec3 = DVec3::new(0.1, -0.05, 0.2);
 
 fn at(body: usize, point: DVec3) -> Attachment {
@@ -54,9 +56,9 @@ impl Orbit {
     }
 }
 
-/// A Kepler orbit about a point follows the closed form, whatever the eccentricity and wherever on it the run begins,
-/// also far from the centre, where all that is measured at the start is slow; energy and angular momentum about the
-/// centre stay.
+/// A Kepler orbit about a point follows the closed form, at any eccentricity and from any start on it. A start far from
+/// the centre is slow, and so are the rates from which the plan chooses its steps. The energy and the angular momentum
+/// about the centre are conserved.
 #[test]
 fn orbit_about_a_point_is_keplers_ellipse() {
     let center = DVec3::new(0.3, -0.2, 0.5);
@@ -91,8 +93,8 @@ fn orbit_about_a_point_is_keplers_ellipse() {
     }
 }
 
-/// Two bodies under their own gravity: the ellipse of their distance, the straight line of their centre of mass, and
-/// the momentum of both together, which stays.
+/// Two bodies under their mutual gravity: their distance describes an ellipse, their centre of mass a straight line,
+/// and their total momentum is conserved.
 #[test]
 fn two_bodies_turn_about_their_centre_of_mass() {
     let (m1, m2, constant) = (2.0, 3.2, 1.7);
@@ -110,8 +112,8 @@ fn two_bodies_turn_about_their_centre_of_mass() {
             .build()
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
-        let worst_a = worst_place(&recorder, 0, |t| drift * t + orbit.at(t).0 * shares[0]);
-        let worst_b = worst_place(&recorder, 2, |t| drift * t + orbit.at(t).0 * shares[1]);
+        let worst_a = max_position_error(&recorder, 0, |t| drift * t + orbit.at(t).0 * shares[0]);
+        let worst_b = max_position_error(&recorder, 2, |t| drift * t + orbit.at(t).0 * shares[1]);
         let momentum = recorder.samples.iter().map(|row| row[0].velocity.linear * m1 + row[2].velocity.linear * m2);
         let lost = momentum.map(|p| (p - drift * (m1 + m2)).length()).fold(0.0, f64::max);
         assert!(worst_a < 1e-9 && worst_b < 1e-9, "e = {e}: {worst_a:e} {worst_b:e}");
@@ -144,14 +146,14 @@ fn spring_without_rest_length_is_a_harmonic_oscillator() {
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
     let place = |t: f64| middle + (start - middle) * (w * t).cos() + velocity / w * (w * t).sin();
-    let worst = worst_place(&recorder, 0, place);
+    let worst = max_position_error(&recorder, 0, place);
     assert!(worst < 1e-9, "{worst:e}");
     assert!(numerical_relative(&report) < 1e-12);
     assert_closes(&report);
 }
 
-/// Wall, spring, mass, spring, mass, spring, wall: a sum of the two normal modes, one wall a point of the world, the
-/// other one of a fixed body.
+/// Wall, spring, mass, spring, mass, spring, wall: the motion is a sum of two normal modes. One wall is a point of the
+/// world, the other one a point of a fixed body.
 #[test]
 fn two_masses_between_walls_move_in_normal_modes() {
     let (mass, stiffness, length) = (1.3, 21.0, 1.0);
@@ -171,8 +173,10 @@ fn two_masses_between_walls_move_in_normal_modes() {
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
     let (slow, fast) = (f64::sqrt(stiffness / mass), f64::sqrt(3.0 * stiffness / mass));
-    let left = worst_place(&recorder, 1, |t| place(1.0) + DVec3::X * (q * (slow * t).cos() + p * (fast * t).cos()));
-    let right = worst_place(&recorder, 2, |t| place(2.0) + DVec3::X * (q * (slow * t).cos() - p * (fast * t).cos()));
+    let left =
+        max_position_error(&recorder, 1, |t| place(1.0) + DVec3::X * (q * (slow * t).cos() + p * (fast * t).cos()));
+    let right =
+        max_position_error(&recorder, 2, |t| place(2.0) + DVec3::X * (q * (slow * t).cos() - p * (fast * t).cos()));
     assert!(left < 1e-9 && right < 1e-9, "{left:e} {right:e}");
     assert!(numerical_relative(&report) < 1e-12);
     assert_closes(&report);
@@ -217,7 +221,7 @@ fn springs_beside_the_centre_turn_a_body_as_a_pendulum() {
     assert_closes(&report);
 }
 
-/// A damped oscillator along its spring, and what the damper took is what is missing.
+/// A damped oscillator along its spring follows its closed form, and the ledger's damping is the energy that it lost.
 #[test]
 fn damper_takes_what_the_oscillator_loses() {
     let (mass, stiffness, damping, length, start) = (0.9, 30.0, 1.1, 0.5, 0.23);
@@ -238,7 +242,7 @@ fn damper_takes_what_the_oscillator_loses() {
     let decay = damping / (2.0 * mass);
     let w = (stiffness / mass - decay * decay).sqrt();
     let stretch = |t: f64| start * (-decay * t).exp() * ((w * t).cos() + decay / w * (w * t).sin());
-    let worst = worst_place(&recorder, 0, |t| direction * (length + stretch(t)));
+    let worst = max_position_error(&recorder, 0, |t| direction * (length + stretch(t)));
     assert!(worst < 1e-10, "{worst:e}");
     let lost = report.energy.initial_j - report.energy.final_j;
     let damped = report.ledger.damping.value();
@@ -248,8 +252,8 @@ fn damper_takes_what_the_oscillator_loses() {
     assert_closes(&report);
 }
 
-/// Linear drag with gravity, in a medium at rest and in wind: `v = v_end + (v0 - v_end) exp(-c t/m)`, and the spin of a
-/// sphere dies likewise. In wind the work is from outside, otherwise it is damping.
+/// Linear drag with gravity, in still air and in wind: `v = v_end + (v0 - v_end) exp(-c t/m)`, and the spin of a sphere
+/// decays likewise. The ledger books the work of drag as external in wind, as damping in still air.
 #[test]
 fn linear_drag_ends_at_the_wind_and_the_terminal_speed() {
     let (mass, c, k, moment) = (0.7, 0.9, 0.02, 0.05);
@@ -263,7 +267,7 @@ fn linear_drag_ends_at_the_wind_and_the_terminal_speed() {
         let scene = space("drag", 4.0, 0.19).gravity(gravity).body(body).force(drag).build().unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
         let end = wind + gravity * (mass / c);
-        let worst = worst_velocity(&recorder, 0, |t| end + (v0 - end) * (-c * t / mass).exp());
+        let worst = max_velocity_error(&recorder, 0, |t| end + (v0 - end) * (-c * t / mass).exp());
         let spin = recorder.samples.iter().zip(&recorder.times);
         let spin = spin.map(|(row, t)| (row[0].velocity.angular - w0 * (-k * t / moment).exp()).length());
         assert!(worst < 1e-10 && spin.fold(0.0, f64::max) < 1e-10, "{worst:e}");
@@ -284,7 +288,7 @@ fn quadratic_drag_slows_by_its_closed_forms() {
         space("slide", 5.0, 0.3).body(particle("body", mass, DVec3::ZERO, v0)).force(drag.clone()).build().unwrap();
     let (report, recorder) = run(&slide, Effects::Planned);
     let speed = v0.length();
-    let worst = worst_velocity(&recorder, 0, |t| v0 / (1.0 + c * speed * t / mass));
+    let worst = max_velocity_error(&recorder, 0, |t| v0 / (1.0 + c * speed * t / mass));
     assert!(worst < 1e-9, "{worst:e}");
     assert_closes(&report);
     let fall = space("fall", 5.0, 0.3)
@@ -296,11 +300,12 @@ fn quadratic_drag_slows_by_its_closed_forms() {
     let (report, recorder) = run(&fall, Effects::Planned);
     let terminal = f64::sqrt(mass * 9.81 / c);
     let place = |t: f64| DVec3::NEG_Z * (terminal * terminal / 9.81 * (9.81 * t / terminal).cosh().ln());
-    assert!(worst_place(&recorder, 0, place) < 1e-9);
+    assert!(max_position_error(&recorder, 0, place) < 1e-9);
     assert_closes(&report);
 }
 
-/// A load on one body, in free space from rest.
+/// Runs one body under a load in free space, from rest but for a spin; the ledgers must close, and the work must be the
+/// change of energy.
 fn pushed(load: Force, duration_s: f64, spin: DVec3) -> (RunReport, Recorder) {
     let inertia = Inertia::from_diagonal(DVec3::new(0.3, 0.3, 0.5)).unwrap();
     let properties = MassProperties::new(Mass::new(MASS).unwrap(), CENTER_OF_MASS, inertia);
@@ -321,12 +326,12 @@ fn load(force: DVec3, torque: DVec3, frame: Frame, point: Option<DVec3>, signal:
     Force::Applied { body: 0, force, torque, frame, point, signal }
 }
 
-/// A constant force in the world accelerates from rest, without gravity: at the start nothing at all moves.
+/// A constant force in the world accelerates a body from rest, without gravity, although nothing moves at the start.
 #[test]
 fn constant_force_moves_a_body_at_rest() {
     let force = DVec3::new(1.0, -2.0, 0.5);
     let (_, recorder) = pushed(load(force, DVec3::ZERO, Frame::World, None, Signal::ONE), 2.0, DVec3::ZERO);
-    let worst = worst_place(&recorder, 0, |t| force * (0.5 * t * t / MASS) - CENTER_OF_MASS);
+    let worst = max_position_error(&recorder, 0, |t| force * (0.5 * t * t / MASS) - CENTER_OF_MASS);
     assert!(worst < 1e-12, "{worst:e}");
 }
 
@@ -338,7 +343,7 @@ fn force_of_the_body_turns_with_it() {
     let applied = load(DVec3::X * 1.4, DVec3::ZERO, Frame::Body, None, Signal::ONE);
     let (_, recorder) = pushed(applied, 3.0, DVec3::Z * w);
     let worst =
-        worst_velocity(&recorder, 0, |t| DVec3::new((w * t).sin(), 1.0 - (w * t).cos(), 0.0) * (1.4 / MASS / w));
+        max_velocity_error(&recorder, 0, |t| DVec3::new((w * t).sin(), 1.0 - (w * t).cos(), 0.0) * (1.4 / MASS / w));
     assert!(worst < 1e-11, "{worst:e}");
 }
 
@@ -368,14 +373,14 @@ fn torque_along_the_axis_adds_to_the_spin() {
     }
 }
 
-/// A sinusoid and a table of time: `v` is the integral of the signal, whose corners error control finds. The body is at
-/// rest until the table sets in.
+/// A sinusoid and a table of time: `m v` is the integral of the signal. The body is at rest until the table begins.
 #[test]
 fn signals_drive_by_their_integrals() {
     let sinusoid = Signal::sinusoid(1.5, 2.2, 0.6).unwrap();
     let w = TAU * 2.2;
     let (_, recorder) = pushed(load(DVec3::X, DVec3::ZERO, Frame::World, None, sinusoid), 2.0, DVec3::ZERO);
-    let worst = worst_velocity(&recorder, 0, |t| DVec3::X * (1.5 / w / MASS * (f64::cos(0.6) - (w * t + 0.6).cos())));
+    let worst =
+        max_velocity_error(&recorder, 0, |t| DVec3::X * (1.5 / w / MASS * (f64::cos(0.6) - (w * t + 0.6).cos())));
     assert!(worst < 1e-10, "{worst:e}");
     let table = Signal::table(vec![(0.303, 0.0), (0.711, 2.0), (1.117, -1.0), (1.511, 0.0)]).unwrap();
     let (_, recorder) = pushed(load(DVec3::Y, DVec3::ZERO, Frame::World, None, table), 2.0, DVec3::ZERO);
@@ -393,8 +398,8 @@ fn short_pulse_is_not_stepped_over() {
     assert!((found.y * MASS / (0.5 * 5.0 * 2e-4) - 1.0).abs() < 1e-9, "{found}");
 }
 
-/// What pushes a body through its centre of mass does not turn it: the attitude is that of free rotation, over flips
-/// about the middle axis that would make 1e-9 rad of the rounding of every step.
+/// A force through the centre of mass does not turn a body: its attitude is that of free rotation, to rounding. (Flips
+/// about the middle axis would magnify the rounding of every integrated step to 1e-9 rad.)
 #[test]
 fn pushed_body_turns_freely() {
     let properties = || {
@@ -417,8 +422,8 @@ fn pushed_body_turns_freely() {
     }
 }
 
-/// A comet that begins far from its sun, where splitting is cheap, and comes so near that it is not: DOP853 goes on,
-/// the report says so, and the motion and the impulse of the sun are those of DOP853 from the start.
+/// A comet begins far from its sun, where the splitting integrator is cheap, and comes so near that it is not. DOP853
+/// takes over and the report says so; motion and momentum are those of DOP853 from the start.
 #[test]
 fn comet_leaves_splitting_near_its_sun() {
     let comet = |method: Method| {
@@ -428,7 +433,7 @@ fn comet_leaves_splitting_near_its_sun() {
         run(&scene, Effects::Planned).0
     };
     let planned = comet(Method::default());
-    assert!(planned.warnings.iter().any(|warning| warning.contains("dop853 goes on")), "{:?}", planned.warnings);
+    assert!(planned.warnings.iter().any(|warning| warning.contains("dop853 continues")), "{:?}", planned.warnings);
     let exact = comet(Method { integrator: Some(Integrator::Dop853), tolerance: Some(1e-13), ..Method::default() });
     let apart = (planned.bodies[0].1.pose.translation - exact.bodies[0].1.pose.translation).length();
     assert!(apart < 1e-6, "{apart:e}");
@@ -450,7 +455,7 @@ fn jump_of_a_table() {
     }
 }
 
-/// A field of one's own: a plane trap `V = k z^2/2` for one of two bodies.
+/// A field defined by the user: a plane trap `V = k z^2/2` for one of two movable bodies.
 #[derive(Debug)]
 struct Trap {
     slot: usize,
@@ -485,7 +490,7 @@ impl Field for Trap {
     }
 }
 
-/// A user's field moves the body it names, counted among those that move, and leaves the other to its flight.
+/// A user's field moves the body it names by its number among the movable ones, and leaves the other to its flight.
 #[test]
 fn field_of_the_user_traps_one_body() {
     let scene = space("trap", 5.0, 0.13)
@@ -497,9 +502,9 @@ fn field_of_the_user_traps_one_body() {
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
     let w = f64::sqrt(17.0 / 0.6);
-    let worst = worst_place(&recorder, 2, |t| DVec3::new(2.0 + t, 0.0, 0.3 * (w * t).cos()));
+    let worst = max_position_error(&recorder, 2, |t| DVec3::new(2.0 + t, 0.0, 0.3 * (w * t).cos()));
     assert!(worst < 1e-9, "{worst:e}");
-    assert!(worst_place(&recorder, 1, |t| DVec3::X + DVec3::Y * t) < 1e-14);
+    assert!(max_position_error(&recorder, 1, |t| DVec3::X + DVec3::Y * t) < 1e-14);
     assert!(numerical_relative(&report) < 1e-12);
     assert_closes(&report);
 }

@@ -31,7 +31,7 @@ fn scene() -> Scene {
 }
 
 #[test]
-fn ledger_and_certificate_of_frames() {
+fn frames_hold_the_ledger_and_certificate_at_their_time() {
     let mut frames = Frames::default();
     let report = Simulation::new(&scene(), Effects::Planned).unwrap().run(&mut frames).unwrap();
     let last = frames.0.last().unwrap();
@@ -47,7 +47,7 @@ fn ledger_and_certificate_of_frames() {
 }
 
 #[test]
-fn frames_at_any_interval() {
+fn frames_come_at_the_output_interval() {
     let mut frames = Frames::default();
     let scene = scene().with_output_interval(0.25).unwrap();
     Simulation::new(&scene, Effects::Planned).unwrap().run(&mut frames).unwrap();

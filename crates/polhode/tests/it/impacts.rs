@@ -1,4 +1,4 @@
-//! Impacts.
+//! Impacts: when they happen, that bounces accumulate to rest, and that no body passes through another.
 
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
@@ -6,7 +6,8 @@ use polhode::scene::{Crowding, Method};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, Simulation, SimulationError};
 
-/// IM-05: the accumulating bounce ends at its exact time, and its tenth impact comes when the series says.
+/// Case IM-05: a ball whose bounces accumulate comes to rest at the exact time, and its tenth impact is at the time
+/// that the geometric series gives.
 #[test]
 fn bouncing_ball_comes_to_rest_at_its_exact_time() {
     for (e, rest, tenth) in
@@ -30,8 +31,9 @@ fn bouncing_ball_comes_to_rest_at_its_exact_time() {
     }
 }
 
-/// Of a body that bounces a few micrometres high, half a metre from the origin, the position rounds by 1e-11 of that
-/// height (impacts found to the rounding of positions took the apex at e = 0.5 1.1e-11 off, that at e = 0.4 1.1e-9).
+/// A ball bounces a few micrometres high, half a metre from the origin. Its position is rounded to 1e-11 of that
+/// height, and its bounces are exact to 2e-12 all the same. (With impacts found only to the rounding of positions, the
+/// apex was wrong by 1.1e-11 at e = 0.5 and by 1.1e-9 at e = 0.4.)
 #[test]
 fn low_bounces_do_not_feel_the_rounding_of_positions() {
     let (gravity, radius) = (9.81, 0.5);
@@ -52,7 +54,7 @@ fn low_bounces_do_not_feel_the_rounding_of_positions() {
 }
 
 /// If time no longer advances and the settings exclude time steps, the run ends with an error that names time and
-/// place. Here a ball bounces between two plates. The longest step is some hours, relative to which 0.2 s counts as no
+/// place. Here a ball bounces between two plates. The longest step is some hours, so that a time of 0.2 s counts as no
 /// advance.
 #[test]
 fn a_run_that_makes_no_progress_says_where() {
@@ -73,9 +75,9 @@ fn a_run_that_makes_no_progress_says_where() {
     assert!(error.to_string().contains("no progress"), "{error}");
 }
 
-/// A plank stands with one end on another one, and its other end falls at 100 m/s: within an eighth of a step it would
-/// pass through, and the nearest surface would be the far side. The penetration is found because the two were apart
-/// before.
+/// A plank stands with one end on another one, and its other end falls at 100 m/s. Within an eighth of a step it would
+/// pass through, and the nearest surface would be the far side. The penetration is found because the two were apart at
+/// the start of the step.
 #[test]
 fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
     let (length, thickness, tilt, spin) = (10.0, 0.02, 0.008, 10.0);
@@ -97,8 +99,8 @@ fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
     }
 }
 
-/// A box slides over the floor of a room at 1000 m/s; the wall is of the same body that holds it, and in an eighth of a
-/// step the box goes farther than both are thick.
+/// A box slides over the floor of a room at 1000 m/s, and a wall of the same body stops it, although within an eighth
+/// of a step the box travels farther than wall and box are thick.
 #[test]
 fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
     let slab =
@@ -117,11 +119,11 @@ fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
 }
 
 /// A heavy ball strikes a ball in a corner so slowly that this one returns to floor and wall before it has left the
-/// touch distance. These bounces are ended at once, which drives it against the heavy ball again. That impact is
-/// resolved at the same instant, until no contact approaches (without it, the balls collided two hundred times within a
-/// millisecond, each time with an overlap).
+/// touch distance. Such bounces are resolved without restitution, at once, which drives the small ball against the
+/// heavy one again. That impact is resolved at the same instant too, until no contact approaches. (Without this the
+/// balls collided two hundred times within a millisecond, each time with an overlap.)
 #[test]
-fn bounces_that_end_leave_nothing_approaching() {
+fn bounces_ended_at_one_instant_leave_no_contact_approaching() {
     for (e, heavy, speed) in [(0.1, 100.0, 2e-6), (0.05, 30.0, 1e-6), (0.2, 1000.0, 3e-6)] {
         let (small, large) = (0.1_f64, 0.25);
         let apart = ((small + large) * (small + large) - 2.0 * (large - small) * (large - small)).sqrt() + 1e-7;

@@ -7,11 +7,11 @@ use polhode::scene::{Attachment, DragLaw, Force, Method, Orientation, RotationRa
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{Body, BodySample, Effects, EventKind, Scene, SceneBuilder, SceneError};
 
-/// What an integrator of order p may miss of its order: halving the step gains at least `2^(p - 0.4)`.
-const MISSED_ORDER: f64 = 0.4;
+/// How far the observed order may fall short of the order p: halving the step gains at least `2^(p - 0.4)`.
+const ORDER_SHORTFALL: f64 = 0.4;
 
 /// Errors below this are rounding and say nothing about order.
-const ROUNDED: f64 = 1e-11;
+const ROUNDING_ERROR: f64 = 1e-11;
 
 fn tumbling() -> SceneBuilder {
     Scene::builder("tumbling").duration_s(0.8).output_interval_s(0.8).body(Body::fixed("post")).body(
@@ -44,7 +44,8 @@ fn apart(a: &BodySample, b: &BodySample) -> f64 {
     place.max(speed).max(spin).max(a.pose.rotation.angle_to(b.pose.rotation))
 }
 
-/// Every integrator converges with its order, on free motion to the closed form and on a heavy top to DOP853.
+/// Every integrator converges with its order: on free motion to the closed form, on a heavy top to the solution of
+/// DOP853.
 #[test]
 fn every_integrator_converges_with_its_order() {
     let exact_top = Method { tolerance: Some(1e-14), ..by(Integrator::Dop853, 0.002) };
@@ -56,12 +57,13 @@ fn every_integrator_converges_with_its_order() {
             let errors = [0.004, 0.002].map(|step| apart(&end(scene(), by(integrator, step)), &exact));
             let gain = f64::log2(errors[0] / errors[1]);
             let order = f64::from(integrator.order());
-            assert!(errors[1] < ROUNDED || gain > order - MISSED_ORDER, "{integrator}: {errors:?} {gain}");
+            assert!(errors[1] < ROUNDING_ERROR || gain > order - ORDER_SHORTFALL, "{integrator}: {errors:?} {gain}");
         }
     }
 }
 
-/// Coordinates and variables of rotation of `rk4` change its error, not its motion.
+/// The coordinates of orientation and the variable of rotation (angular momentum or velocity) change only the error of
+/// `rk4`.
 #[test]
 fn representations_of_rk4_agree() {
     let exact = end(tumbling(), Method::default());
@@ -93,8 +95,8 @@ fn representations_of_rk4_agree() {
     assert_eq!(errors.len(), 12, "each is a method of its own: {errors:?}");
 }
 
-/// A brick falls tumbling onto a floor by every integrator: it strikes when the exact one does, to the error of its
-/// order, and never overlaps the floor; the same with a spring, whose fast turns are many a step.
+/// A brick falls tumbling onto a floor by every integrator, at a slow and a fast spin. It strikes when the exact motion
+/// does, to the order of the integrator, and overlaps the floor by no more than the error of a step.
 #[test]
 fn stepped_bodies_strike_the_floor() {
     let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.1)), DVec3::Z * 0.8);
@@ -118,8 +120,7 @@ fn stepped_bodies_strike_the_floor() {
             let (integrator, step) = (method.integrator, method.step_s);
             let (report, recorder) = try_run(&scene(method), 100_000).unwrap();
             assert_closes(&report);
-            // The path of a method of order p departs from its own velocities, which decide what is struck, by its
-            // error.
+            // Impacts are decided by velocities, which agree with the path of a method of order p to its error.
             let order = integrator.map_or(8.0, |integrator| f64::from(integrator.order()));
             let allowed = 0.5 * f64::powf(spin * step.unwrap_or(0.0), order + 1.0) + 1e-12;
             let depth = report.certificate.max_penetration_m;
@@ -129,15 +130,15 @@ fn stepped_bodies_strike_the_floor() {
         let exact = first(Method::default());
         for integrator in Integrator::ALL {
             let errors = [0.002, 0.001].map(|step| (first(by(integrator, step)) - exact).abs());
-            // One halving: at least a gain of 2^(p - 1), for the error at an impact need not be even in the step.
+            // The gain of halving the step is at least 2^(p - 1): at an impact the error need not be even in the step.
             let gain = f64::exp2(f64::from(integrator.order()) - 1.0);
-            assert!(errors[1] < ROUNDED || errors[1] < errors[0] / gain, "{integrator}: {errors:?}");
+            assert!(errors[1] < ROUNDING_ERROR || errors[1] < errors[0] / gain, "{integrator}: {errors:?}");
         }
     }
 }
 
-/// A body that turns more than once a step, moved by an integrator whose drift is exact, strikes a wall when the closed
-/// form does: its motion within the step is the method's, not a polynomial that cannot follow.
+/// A body that turns more than once a step strikes a wall when the closed form does, if the integrator rotates bodies
+/// exactly: within the step its motion is that of the integrator, not an interpolating polynomial.
 #[test]
 fn body_that_turns_often_a_step_strikes_in_time() {
     let scene = |method: Method| {
@@ -168,7 +169,7 @@ fn body_that_turns_often_a_step_strikes_in_time() {
     assert!((coarse - exact).abs() < 1e-10);
 }
 
-/// What asks for velocities is refused where the forces are split off.
+/// Splitting integrators refuse forces that depend on velocities.
 #[test]
 fn drag_is_refused_by_splittings() {
     for integrator in Integrator::ALL {
@@ -190,7 +191,7 @@ fn drag_is_refused_by_splittings() {
     }
 }
 
-/// Samples between the steps err as those at the steps, and asking for them changes no bit of the motion.
+/// Samples within steps err no more than those at the ends of steps, and asking for them changes no bit of the motion.
 #[test]
 fn samples_between_steps_are_of_the_methods_order() {
     for integrator in Integrator::ALL {
@@ -206,19 +207,19 @@ fn samples_between_steps_are_of_the_methods_order() {
             a.samples.iter().zip(&b.samples).map(|(x, y)| apart(&x[1], &y[1])).fold(0.0, f64::max)
         };
         let (at, within) = (worst(&at_steps, &exact_at), worst(&between, &exact_between));
-        assert!(within < 1.5 * at + ROUNDED, "{integrator}: {at:e} {within:e}");
+        assert!(within < 1.5 * at + ROUNDING_ERROR, "{integrator}: {at:e} {within:e}");
     }
 }
 
-/// The tier thesis with any integrator: free flight to the closed form by the exact one, and a brick that lands.
+/// The tier `thesis` takes every integrator: a free flight is as accurate as in the tier `accurate`, and a brick lands.
 #[test]
 fn thesis_takes_any_integrator() {
     let exact = end(tumbling(), Method::default());
     for integrator in Integrator::ALL {
         let method = Method { tier: Some(Tier::Thesis), ..by(integrator, 0.002) };
         let found = apart(&end(tumbling(), method.clone()), &exact);
-        let literal = apart(&end(tumbling(), by(integrator, 0.002)), &exact);
-        assert!(found <= literal * 1.001 + 1e-10, "{integrator}: {found:e} {literal:e}");
+        let in_accurate = apart(&end(tumbling(), by(integrator, 0.002)), &exact);
+        assert!(found <= in_accurate * 1.001 + 1e-10, "{integrator}: {found:e} {in_accurate:e}");
         let landing = Scene::builder("landing")
             .method(method)
             .duration_s(0.6)
@@ -233,9 +234,9 @@ fn thesis_takes_any_integrator() {
     }
 }
 
-/// The plan chooses by the forces: closed form without any, splitting under error control for conservative ones that
-/// are weak over a step, DOP853 for stiff ones and for those that take energy; and the certificate says what the steps
-/// erred.
+/// The plan chooses the integrator by the forces: the closed form without any, splitting under error control for
+/// conservative forces that are weak over a step, DOP853 for stiff forces and for those that take energy. The
+/// certificate holds the error of the steps.
 #[test]
 fn plan_chooses_by_the_forces() {
     let held = |force: Option<Force>| {

@@ -6,7 +6,8 @@ use polhode::scene::Method;
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector};
 use polhode::{Body, Decision, Effect, Effects, EventKind, RunReport, Scene};
 
-/// A bounce of e = 1/2 at another scale of length: times scale with the root of it, and the ball rests when it should.
+/// A bounce with e = 1/2 at another scale of length: all times scale with the square root of the length, that of rest
+/// included.
 #[test]
 fn accumulating_bounce_scales_with_the_root_of_length() {
     for scale in [1e-4, 1.0, 1e4_f64] {
@@ -25,8 +26,8 @@ fn accumulating_bounce_scales_with_the_root_of_length() {
     }
 }
 
-/// A tilted box lands and tumbles on: the same in a world that has been turned and moved, to what poses far from the
-/// origin can hold.
+/// A tilted box lands and tumbles on. In a world that has been rotated and displaced it does the same, to the rounding
+/// of poses far from the origin.
 #[test]
 fn tilted_landing_follows_a_turned_and_moved_world() {
     let landing = |world: Pose| {
@@ -54,8 +55,8 @@ fn tilted_landing_follows_a_turned_and_moved_world() {
     assert!((moved.0 - home.0).length() < 1e-8 && (moved.1 - home.1).length() < 1e-8, "{moved:?} {home:?}");
 }
 
-/// Leaving out rest, and asking for every effect, give the same bits, while a box falls, rattles and comes to rest. It
-/// is turned about no axis of its own, so that its motion is in no plane.
+/// Skipping bodies at rest and computing every effect give the same bits, while a box falls, rattles and comes to rest.
+/// The box is tipped about none of its own axes, so that its motion is in no plane.
 #[test]
 fn all_effects_give_the_same_bits_as_the_plan() {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.1, 0.4, 0.2)), DVec3::Z);
@@ -65,8 +66,8 @@ fn all_effects_give_the_same_bits_as_the_plan() {
     assert!(planned.ledger.closure_relative() < 1e-12 && planned.ledger.momentum.closure_relative() < 1e-12);
 }
 
-/// A box that is tipped about one of its axes lands, rattles and comes to rest in a plane: the three velocities of a
-/// planar motion give what the six give, in any plane, and the box never leaves it.
+/// A box that is tipped about one of its axes lands, rattles and comes to rest in a plane. Planar motion, with three
+/// velocity coordinates, agrees with the motion in space, with six, in any plane; the box never leaves the plane.
 #[test]
 fn planar_motion_is_the_motion_in_space() {
     let tipped = Rotation::from_rotation_vector(DVec3::Y * 0.4);
@@ -86,7 +87,7 @@ fn planar_motion_is_the_motion_in_space() {
     }
 }
 
-/// A box on a floor from `pose`, with the planned effects and with all.
+/// Runs a box on a floor from `pose`, with the planned effects and with all.
 fn rattle(pose: Pose) -> (RunReport, RunReport) {
     let scene = Scene::builder("rattle")
         .method(accurate())

@@ -1,6 +1,6 @@
 //! Kinematic bodies in time steps: the tier `stepped`, and stretches of crowded events in the tier `accurate`.
 
-use crate::checks::worst_place;
+use crate::checks::max_position_error;
 use crate::stepped::{run_by, stepped};
 use crate::support::{accurate, ball, brick, elastic};
 use polhode::contact::Shape;
@@ -30,27 +30,27 @@ fn box_on_a_conveyor_without_friction_stays() {
     let scene = Scene::builder("conveyor").duration_s(1.5).output_interval_s(0.013);
     let scene = scene.body(belt).body(brick("box", DVec3::splat(0.4), DVec3::Z * 0.2));
     let (report, recorder) = run_by(&scene, stepped(0.01));
-    assert!(worst_place(&recorder, 1, |_| DVec3::Z * 0.2) < 1e-13);
+    assert!(max_position_error(&recorder, 1, |_| DVec3::Z * 0.2) < 1e-13);
     for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
         assert_eq!((row[0].pose, row[0].velocity), (trajectory.pose(t), trajectory.velocity(t)), "{t}");
     }
     assert!(report.ledger.external.value().abs() < 1e-13 * report.ledger.scale_j, "{:?}", report.ledger);
 }
 
-/// A lift of constant speed bears a ball: it stays on the lift to rounding, and the work of the lift is the ball's
-/// gain.
+/// A lift of constant speed carries a ball: the ball stays on it to rounding, and the work of the lift is the energy
+/// that the ball gains.
 #[test]
 fn lift_does_the_work_of_raising_a_ball() {
     let scene = Scene::builder("lift").duration_s(1.0).output_interval_s(0.1).body(slab(steady(DVec3::Z * 0.5)));
     let scene = scene.body(ball("ball", 2.0, RADIUS, DVec3::Z * RADIUS, DVec3::Z * 0.5));
     let (report, recorder) = run_by(&scene, stepped(0.01));
-    assert!(worst_place(&recorder, 1, |t| DVec3::Z * (RADIUS + 0.5 * t)) < 1e-12);
+    assert!(max_position_error(&recorder, 1, |t| DVec3::Z * (RADIUS + 0.5 * t)) < 1e-12);
     assert!((report.ledger.external.value() - 2.0 * G * 0.5).abs() < 1e-10, "{:?}", report.ledger);
     assert!(report.ledger.impact.value().abs() < 1e-10, "{:?}", report.ledger);
 }
 
-/// A ball that bounces on a table which goes up and down: the error of `stepped` against `accurate` falls with the
-/// second order of the step, in the place of the ball, in the work of the table and in what the impacts take.
+/// A ball bounces on a table that oscillates vertically. The error of `stepped` against `accurate` is of second order
+/// in the step: in the height of the ball, in the work of the table and in the loss by impacts.
 #[test]
 fn bounces_on_a_shaken_table_converge() {
     let shaken = PrescribedMotion::sine(DVec3::Z * 0.03, DVec3::ZERO, 3.0, 0.0).unwrap();
@@ -73,8 +73,7 @@ fn bounces_on_a_shaken_table_converge() {
     }
 }
 
-/// A ball that rests on a table which goes up and down more gently than gravity stays on it, to second order in the
-/// step.
+/// A ball stays on a table that oscillates with accelerations below g, to second order in the step.
 #[test]
 fn ball_on_a_gentle_table_stays_on_it() {
     let (amplitude, rate) = (0.02, std::f64::consts::TAU);
@@ -85,7 +84,7 @@ fn ball_on_a_gentle_table_stays_on_it() {
     let errors = [0.02, 0.01, 0.005].map(|step| {
         let (report, recorder) = run_by(&scene, stepped(step));
         assert!(report.ledger.impact.value().abs() < step * step, "{step}: {:?}", report.ledger);
-        worst_place(&recorder, 1, |t| DVec3::Z * (RADIUS + top(t)))
+        max_position_error(&recorder, 1, |t| DVec3::Z * (RADIUS + top(t)))
     });
     assert!(errors[2] < 1e-4 && errors[0] / errors[2] > 8.0, "{errors:?}");
 }
@@ -129,8 +128,7 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
     }
 }
 
-/// The same pile by fixed steps; a run that is cut at any time, and restored from a snapshot, goes on with the same
-/// bits.
+/// The same pile by fixed steps: a run restored from a snapshot within a step continues with the same bits.
 #[test]
 fn pile_in_a_shaken_bin_by_fixed_steps() {
     let scene = shaken_bin(6);

@@ -1,5 +1,6 @@
-//! Chains of rings of straight pieces. Their links touch in the bends of their ridges, where no contact of a single
-//! edge or vertex holds them, and swing from one such place to another.
+//! Chains of rings, which are meshes of straight pieces. Two links touch where the edges of one cross those of the
+//! other at a concave bend; no contact of a single edge or vertex can hold a link there, and a swinging link moves from
+//! one such place to the next.
 
 use crate::support::run;
 use polhode::mesh::primitives::{Refinement, Torus};
@@ -9,10 +10,10 @@ use polhode::{Body, Effects, Geometry, Recorder, Scene};
 use std::f64::consts::FRAC_PI_2;
 
 /// The promised limit of penetration: 1e-12 of the size of a ring, m.
-const JUDGED: f64 = 2.0 * (RING[0] + RING[1]) * 1e-12;
+const PENETRATION_LIMIT_M: f64 = 2.0 * (RING[0] + RING[1]) * 1e-12;
 
-/// Multiples of it are spread evenly over the unit interval.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// The fractional parts of its multiples are spread evenly over the unit interval.
+const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 
 /// Radius of a ring's middle line and of its tube, m.
 const RING: [f64; 2] = [0.3, 0.05];
@@ -21,8 +22,8 @@ fn ring() -> SolidMesh {
     Torus::new(RING[0], RING[1]).unwrap().mesh(Refinement::COARSEST).unwrap()
 }
 
-/// Links with some play, every other one turned by a quarter about the direction in which the next one lies; the first
-/// is held.
+/// A chain with some play. Every other link is turned by 90 degrees about the direction of the chain, and the first one
+/// is fixed.
 fn chain(links: u32, towards: DVec3, duration_s: f64) -> Scene {
     turned_chain(&vec![0.0; links as usize], towards, duration_s)
 }
@@ -54,8 +55,8 @@ fn deepest(recorder: &Recorder) -> f64 {
     overlaps.fold(0.0, f64::max)
 }
 
-/// A chain that falls taut without restitution comes to rest at once: its links hang in the bends of each other, twice
-/// the inner radius apart.
+/// A chain that falls taut without restitution comes to rest at once, with the links at the bends of each other, one
+/// inner diameter apart.
 #[test]
 fn a_chain_that_has_fallen_taut_rests() {
     let (report, recorder) = run(&chain(6, DVec3::NEG_Y, 1.0), Effects::Planned);
@@ -64,43 +65,43 @@ fn a_chain_that_has_fallen_taut_rests() {
         assert!(sample.pose.translation.distance(taut) < 1e-10, "{number}: {}", sample.pose.translation);
         assert_eq!((sample.velocity.linear, sample.velocity.angular), (DVec3::ZERO, DVec3::ZERO), "{number}");
     }
-    assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
+    assert!(deepest(&recorder) < PENETRATION_LIMIT_M, "{:e} m", deepest(&recorder));
 }
 
-/// The links of a chain that swings slide and roll from bend to bend, and none comes to overlap another where it is not
-/// held.
+/// The links of a swinging chain slide and roll from bend to bend. They overlap nowhere, also where they have no active
+/// contact.
 #[test]
 fn the_links_of_a_swinging_chain_do_not_overlap() {
     let (report, recorder) = run(&chain(3, DVec3::X, 1.2), Effects::Planned);
-    assert!(deepest(&recorder) < JUDGED, "{:e} m", deepest(&recorder));
+    assert!(deepest(&recorder) < PENETRATION_LIMIT_M, "{:e} m", deepest(&recorder));
     // Without friction a chain loses energy in impacts alone, and the ledger holds how much.
     assert!(report.ledger.closure_relative() < 1e-11, "{:?}", report.ledger);
     assert!(report.ledger.numerical.value().abs() < 1e-8 * report.ledger.scale_j, "{:?}", report.ledger);
 }
 
-/// Links that are turned a little swing out of their plane, where contacts change one by one. At one of the changes two
-/// crossings penetrate within a step, and the one that shows at its end is not the first.
+/// Links that are turned a little swing out of their plane, so that contacts change one by one. At one of the changes
+/// two pairs of crossing edges penetrate within a step, and the one that penetrates at its end is not the first.
 #[test]
 fn links_that_swing_out_of_their_plane_do_not_overlap() {
     for angles in [[0.0, -0.01, 0.3, -0.19], [0.0, -0.1, 0.24, -0.14], [0.0, 0.02, -0.29, 0.2]] {
         let (report, _) = run(&turned_chain(&angles, DVec3::X, 1.0), Effects::Planned);
         let deepest = report.certificate.max_penetration_m;
-        assert!(deepest < JUDGED, "{angles:?}: {deepest:e} m");
+        assert!(deepest < PENETRATION_LIMIT_M, "{angles:?}: {deepest:e} m");
     }
 }
 
-/// For all relative turns of the links, a penetration besides the held contacts is found before it exceeds the promised
-/// limit. In five of these chains it was not found when an overlap was examined only from sixty-four times that depth
-/// on.
+/// At all relative angles of the links, a penetration beside the active contacts is found before it exceeds the
+/// promised limit. (In five of these chains it was not, when an overlap was examined only from sixty-four times the
+/// limit on.)
 #[test]
-fn chains_turned_every_way_overlap_by_no_more_than_judged() {
+fn chains_at_all_relative_angles_keep_the_promised_penetration() {
     for chain in [0, 7, 14, 21, 24, 28, 37, 38_u32] {
         // Well spread over half a radian to both sides; the first link is held as it lies.
-        let spread = |k: u32| (f64::from(7 * chain + k) * GOLDEN).fract() - 0.5;
+        let spread = |k: u32| (f64::from(7 * chain + k) * GOLDEN_RATIO).fract() - 0.5;
         let angles: Vec<f64> = (0..4 + chain % 3).map(|k| if k == 0 { 0.0 } else { spread(k) }).collect();
         let (report, recorder) = run(&turned_chain(&angles, DVec3::X, 0.8), Effects::Planned);
         // The certificate measures contacts; the separation also contains overlaps that no contact shows.
         let deepest = report.certificate.max_penetration_m.max(deepest(&recorder));
-        assert!(deepest < JUDGED, "{angles:?}: {deepest:e} m");
+        assert!(deepest < PENETRATION_LIMIT_M, "{angles:?}: {deepest:e} m");
     }
 }

@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod bad_numbers;
-mod blind_programs;
 mod broad_phases;
 mod checks;
 mod constrained_methods;
@@ -14,6 +13,7 @@ mod forces;
 mod forces_with_contact;
 mod frames;
 mod impacts;
+mod impulse_models;
 mod integrators;
 mod invariance;
 mod kinematic;
@@ -28,6 +28,7 @@ mod pivots;
 mod planar;
 mod prescribed_motion;
 mod program;
+mod public_interface;
 mod refusals;
 mod round_bodies;
 mod snapshots;

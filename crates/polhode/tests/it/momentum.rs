@@ -1,4 +1,4 @@
-//! The ledger of momentum: every account holds what physics says it should.
+//! The ledger of momentum: each of its accounts holds the impulse that mechanics gives.
 
 use crate::checks::{assert_closes, heavy_brick, particle};
 use crate::support::{accurate, ball, elastic, floor, run};
@@ -6,7 +6,7 @@ use polhode::scene::{Attachment, Force, Frame, Signal};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{Effects, Scene};
 
-/// Two balls collide in space: nothing is given, nothing changes.
+/// Two balls collide in free space: no account receives momentum, and the total does not change.
 #[test]
 fn collision_in_space_changes_no_momentum() {
     let scene = Scene::builder("collision")
@@ -25,7 +25,7 @@ fn collision_in_space_changes_no_momentum() {
     assert_closes(&report);
 }
 
-/// A constant force at a point: its impulse is `F t`, and the integrator loses nothing of it.
+/// A constant force at a point: its account holds `F t`, and that of the integration errors nothing.
 #[test]
 fn applied_force_is_booked_as_its_impulse() {
     let force = DVec3::new(1.0, -2.0, 0.5);
@@ -51,8 +51,8 @@ fn applied_force_is_booked_as_its_impulse() {
     assert_closes(&report);
 }
 
-/// A spring between two bodies gives nothing to both together, neither along nor about, also fastened off their
-/// centres.
+/// A spring between two bodies, also fastened beside their centres, gives the pair neither momentum nor angular
+/// momentum.
 #[test]
 fn spring_between_bodies_gives_no_momentum() {
     let scene = Scene::builder("pair")
@@ -79,7 +79,8 @@ fn spring_between_bodies_gives_no_momentum() {
     assert_closes(&report);
 }
 
-/// A box that falls, rattles and comes to rest: what the floor gave is the weight's impulse less the momentum.
+/// A box falls, rattles and comes to rest: the impulse of the floor is the change of momentum less the impulse of the
+/// weight.
 #[test]
 fn floor_gives_the_impulse_of_the_weight() {
     let tilt = Pose::new(Rotation::from_rotation_vector(DVec3::new(0.2, 0.4, 0.1)), DVec3::Z * 0.5);

@@ -65,9 +65,9 @@ fn bin(dice: &Dice) -> Scene {
     scene.build().unwrap()
 }
 
-/// Dice that fall keep the promised limits. Before, projections displaced them by up to thirty times the limit, where
+/// Dice that fall keep the promised limits. (Before, projections displaced them by up to thirty times the limit where
 /// contacts were nearly linearly dependent and where nearly parallel edges seemed to penetrate; and contacts left their
-/// features between two checks of a step.
+/// features between two checks of a step.)
 #[test]
 fn dice_that_fall_into_a_bin_keep_their_promise() {
     for (case, dice) in DICE.iter().enumerate() {
@@ -124,11 +124,11 @@ const BALLS: [[[f64; 3]; 12]; 3] = [
     ],
 ];
 
-/// Balls of radius 0.2 m that fall into a bin as wide as three of them, exactly: rows that lie straight between two
-/// walls can neither yield nor be compressed, and the straighter a row, the larger its contact forces. Impulses that
-/// are rounding errors add no energy (one such solution gave a ball 1e7 m/s, and the run ended with states that are not
-/// finite). Rounding errors of other contacts do not compress a row, and the removal of penetration displaces a row no
-/// further sideways than its contacts allow.
+/// Balls of radius 0.2 m fall into a bin that is exactly three balls wide. A row of balls that lie straight between two
+/// walls can neither yield nor be compressed, and the straighter it is, the larger are its contact forces.
+/// Impulses that are rounding errors add no energy. (One such solution gave a ball 1e7 m/s, and the run ended with
+/// states that are not finite.) Rounding errors of other contacts do not compress a row, and the removal of penetration
+/// displaces a row no further sideways than its contacts allow.
 #[test]
 fn balls_that_fit_exactly_between_walls_keep_their_promise() {
     for (case, places) in BALLS.iter().enumerate() {

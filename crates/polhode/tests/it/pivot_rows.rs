@@ -1,4 +1,6 @@
-//! Pivots as rows of the general path: against the reduced motion, closed forms, and with contacts.
+//! Pivots as constraints: each adds three bilateral rows to the constrained motion. By default the motion of a pivoted
+//! body that nothing can touch is reduced to a rotation about its pivot; with all effects on, its pivot stays a
+//! constraint. The tests compare the rows with that reduction and with closed forms, and combine them with contacts.
 
 use crate::checks::{assert_closes, by, heavy_brick, numerical_relative};
 use crate::support::{accurate, ball, elastic, floor, run};
@@ -9,7 +11,7 @@ use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Vel
 use polhode::{Body, Decision, Effect, Effects, EventKind, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
 
 const G: f64 = 9.81;
-const PLACE: DVec3 = DVec3::new(0.3, -0.2, 1.1);
+const PIVOT: DVec3 = DVec3::new(0.3, -0.2, 1.1);
 
 /// A top of mass 0.9 with its centre of mass 0.25 above the point it stands on, tilted and spinning.
 fn top(moments: DVec3, spin: DVec3) -> Body {
@@ -17,16 +19,16 @@ fn top(moments: DVec3, spin: DVec3) -> Body {
         MassProperties::new(Mass::new(0.9).unwrap(), DVec3::Z * 0.25, Inertia::from_diagonal(moments).unwrap());
     let turn = Rotation::from_rotation_vector(DVec3::new(0.3, 0.4, 0.1));
     Body::movable("top", properties)
-        .pose(Pose::new(turn, PLACE))
-        .pivot(PLACE)
+        .pose(Pose::new(turn, PIVOT))
+        .pivot(PIVOT)
         .velocity(Velocity::new(DVec3::ZERO, turn.rotate(spin)))
 }
 
 fn tops() -> [(&'static str, Body); 4] {
     let turn = Rotation::from_rotation_vector(DVec3::Y * 2.0);
     let pendulum = heavy_brick("pendulum", 1.6, DVec3::new(0.1, 0.2, 0.9), DVec3::ZERO)
-        .pose(Pose::new(turn, PLACE - turn.rotate(DVec3::Z * 0.4)))
-        .pivot(PLACE);
+        .pose(Pose::new(turn, PIVOT - turn.rotate(DVec3::Z * 0.4)))
+        .pivot(PIVOT);
     [
         ("Lagrange top", top(DVec3::new(0.02, 0.02, 0.013), DVec3::Z * 60.0)),
         ("asymmetric top", top(DVec3::new(0.02, 0.025, 0.013), DVec3::new(1.0, 0.5, 30.0))),
@@ -46,7 +48,8 @@ fn largest_difference(a: &Recorder, b: &Recorder) -> (f64, f64) {
     })
 }
 
-/// The motion of tops held by rows is the reduced one, to 1e-12 of their size and speed over a second.
+/// Tops whose pivots are rows move as those reduced to a rotation: to 1e-12 in position and in relative angular
+/// velocity, over a second.
 #[test]
 fn rows_move_tops_as_the_reduction_does() {
     for (name, body) in tops() {
@@ -57,8 +60,8 @@ fn rows_move_tops_as_the_reduction_does() {
         let (place, speed) = largest_difference(&turning, &rows);
         let fastest = rows.samples.iter().map(|row| row[0].velocity.angular.length()).fold(1.0, f64::max);
         assert!(place < 1e-12 && speed < 1e-12 * fastest, "{name}: {place:e} {speed:e}");
-        let point = scene.bodies()[0].initial_pose().inverse_transform_point(PLACE);
-        let drift = rows.samples.iter().map(|row| (row[0].pose.transform_point(point) - PLACE).length());
+        let point = scene.bodies()[0].initial_pose().inverse_transform_point(PIVOT);
+        let drift = rows.samples.iter().map(|row| (row[0].pose.transform_point(point) - PIVOT).length());
         assert!(drift.fold(0.0, f64::max) < 1e-13);
         assert!(numerical_relative(&report) < 1e-13, "{:e}", numerical_relative(&report));
         assert_closes(&report);
@@ -70,7 +73,7 @@ fn rows_move_tops_as_the_reduction_does() {
     }
 }
 
-/// At the default tolerance a top that something may touch errs no more than its step allows.
+/// At the default tolerance a top whose pivot is a constraint stays within 2e-11 of the reduced motion.
 #[test]
 fn rows_are_as_exact_as_the_tolerance_asks() {
     for (name, body) in tops() {
@@ -81,7 +84,7 @@ fn rows_are_as_exact_as_the_tolerance_asks() {
     }
 }
 
-/// By RK4 too, with the forces of the pivot at every stage: of order four.
+/// RK4, which computes the forces of the pivot at every stage, is of order four for a top too.
 #[test]
 fn rk4_moves_a_top_on_rows_at_order_four() {
     let (_, body) = tops().into_iter().nth(1).unwrap();
@@ -99,9 +102,9 @@ fn rk4_moves_a_top_on_rows_at_order_four() {
     }
 }
 
-/// The brick of the pivot tests, hanging at rest from PLACE.
+/// The brick of the tests in `pivots.rs`, hanging at rest from `PIVOT`.
 fn rod(turn: Rotation) -> Body {
-    heavy_brick("rod", MASS, SIZE, DVec3::ZERO).pose(Pose::new(turn, PLACE - turn.rotate(DVec3::Z * ARM))).pivot(PLACE)
+    heavy_brick("rod", MASS, SIZE, DVec3::ZERO).pose(Pose::new(turn, PIVOT - turn.rotate(DVec3::Z * ARM))).pivot(PIVOT)
 }
 
 const MASS: f64 = 1.6;
@@ -116,14 +119,15 @@ fn weightless(name: &str, duration: f64) -> SceneBuilder {
     Scene::builder(name).method(accurate()).gravity(DVec3::ZERO).duration_s(duration)
 }
 
-/// A ball strikes a rod that hangs from a pivot at a depth d. The pivot gives `J (1 - m a d/I)`: nothing where the ball
-/// strikes the centre of percussion, against it above, with it below.
+/// A ball strikes a hanging rod at depth d below its pivot with the impulse J. The pivot gives the rod the impulse
+/// `J (m a d/I - 1)`, where a is the depth of the centre of mass: zero at the centre of percussion, against J above it,
+/// along J below it.
 #[test]
 fn the_pivot_bears_what_the_centre_of_percussion_says() {
     let (mass, speed, e, radius) = (0.3, 2.0, 0.5, 0.05);
     let moment = swing_moment();
     for depth in [0.3, moment / (MASS * ARM), 0.75] {
-        let place = PLACE + DVec3::new(0.5 * SIZE.x + radius, 0.0, -depth);
+        let place = PIVOT + DVec3::new(0.5 * SIZE.x + radius, 0.0, -depth);
         let scene = weightless("percussion", 1e-6)
             .body(rod(Rotation::IDENTITY).material(elastic(e)))
             .body(ball("ball", mass, radius, place, DVec3::NEG_X * speed).material(elastic(e)))
@@ -141,12 +145,12 @@ fn the_pivot_bears_what_the_centre_of_percussion_says() {
     }
 }
 
-/// A rod swings against a post: its rate reverses and is e times as large, the impulse is `(1 + e) w I/d`; a post that
-/// moves by itself gives it `(1 + e) v/d`.
+/// A rod that swings against a post at depth d with the rate w rebounds with `e w`; the impulse is `(1 + e) w I/d`. A
+/// post that moves at v strikes a hanging rod, which then has the rate `(1 + e) v/d`.
 #[test]
 fn a_rod_rebounds_from_a_post() {
     let (w, e, depth, radius, moment) = (1.3, 0.4, 0.6, 0.1, swing_moment());
-    let place = PLACE + DVec3::new(-0.5 * SIZE.x - radius, 0.0, -depth);
+    let place = PIVOT + DVec3::new(-0.5 * SIZE.x - radius, 0.0, -depth);
     let shape = || Shape::sphere(radius).unwrap();
     let post = Body::fixed("post").geometry(shape().into()).pose(Pose::from_translation(place)).material(elastic(e));
     // A turn about +y carries what hangs towards -x.
@@ -159,7 +163,7 @@ fn a_rod_rebounds_from_a_post() {
     assert!((struck[0].impulse - (1.0 + e) * w * moment / depth).abs() < 1e-11, "{}", struck[0].impulse);
     let after = report.bodies[1].1;
     assert!((after.velocity.angular + DVec3::Y * (e * w)).length() < 1e-11, "{after:?}");
-    assert!((after.pose.transform_point(DVec3::Z * ARM) - PLACE).length() < 1e-14);
+    assert!((after.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-14);
     assert_closes(&report);
     let motion = polhode::scene::PrescribedMotion::constant_velocity(Velocity::new(DVec3::X * 0.7, DVec3::ZERO));
     let pusher = Body::kinematic("pusher", motion.unwrap()).geometry(shape().into()).material(elastic(e));
@@ -172,16 +176,17 @@ fn a_rod_rebounds_from_a_post() {
     assert_closes(&report);
 }
 
-/// A plank on a pivot and a post, with a ball on it: `N s = (m a + M x) g`, the pivot bears the rest, pulling where the
-/// post stands inside; nothing moves.
+/// A plank rests on a pivot and on a post at distance s from it, with a ball on it. The post bears `N = (m a + M x)
+/// g/s`, with a and x the distances of the centre of mass and of the ball from the pivot. The pivot bears the rest, and
+/// pulls down if the post is near it. Nothing moves.
 #[test]
 fn a_plank_rests_on_a_pivot_and_a_post() {
     let (size, mass, weight, radius) = (DVec3::new(2.0, 0.3, 0.1), 3.0, 1.2, 0.1);
     for post_at in [1.5, 0.6] {
-        let plank = heavy_brick("plank", mass, size, PLACE + DVec3::X).pivot(PLACE);
-        let below = PLACE + DVec3::new(post_at, 0.0, -0.5 * size.z - radius);
+        let plank = heavy_brick("plank", mass, size, PIVOT + DVec3::X).pivot(PIVOT);
+        let below = PIVOT + DVec3::new(post_at, 0.0, -0.5 * size.z - radius);
         let post = Body::fixed("post").geometry(Shape::sphere(radius).unwrap().into());
-        let above = PLACE + DVec3::new(0.3, 0.0, 0.5 * size.z + radius);
+        let above = PIVOT + DVec3::new(0.3, 0.0, 0.5 * size.z + radius);
         let scene = Scene::builder("plank")
             .method(accurate())
             .duration_s(1.0)
@@ -210,14 +215,14 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
     }
 }
 
-/// A rod on a pivot falls over and pushes a box along a smooth floor. While they touch, `(I w^2 + M v^2)/2` is what the
-/// weight has given, with v the speed of the edge that pushes. Rows, the reduced frame and RK4 agree, also on when they
-/// part.
+/// A rod on a pivot falls over and pushes a box along a smooth floor. While they touch, `(I w^2 + M v^2)/2` is the work
+/// of the weight, where v is the speed of the pushing edge and of the box. The default method, fixed steps of the exact
+/// integrator and RK4 agree, also on the time when they part.
 #[test]
 fn a_falling_rod_pushes_a_box() {
     let (tilt, mass, moment) = (0.3_f64, 2.0, swing_moment());
     let low = DVec3::new(0.0, 0.0, 0.6);
-    // From the pivot, which is 0.4 below its centre.
+    // The edge relative to the pivot, which is 0.4 m below the centre.
     let edge = |angle: f64| Rotation::from_rotation_vector(DVec3::Y * angle).rotate(DVec3::new(0.05, 0.0, 0.85));
     let turn = Rotation::from_rotation_vector(DVec3::Y * tilt);
     let scene = |method| {
@@ -251,8 +256,8 @@ fn a_falling_rod_pushes_a_box() {
     }
 }
 
-/// Two tops lean on each other with their heads: the contact slides as they go round, the energy stays, and the mirror
-/// symmetry of the pair.
+/// Two tops lean against each other with their heads. The contact slides over both while they go round; the energy and
+/// the mirror symmetry of the pair are kept.
 #[test]
 fn two_tops_lean_on_each_other() {
     let (length, radius, lean) = (0.25, 0.1, 0.35_f64);
@@ -277,7 +282,7 @@ fn two_tops_lean_on_each_other() {
     assert!(recorder.events.iter().all(|event| event.kind != EventKind::Impact), "{:?}", recorder.events);
     for row in &recorder.samples {
         let (right, left) = (row[0].pose.translation, row[1].pose.translation);
-        // Mirror images in the plane x = 0; a mirror turns a spin round.
+        // Mirror images in the plane x = 0; a reflection reverses a spin.
         assert!((right * DVec3::new(-1.0, 1.0, 1.0) - left).length() < 1e-10, "{right} {left}");
         assert!((right - left).length() > 2.0 * radius - 1e-12);
     }
@@ -289,7 +294,8 @@ fn two_tops_lean_on_each_other() {
     assert!(apart < 1e-6, "{apart:e}");
 }
 
-/// What a program does to a body that rows hold leaves its pivot where it is; snapshots of it go on with the same bits.
+/// Actions of a program on a body whose pivot is a constraint leave the pivot where it is, and a run restored from a
+/// snapshot goes on with the same bits.
 #[test]
 fn programs_act_on_bodies_that_rows_hold() {
     let scene =
@@ -298,24 +304,24 @@ fn programs_act_on_bodies_that_rows_hold() {
     let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
     let id = simulation.body_id("rod").unwrap();
     simulation.advance_to(0.1, &mut Unobserved).unwrap();
-    simulation.apply_impulse(id, DVec3::X * 0.5, PLACE - DVec3::Z * 0.7).unwrap();
+    simulation.apply_impulse(id, DVec3::X * 0.5, PIVOT - DVec3::Z * 0.7).unwrap();
     let w = -0.5 * 0.7 / swing_moment();
     let now = simulation.body(id);
     assert!((now.velocity.angular - DVec3::Y * w).length() < 1e-14, "{now:?}");
     assert!((now.velocity.linear + DVec3::X * (w * ARM)).length() < 1e-14, "{now:?}");
     simulation.set_velocity(id, Velocity::new(DVec3::ONE, DVec3::Y * 2.0)).unwrap();
     assert!((simulation.body(id).velocity.linear - DVec3::NEG_X * (2.0 * ARM)).length() < 1e-14);
-    let away = Pose::from_translation(PLACE + DVec3::X);
+    let away = Pose::from_translation(PIVOT + DVec3::X);
     assert!(simulation.set_pose(id, away).is_err());
     let turn = Rotation::from_rotation_vector(DVec3::X * 0.2);
-    simulation.set_pose(id, Pose::new(turn, PLACE - turn.rotate(DVec3::Z * ARM))).unwrap();
+    simulation.set_pose(id, Pose::new(turn, PIVOT - turn.rotate(DVec3::Z * ARM))).unwrap();
     simulation.advance_to(0.437, &mut Unobserved).unwrap();
     let snapshot = simulation.snapshot();
     let mut other = Simulation::new(&scene, Effects::Planned).unwrap();
     other.restore(&snapshot).unwrap();
     let report = simulation.run(&mut Unobserved).unwrap();
     assert_eq!(other.run(&mut Unobserved).unwrap().bodies, report.bodies);
-    assert!((report.bodies[1].1.pose.transform_point(DVec3::Z * ARM) - PLACE).length() < 1e-13);
+    assert!((report.bodies[1].1.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-13);
     assert_closes(&report);
 }
 

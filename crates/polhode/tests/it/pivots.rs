@@ -1,4 +1,4 @@
-//! Bodies held at a point: pendulums, tops, gyroscopes, and what strikes them.
+//! Bodies held at a point: pendulums, tops and gyroscopes, and impacts on them.
 
 use crate::checks::{assert_closes, by, complete_elliptic, heavy_brick, numerical_relative};
 use crate::support::{accurate, ball, elastic, run};
@@ -8,11 +8,12 @@ use polhode::{Body, Decision, Effect, Effects, EventKind, Scene, SceneError, Sim
 
 const G: f64 = 9.81;
 
-/// A brick of mass 1.6 that hangs at `at` (in its own frame) from the point `HOOK`, turned by `turn`.
+/// The pivot, in the world, m.
 const HOOK: DVec3 = DVec3::new(0.7, -0.4, 2.0);
 const SIZE: DVec3 = DVec3::new(0.1, 0.2, 0.9);
 const BRICK_MASS: f64 = 1.6;
 
+/// A brick that hangs from `HOOK` at the point `at` of its own frame, turned by `turn`.
 fn hanging(at: DVec3, turn: Rotation) -> Body {
     heavy_brick("pendulum", BRICK_MASS, SIZE, DVec3::ZERO).pose(Pose::new(turn, HOOK - turn.rotate(at))).pivot(HOOK)
 }
@@ -26,8 +27,8 @@ fn about_y(angle: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Y * angle)
 }
 
-/// The period of a pendulum by the complete elliptic integral, up to almost upright, reduced and by rows; the velocity
-/// reported is that of the centre of mass at every sample.
+/// A pendulum swings with the period of the complete elliptic integral, up to almost upright, reduced to a rotation and
+/// with its pivot as a constraint. At every sample the velocity is that of the centre of mass.
 #[test]
 fn pendulum_swings_with_its_elliptic_period() {
     let d = 0.37;
@@ -43,7 +44,7 @@ fn pendulum_swings_with_its_elliptic_period() {
         let angles = [amplitude, 0.0, -amplitude, 0.0, amplitude];
         for effects in [Effects::Planned, Effects::All] {
             let (report, recorder) = run(&scene, effects);
-            // Near the top a small error grows by exp(rate T/4) each quarter.
+            // Near the upright position an error grows by exp(rate T/4) in a quarter of the period.
             let tolerance = if amplitude > 3.0 { 1e-8 } else { 1e-10 };
             for (row, angle) in recorder.samples.iter().zip(angles) {
                 let apart = row[0].pose.rotation.angle_to(about_y(angle));
@@ -72,7 +73,7 @@ fn pendulum_accelerates_as_its_equation_says() {
     let arm = about_y(theta).rotate(DVec3::NEG_Z * d);
     assert!((found.angular - alpha).length() < 1e-13, "{found:?} {alpha}");
     assert!((found.linear - (alpha.cross(arm) - arm * (w * w))).length() < 1e-13, "{found:?}");
-    // The pivot bears what the weight does not explain, by rows and without.
+    // The pivot bears what the weight does not explain, as a constraint and in the reduced motion.
     let borne = (found.linear + DVec3::Z * G) * BRICK_MASS;
     for effects in [Effects::Planned, Effects::All] {
         let pivots = Simulation::new(&scene, effects).unwrap().pivots();
@@ -82,8 +83,8 @@ fn pendulum_accelerates_as_its_equation_says() {
     }
 }
 
-/// Steady precession of a heavy symmetric top: `(I3 - I1) cos(theta) W^2 + I3 s W - m g l = 0` for the own spin s, with
-/// moments about the pivot; its axis goes round at W and keeps its tilt.
+/// Steady precession of a heavy symmetric top: `(I3 - I1) cos(theta) W^2 + I3 s W - m g l = 0`, with the spin s about
+/// its own axis and moments about the pivot. The axis goes round at the rate W and keeps its tilt.
 #[test]
 fn symmetric_top_precesses_steadily() {
     let (mass, l, i1, i3, tilt, w) = (0.9, 0.25, 0.02, 0.013, 0.7, 1.9);
@@ -108,7 +109,7 @@ fn symmetric_top_precesses_steadily() {
     assert_closes(&report);
 }
 
-/// A pivot off the principal axes: energy and the angular momentum about the vertical stay, and splitting by small
+/// A pivot off the principal axes: the energy and the vertical angular momentum are conserved, and splitting with small
 /// steps finds the same motion.
 #[test]
 fn pivot_off_the_principal_axes_keeps_energy_and_vertical_momentum() {
@@ -135,8 +136,8 @@ fn pivot_off_the_principal_axes_keeps_energy_and_vertical_momentum() {
     assert!(apart < 1e-9, "{apart:e}");
 }
 
-/// A gyroscope held at its centre of mass feels no gravity: it flies by its record, as the same body free in space
-/// does.
+/// A gyroscope held at its centre of mass feels no torque of gravity: it follows the flight record of the same body
+/// free in space.
 #[test]
 fn balanced_gyroscope_turns_as_a_free_body() {
     let spin = Velocity::new(DVec3::ZERO, DVec3::new(3.0, 0.2, 40.0));
@@ -153,8 +154,8 @@ fn balanced_gyroscope_turns_as_a_free_body() {
     assert_closes(&held);
 }
 
-/// A ball strikes a rod that hangs from a pivot: `J = (1 + e) v/(1/m + d^2/I)`. Energy (with e = 1) and the angular
-/// momentum about the pivot stay; the pivot's own impulse is the world's.
+/// A ball strikes a rod that hangs from a pivot: `J = (1 + e) v/(1/m + d^2/I)`. The energy (with e = 1) and the angular
+/// momentum about the pivot are conserved; the ledger books the impulse of the pivot as one of the world.
 #[test]
 fn ball_strikes_a_pivoted_rod() {
     let (m, v, d, radius, arm) = (0.3, 2.0, 0.6, 0.05, 0.4);
@@ -186,7 +187,7 @@ fn ball_strikes_a_pivoted_rod() {
     }
 }
 
-/// A pendulum swings under gravity against a wall, again and again, with e = 1: it comes back to the height it left.
+/// A pendulum swings under gravity against a wall, again and again, with e = 1: it returns to its starting height.
 #[test]
 fn pendulum_bounces_off_a_wall() {
     let d = 0.4;
@@ -194,7 +195,7 @@ fn pendulum_bounces_off_a_wall() {
         .geometry(polhode::contact::Shape::cuboid(DVec3::new(0.2, 1.0, 1.6)).unwrap().into())
         .pose(Pose::from_translation(HOOK + DVec3::new(0.05 + 0.1, 0.0, -1.0)))
         .material(elastic(1.0));
-    // It hangs at rest when it strikes, so that its period is half of that of the free pendulum.
+    // The wall stands where the pendulum hangs straight down, so that its period is half of that of the free pendulum.
     let amplitude = 1.0;
     let rate = f64::sqrt(BRICK_MASS * G * d / swing_moment(d));
     let period = 4.0 * complete_elliptic(f64::sin(0.5 * amplitude)) / rate;
@@ -238,7 +239,7 @@ fn pendulum_comes_to_rest_on_a_stop() {
     assert_closes(&report);
 }
 
-/// A velocity that would carry the pivot away is refused, and one that is the rotation's own is not.
+/// A velocity that would move the pivot is refused; one of a rotation about the pivot is accepted.
 #[test]
 fn velocity_that_moves_the_pivot_is_refused() {
     let w = DVec3::Y * 2.0;

@@ -1,4 +1,4 @@
-//! Planar motion: when the plan finds it, and that it is the motion in space.
+//! Planar motion: when the plan chooses it, and that it agrees with motion in space.
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::support::{accurate, elastic, run};
@@ -6,7 +6,7 @@ use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Decision, Effect, Effects, RunReport, Scene, SceneBuilder};
 
-/// A world turned so that no axis of it is special: its vertical, and the normal of its plane of motion.
+/// Rotates a world so that neither its vertical nor the normal of the plane of motion is a coordinate axis.
 fn turned() -> Rotation {
     Rotation::from_rotation_vector(DVec3::new(0.4, -0.3, 0.8))
 }
@@ -36,8 +36,8 @@ fn is_planar(report: &RunReport) -> bool {
     planar.is_some_and(|effect| effect.decision == Decision::On)
 }
 
-/// A box turned about the vertical by 30 degrees and tipped about its own axis moves in a plane that is no plane of the
-/// world's, also where the world itself is turned; the motion is that in space, and so are its events.
+/// A box turned about the vertical by 30 degrees and tipped about its own axis moves in a plane that is no coordinate
+/// plane, also in a rotated world. Its motion and its events are those of motion in space.
 #[test]
 fn box_in_a_tilted_plane_moves_as_in_space() {
     for (world, velocity) in [
@@ -56,16 +56,17 @@ fn box_in_a_tilted_plane_moves_as_in_space() {
         assert!(a.pose.rotation.angle_to(b.pose.rotation) < 1e-12, "{a:?} {b:?}");
         assert_eq!(found.events.len(), reference.events.len());
         for (x, y) in found.events.iter().zip(&reference.events) {
-            // An impact of the rattle takes over the error of those before, over its smaller speed.
+            // Each impact of the rattling magnifies the error of those before, by the ratio of the speeds.
             assert!(x.kind == y.kind && (x.t - y.t).abs() < 1e-11, "{x:?} {y:?}");
         }
         assert_closes(&planned);
     }
 }
 
-/// Out of the plane by a nanometre a second, or turned out of it by a nanoradian: motion in space.
+/// The plan chooses motion in space for a velocity of a nanometre a second out of the plane, or a turn of a nanoradian
+/// out of it.
 #[test]
-fn motion_out_of_the_plane_by_a_trace_is_in_space() {
+fn motion_slightly_out_of_the_plane_is_in_space() {
     let along = Velocity::new(DVec3::X, DVec3::ZERO);
     assert!(is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, along).build().unwrap(), Effects::Planned).0));
     let aside = Velocity::new(DVec3::new(1.0, 1e-9, 0.0), DVec3::ZERO);
@@ -75,10 +76,10 @@ fn motion_out_of_the_plane_by_a_trace_is_in_space() {
     assert!(!is_planar(&run(&landing(Rotation::IDENTITY, 0.0, 0.35, spinning).build().unwrap(), Effects::Planned).0));
 }
 
-/// Fixed bodies count too: a step in the floor that is not symmetric in the plane of the box moves the box out of it,
-/// and the plan chooses motion in space.
+/// Fixed bodies count too: a step in the floor that is not symmetric about the plane of the box moves the box out of
+/// it, and the plan chooses motion in space.
 #[test]
-fn fixed_body_beside_the_plane_spoils_it() {
+fn asymmetric_fixed_body_makes_motion_in_space() {
     for (y, planar) in [(0.0, true), (1e-7, false)] {
         let block = Body::fixed("block")
             .geometry(Shape::cuboid(DVec3::new(0.2, 0.2, 0.1)).unwrap().into())
@@ -93,7 +94,7 @@ fn fixed_body_beside_the_plane_spoils_it() {
     }
 }
 
-/// A stack of boxes and a ball in one plane, beside each other along it: bodies of several kinds.
+/// A stack of boxes and a ball beside it, all in one plane.
 #[test]
 fn several_bodies_in_one_plane_move_as_in_space() {
     let size = DVec3::new(0.4, 0.3, 0.2);
@@ -111,7 +112,7 @@ fn several_bodies_in_one_plane_move_as_in_space() {
     let (planned, found) = run(&scene, Effects::Planned);
     let (all, reference) = run(&scene, Effects::All);
     assert!(is_planar(&planned));
-    // Every impact multiplies what rounding has left; the first half second holds three.
+    // Every impact magnifies the rounding errors; the first half second holds three impacts.
     let half = found.times.iter().position(|&t| t >= 0.5).unwrap();
     for (a, b) in found.samples[half].iter().zip(&reference.samples[half]) {
         assert!((a.pose.translation - b.pose.translation).length() < 1e-11, "{a:?} {b:?}");
@@ -134,9 +135,9 @@ fn pyramid() -> ConvexPolyhedron {
     ConvexPolyhedron::from_faces(vertices, faces).unwrap()
 }
 
-/// A pyramid that falls on the tip of another, tips over it and comes to lie along one of its edges with the corner of
-/// its base, in the plane of motion. Two edges meet at that corner, images of each other, and either may be named as
-/// the one that is nearest: neither may let the corner through.
+/// A pyramid falls on the tip of another, tips over it, and a corner of its base comes to lie on an edge of the other,
+/// in the plane of motion. Two edges meet at that corner, mirror images of each other, and either may be taken for the
+/// nearest one. With neither may the corner pass through.
 #[test]
 fn a_corner_in_the_plane_of_motion_lands_as_in_space() {
     let properties = polhode::mesh::solid_box(DVec3::ONE, polhode::spatial::Mass::new(1.0).unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! Prescribed motion: closed forms, derivatives, smoothness at samples, bounds, and what is refused.
+//! Prescribed motion: closed forms, derivatives, smoothness at samples, bounds, and refused input.
 
 use crate::support::{ball, floor};
 use polhode::contact::Shape;
@@ -9,7 +9,7 @@ use polhode::{Body, Geometry, Scene, SceneError};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A pose without symmetry.
+/// A pose without special directions.
 fn initial() -> Pose {
     Pose::new(Rotation::from_rotation_vector(DVec3::new(0.3, -1.1, 0.7)), DVec3::new(2.0, -3.0, 0.5))
 }
@@ -49,7 +49,7 @@ fn each_kind() -> Vec<Trajectory> {
     motions.into_iter().map(|motion| motion.unwrap().from_pose(&initial())).collect()
 }
 
-/// `y'` at zero from values on either side, to fourth order.
+/// The derivative of `y` at zero by central differences of fourth order with spacing h.
 fn rate(h: f64, y: impl Fn(f64) -> DVec3) -> DVec3 {
     ((y(h) - y(-h)) * 8.0 - (y(2.0 * h) - y(-2.0 * h))) / (12.0 * h)
 }
@@ -68,8 +68,8 @@ fn constant_velocity() {
     assert_eq!(trajectory.corner_between(0.0, 10.0), None);
 }
 
-/// An oscillation is centred on the initial pose; at t = 0 the body is where the phase puts it. A quarter of a period
-/// later, with phase zero, it is at the amplitude and stands.
+/// An oscillation is centred on the initial pose; at t = 0 the phase decides where the body is. With phase zero it is
+/// at the amplitude, with velocity zero, a quarter of a period later.
 #[test]
 fn sine() {
     let (amplitude, rotation) = (DVec3::new(0.0, 0.3, 0.4), DVec3::new(0.2, 0.0, 0.0));
@@ -91,7 +91,7 @@ fn sine() {
     assert!(start.rotation.angle_to(turned(0.1, 0.0, 0.0) * initial().rotation) < 1e-15);
 }
 
-/// From rest to rest between two samples: `10 x^3 - 15 x^4 + 6 x^5` of the way, in position and in angle.
+/// Between two samples the body moves from rest to rest by `10 x^3 - 15 x^4 + 6 x^5`, in position and in angle.
 #[test]
 fn two_samples() {
     let table = MotionTable {
@@ -111,8 +111,8 @@ fn two_samples() {
     }
 }
 
-/// A table goes through its samples; before the first and after the last one the body stands still. What it does not
-/// give stays as in the initial pose.
+/// A table passes through its samples; before the first and after the last one the body stands still. A table without
+/// orientations, or without positions, keeps those of the initial pose.
 #[test]
 fn table_goes_through_its_samples() {
     let full = table();
@@ -141,7 +141,8 @@ fn table_goes_through_its_samples() {
     assert_eq!(turned.from_pose(&initial()).pose(0.7).translation, initial().translation);
 }
 
-/// Velocity and acceleration are the derivatives of the pose, of every kind, also where rotations do not commute.
+/// Velocity and acceleration are the derivatives of the pose, for every kind of motion, also where rotations do not
+/// commute.
 #[test]
 fn velocities_and_accelerations_are_derivatives() {
     let h = 1e-3;
@@ -151,7 +152,7 @@ fn velocities_and_accelerations_are_derivatives() {
             let linear = rate(h, |s| trajectory.pose(t + s).translation);
             let from = trajectory.pose(t).rotation.inverse();
             let angular = rate(h, |s| (trajectory.pose(t + s).rotation * from).to_rotation_vector());
-            // Fifth derivatives times h^4/30: the table has up to 1e5.
+            // The difference formula errs by the fifth derivative times h^4/30: that of the table is up to 1e5.
             assert!((velocity.linear - linear).length() < 1e-8, "{t}: {} {linear}", velocity.linear);
             assert!((velocity.angular - angular).length() < 1e-7, "{t}: {} {angular}", velocity.angular);
             let acceleration = trajectory.acceleration(t);
@@ -180,7 +181,7 @@ fn tables_are_twice_continuously_differentiable() {
                 + (aa.linear - ab.linear).length()
                 + (aa.angular - ab.angular).length()
         };
-        // No faster than the largest third derivative of the table, some 1e5, lets it change.
+        // The acceleration may change by the largest third derivative of the table, some 1e5, times the spacing.
         for step in [1e-6, 1e-9] {
             assert!(distance(step) < 1e5 * step + 1e-9, "{t}: {}", distance(step));
         }
@@ -210,7 +211,7 @@ fn turns_about_one_axis_are_those_of_the_angle() {
     assert!((trajectory.pose(3.0).translation.length() - 12.5).abs() < 1e-14);
 }
 
-/// A smooth motion from rest to rest, about axes that change, is met to fourth order by its samples.
+/// A table of samples of a smooth motion from rest to rest, about changing axes, approximates it to fourth order.
 #[test]
 fn order_of_tables() {
     let way = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
@@ -239,7 +240,7 @@ fn order_of_tables() {
     assert!(orders.0 > 3.8 && orders.1 > 3.8, "{coarse:?} {fine:?} {orders:?}");
 }
 
-/// The curve through orientations depends neither on the axes of the world nor on those of the body.
+/// The interpolation of orientations depends neither on the axes of the world nor on those of the body.
 #[test]
 fn tables_do_not_depend_on_frames() {
     let (world, body) = (turned(0.4, 1.0, -2.0), turned(-1.0, 0.3, 0.8));
@@ -258,9 +259,10 @@ fn tables_do_not_depend_on_frames() {
     }
 }
 
-/// A step of an integrator may not pass a sample of a table: the next one on the way is told, in both directions.
+/// A step of an integrator may not pass a sample of a table: `corner_between` gives the next one, in both directions of
+/// time.
 #[test]
-fn corners() {
+fn the_next_sample_of_a_table_is_found_in_both_directions() {
     let motion = PrescribedMotion::table(&table()).unwrap();
     assert_eq!(motion.corner_between(0.0, 9.0), Some(0.2));
     assert_eq!(motion.corner_between(0.2, 9.0), Some(0.5));
@@ -271,7 +273,7 @@ fn corners() {
     assert_eq!(motion.corner_between(f64::NAN, 9.0), None);
 }
 
-/// Over short intervals bounds come down to what the motion does there.
+/// Over short intervals the bounds tend to the values of the motion.
 #[test]
 fn bounds_shrink() {
     for trajectory in each_kind() {
@@ -380,9 +382,9 @@ proptest! {
             let from = trajectory.pose(t).rotation.inverse();
             let angular = rate(h, |s| (trajectory.pose(t + s).rotation * from).to_rotation_vector());
             let velocity = trajectory.velocity(t).angular;
-            // The larger of what the body does on the way: tables may turn to and fro.
+            // Tolerances are relative to the largest rates of the segment: a table may turn to and fro.
             let bounds = trajectory.bounds(pair[0], pair[1]);
-            // The way there ends at the sample, and does not jump to it.
+            // The motion before a sample ends at it and does not jump to it.
             let near = trajectory.pose(pair[1] - 1e-9 * length).rotation;
             let jump = near.angle_to(trajectory.pose(pair[1]).rotation);
             prop_assert!(jump <= 1.1e-9 * length * bounds.angular_speed + 1e-12, "{jump}");
@@ -395,7 +397,7 @@ proptest! {
     }
 }
 
-/// Constant velocity and the other kinds over intervals of every length, also at times that are none.
+/// Bounds of all kinds over intervals of every length; over an interval with a NaN the bound is infinite.
 #[test]
 fn bounds_of_every_kind() {
     let parts: Vec<f64> = (0..=20).map(|k| f64::from(k) / 20.0).collect();
@@ -440,7 +442,7 @@ fn bad_numbers() {
     assert!(matches!(too_fast, MotionError::TooFast { quantity: "an acceleration in m/s^2", .. }), "{too_fast}");
 }
 
-/// Tables without samples, with a time out of order, with too few entries, or with half a turn from sample to sample.
+/// Tables without samples, with times out of order, with too few entries, or with half a turn or more between samples.
 #[test]
 fn bad_tables() {
     let refused = |table: MotionTable| PrescribedMotion::table(&table).unwrap_err();
@@ -460,7 +462,7 @@ fn bad_tables() {
         |orientations| MotionTable { times_s: vec![0.0, 1.0], positions_m: None, orientations: Some(orientations) };
     let half = two(SampledOrientations::Rotations(vec![Rotation::IDENTITY, turned(0.0, PI, 0.0)]));
     assert!(matches!(refused(half), MotionError::Turn { index: 1, angle } if (angle - PI).abs() < 1e-12));
-    // A whole turn and a bit: the orientations alone would say a bit.
+    // A turn of more than 2 pi: from the orientations alone it would look like a small one.
     let whole = two(SampledOrientations::RotationVectors(vec![DVec3::ZERO, DVec3::Z * (TAU + 0.1)]));
     assert!(matches!(refused(whole), MotionError::Turn { index: 1, .. }));
     let most = two(SampledOrientations::RotationVectors(vec![DVec3::ZERO, DVec3::Z * LARGEST_TURN]));
@@ -500,8 +502,8 @@ fn build(body: Body) -> Result<Scene, SceneError> {
     Scene::builder("kinematic").body(body).build()
 }
 
-/// A kinematic body has neither velocity nor pivot nor mass of its own, may have any shape that a fixed one may have,
-/// and stands in no one's way but that of bodies that forces move.
+/// A kinematic body has neither velocity nor pivot nor mass of its own. It may have any shape that a fixed body may
+/// have, and collides only with bodies that forces move.
 #[test]
 fn kinematic_bodies() {
     let body = || Body::kinematic("table", shaker());
@@ -521,7 +523,8 @@ fn kinematic_bodies() {
     }
 }
 
-/// What a table gives is where the body is; a pose given besides must be that one at t = 0, to the digits of a file.
+/// A table gives the pose of the body. A pose that is given as well must be that of the table at t = 0, to the digits
+/// of a scene file.
 #[test]
 fn tables_and_initial_poses() {
     let motion = PrescribedMotion::table(&table()).unwrap();
@@ -538,7 +541,7 @@ fn tables_and_initial_poses() {
     let askew = Pose { rotation: turned(0.0, 0.0, 0.1) * start.rotation, ..start };
     let refused = build(body().pose(askew)).unwrap_err();
     assert!(refused.to_string().contains("the orientation given differs by 1.00e-1 rad"), "{refused}");
-    // Of the part that the table leaves out any pose will do.
+    // A table without orientations leaves the orientation of the initial pose free.
     let moved = PrescribedMotion::table(&MotionTable { orientations: None, ..table() }).unwrap();
     let upright = Pose { translation: start.translation, ..initial() };
     assert!(build(Body::kinematic("table", moved).pose(upright)).is_ok());

@@ -1,5 +1,5 @@
-//! A simulation that a program advances: the division into steps changes no bit, and the program's actions on bodies
-//! have the effects of mechanics and are booked in the ledgers.
+//! A simulation that a program advances: the division into steps changes no bit. The actions of the program on bodies
+//! have the effects of mechanics, and the ledgers book them.
 
 use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::spatial::{DVec3, Pose, Velocity};
@@ -43,10 +43,10 @@ fn closes(simulation: &mut Simulation) {
     assert!(report.ledger.momentum.closure_relative() < 1e-12, "{:?}", report.ledger.momentum);
 }
 
-/// Steps one by one, a run as a whole, and a run that a program cuts at many times have the same samples and events,
-/// bit for bit: a present within a step cuts nothing.
+/// Steps one by one, a run as a whole, and a run that a program stops at many times have the same samples and events,
+/// bit for bit: a stop within a step does not shorten the step.
 #[test]
-fn the_motion_is_the_same_however_it_is_cut() {
+fn the_motion_is_the_same_wherever_it_is_stopped() {
     for scene in [pile().build().unwrap(), diamond(2, Sides::Touch).duration_s(0.3).build().unwrap()] {
         let mut whole = Recorder::default();
         Simulation::new(&scene, Effects::Planned).unwrap().run(&mut whole).unwrap();
@@ -69,7 +69,7 @@ fn the_motion_is_the_same_however_it_is_cut() {
     }
 }
 
-/// A time in the past, or none, is refused, and nothing has changed.
+/// A time in the past, or one that is not a number, is refused, and nothing has changed.
 #[test]
 fn times_in_the_past_are_refused() {
     let scene = pile().build().unwrap();
@@ -82,8 +82,8 @@ fn times_in_the_past_are_refused() {
     }
 }
 
-/// A body that has nothing to do with the others changes no bit of their motion, wherever it stands among them and
-/// whatever happens to it.
+/// A body that neither touches the others nor acts on them changes no bit of their motion, at any place in the list of
+/// bodies and whatever happens to it.
 #[test]
 fn an_unrelated_body_changes_no_bit() {
     let mut alone = Recorder::default();
@@ -128,8 +128,7 @@ fn the_order_of_islands_changes_no_bit() {
     assert_eq!(run([0, 1]), run([1, 0]));
 }
 
-/// A thruster that holds a ball up against its weight keeps it where it is; its work is nothing; without it the ball
-/// falls.
+/// A thrust equal to the weight of a ball holds it where it is and does no work; without it the ball falls.
 #[test]
 fn a_force_that_is_set_holds_until_it_is_set_again() {
     let scene = Scene::builder("hover").duration_s(2.0).body(ball("ball", 2.0, 0.1, DVec3::Z, DVec3::ZERO));
@@ -146,7 +145,7 @@ fn a_force_that_is_set_holds_until_it_is_set_again() {
     closes(&mut simulation);
 }
 
-/// A force on a resting box wakes it: it slides as Newton says, on and on.
+/// A force on a resting box wakes it; the box slides with the acceleration F/m.
 #[test]
 fn a_force_wakes_what_rests() {
     let scene = Scene::builder("push").duration_s(1.0).method(accurate()).body(floor());
@@ -164,7 +163,7 @@ fn a_force_wakes_what_rests() {
     closes(&mut simulation);
 }
 
-/// An impulse changes the momenta as mechanics says, and its work `J.(v- + v+)/2` stands in the ledger.
+/// An impulse changes the momenta as mechanics says, and the ledger books its work `J.(v- + v+)/2`.
 #[test]
 fn an_impulse_is_given_at_its_point() {
     let scene = Scene::builder("kick").gravity(DVec3::ZERO).duration_s(1.0).method(accurate());
@@ -189,7 +188,8 @@ fn an_impulse_is_given_at_its_point() {
     assert!(report.ledger.closure_relative() < 1e-12);
 }
 
-/// A body that is put somewhere goes on from there with its velocity; where it would overlap another it stays.
+/// A body whose pose is set moves on from there with its velocity. A pose at which it would overlap another body is
+/// refused.
 #[test]
 fn a_pose_is_set_where_there_is_room() {
     let scene = Scene::builder("put").duration_s(1.0).method(accurate()).body(floor());
@@ -204,7 +204,7 @@ fn a_pose_is_set_where_there_is_room() {
     assert_eq!(simulation.body(ball), before);
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.4)).unwrap();
     assert_eq!(simulation.body(ball).velocity, before.velocity);
-    // Put in touch it strikes the brick at once: without restitution both rest.
+    // The body that is placed in touch with the brick strikes it at once: without restitution both rest.
     simulation.set_pose(ball, Pose::from_translation(DVec3::Z * 0.3)).unwrap();
     assert_eq!(simulation.body(ball).velocity, Velocity::ZERO);
     simulation.advance_to(0.6, &mut Unobserved).unwrap();
@@ -213,8 +213,7 @@ fn a_pose_is_set_where_there_is_room() {
     closes(&mut simulation);
 }
 
-/// A brick added on a stack rests there, and what lay on a brick that is removed falls; handles stay those of their
-/// bodies.
+/// A brick added on a stack rests there, and the brick above a removed one falls. Handles remain those of their bodies.
 #[test]
 fn bodies_come_and_go() {
     let size = DVec3::splat(0.2);
@@ -261,7 +260,8 @@ fn bad_actions_are_refused_and_change_nothing() {
     assert_eq!(bits(&recorder), bits(&again));
 }
 
-/// A push out of the plane of a planar motion ends that reduction: the plan says so, and the motion is that in space.
+/// A push out of the plane of a planar motion ends the planar reduction: the plan says so, and the motion is that in
+/// space.
 #[test]
 fn an_action_that_leaves_the_plane_ends_planar_motion() {
     let scene = Scene::builder("plane").duration_s(0.5).method(accurate()).body(floor().material(elastic(0.5)));

@@ -30,7 +30,7 @@ fn scene(tier: Tier) -> Scene {
         .unwrap()
 }
 
-/// A run of the scene at 0.35 s whose body "gone" has been removed, and the handle of that.
+/// A run of the scene at 0.35 s whose body "gone" has been removed, and the handle of that body.
 fn running(tier: Tier) -> (Simulation, BodyId) {
     let mut simulation = Simulation::new(&scene(tier), Effects::Planned).unwrap();
     simulation.advance_to(0.2, &mut Unobserved).unwrap();
@@ -40,7 +40,7 @@ fn running(tier: Tier) -> (Simulation, BodyId) {
     (simulation, gone)
 }
 
-/// The error of a call, after which the simulation must be as it was.
+/// The error of a refused call, after which the simulation must be as it was.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(
     simulation: &mut Simulation,
@@ -99,7 +99,7 @@ fn handles_of_removed_unknown_and_immovable_bodies() {
     }
 }
 
-/// Numbers that are not finite, and finite ones whose effect is not.
+/// Numbers that are not finite, and finite ones that lead to states that are not.
 #[test]
 fn numbers_that_are_not_finite() {
     for tier in TIERS {
@@ -135,7 +135,7 @@ fn times_in_the_past() {
     }
 }
 
-/// Poses and new bodies inside others, names in use, and bodies that no scene would take.
+/// Poses and new bodies that overlap others, names in use, and bodies that a scene would refuse are refused.
 #[test]
 fn bodies_where_there_is_no_room() {
     for tier in TIERS {
@@ -215,7 +215,7 @@ fn kinematic_motions_that_are_not_finite() {
     }
 }
 
-/// Snapshots of other scenes, of other tiers and with other bodies.
+/// Snapshots of other scenes, of other tiers and with other bodies are refused.
 #[test]
 fn snapshots_of_others() {
     for tier in TIERS {
@@ -238,7 +238,7 @@ fn snapshots_of_others() {
     }
 }
 
-/// The bytes of a snapshot under a checksum that fits them (FNV-1a over all but itself).
+/// The bytes of a snapshot with a valid checksum (FNV-1a over all other bytes).
 fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
     let hash = bytes[..20].iter().chain(&bytes[28..]).fold(0xcbf2_9ce4_8422_2325, step);
@@ -250,7 +250,7 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
 /// checksum it is refused and the simulation is as it was, or it is restored, and the run continues or ends with an
 /// error; it never panics.
 #[test]
-fn every_byte_of_a_snapshot_turned_over() {
+fn every_byte_of_a_snapshot_inverted() {
     for tier in TIERS {
         let mut simulation = Simulation::new(&scene(tier), Effects::Planned).unwrap();
         simulation.advance_to(0.3, &mut Unobserved).unwrap();

@@ -12,8 +12,8 @@ use polhode::{
     Unobserved,
 };
 
-/// The samples and events of a run from given ones on, and its report, with all digits.
-fn told(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut Simulation) -> String {
+/// The samples and events of a run from the given indices on, and its report, with all digits.
+fn record_text(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut Simulation) -> String {
     let report = simulation.run(&mut Unobserved).unwrap();
     format!(
         "{:?} {:?} {:?} {report:?}",
@@ -33,7 +33,7 @@ fn finish(simulation: &mut Simulation, recorder: &mut Recorder, duration_s: f64)
     steps
 }
 
-/// Goes on from the bytes of a snapshot.
+/// A simulation that is restored from the bytes of a snapshot.
 fn restored(scene: &Scene, effects: Effects, bytes: &[u8]) -> Simulation {
     let mut simulation = Simulation::new(scene, effects).unwrap();
     let snapshot = Snapshot::from_bytes(bytes).unwrap();
@@ -42,8 +42,9 @@ fn restored(scene: &Scene, effects: Effects, bytes: &[u8]) -> Simulation {
     simulation
 }
 
-/// Stops a run at the ends of some of its steps, events among them, and at random times between.
-fn check(scene: &Scene, effects: Effects) {
+/// Runs that are restored from snapshots give the samples, events and report of the run that was never stopped. The
+/// snapshots are taken at the ends of some steps, events among them, and at random times within steps.
+fn check_restored_runs(scene: &Scene, effects: Effects) {
     let name = scene.name();
     let duration = scene.duration_s();
     let mut whole = Recorder::default();
@@ -60,12 +61,12 @@ fn check(scene: &Scene, effects: Effects) {
         }
     }
     for (bytes, samples, events) in &stops {
-        let expected = told(&whole, (*samples, *events), &mut simulation);
+        let expected = record_text(&whole, (*samples, *events), &mut simulation);
         let mut recorder = Recorder::default();
         let mut other = restored(scene, effects, bytes);
         let t = other.time();
         finish(&mut other, &mut recorder, duration);
-        assert!(told(&recorder, (0, 0), &mut other) == expected, "{name} from the step that ended at {t} s");
+        assert!(record_text(&recorder, (0, 0), &mut other) == expected, "{name} from the step that ended at {t} s");
     }
     let mut random = SplitMix64::new(name.len() as u64);
     for _ in 0..3 {
@@ -77,12 +78,18 @@ fn check(scene: &Scene, effects: Effects) {
         let [one, other] = &mut runs;
         finish(&mut one.0, &mut one.1, duration);
         finish(&mut other.0, &mut other.1, duration);
-        assert!(told(&one.1, (0, 0), &mut one.0) == told(&other.1, (0, 0), &mut other.0), "{name} stopped at {t} s");
+        assert!(
+            record_text(&one.1, (0, 0), &mut one.0) == record_text(&other.1, (0, 0), &mut other.0),
+            "{name} stopped at {t} s"
+        );
         // Restored in a simulation that has already run further.
         other.0.restore(&Snapshot::from_bytes(&bytes).unwrap()).unwrap();
         let mut again = Recorder::default();
         finish(&mut other.0, &mut again, duration);
-        assert!(told(&one.1, (0, 0), &mut one.0) == told(&again, (0, 0), &mut other.0), "{name} again from {t} s");
+        assert!(
+            record_text(&one.1, (0, 0), &mut one.0) == record_text(&again, (0, 0), &mut other.0),
+            "{name} again from {t} s"
+        );
     }
 }
 
@@ -129,11 +136,11 @@ fn by(integrator: Integrator) -> Method {
 fn free_flight_goes_on_with_the_same_bits() {
     for effects in [Effects::Planned, Effects::All] {
         let flight = Scene::builder("nut").duration_s(3.0).output_interval_s(0.07).body(nut()).build().unwrap();
-        check(&flight, effects);
+        check_restored_runs(&flight, effects);
     }
     for integrator in Integrator::ALL {
         let scene = Scene::builder("stepped nut").method(by(integrator)).duration_s(0.5).output_interval_s(0.007);
-        check(&scene.body(nut()).build().unwrap(), Effects::Planned);
+        check_restored_runs(&scene.body(nut()).build().unwrap(), Effects::Planned);
     }
 }
 
@@ -142,12 +149,15 @@ fn bouncing_bodies_go_on_with_the_same_bits() {
     for restitution in [0.0, 0.6, 1.0] {
         let ball = ball("ball", 1.0, 0.1, DVec3::Z * 0.5, DVec3::ZERO).material(elastic(restitution));
         let scene = Scene::builder("bounce").method(accurate()).duration_s(1.5).output_interval_s(0.01).body(floor());
-        check(&scene.body(ball).build().unwrap(), Effects::Planned);
+        check_restored_runs(&scene.body(ball).build().unwrap(), Effects::Planned);
     }
-    check(&thrown_brick(0.0).build().unwrap(), Effects::Planned);
-    check(&thrown_brick(0.5).build().unwrap(), Effects::All);
+    check_restored_runs(&thrown_brick(0.0).build().unwrap(), Effects::Planned);
+    check_restored_runs(&thrown_brick(0.5).build().unwrap(), Effects::All);
     for integrator in [Integrator::Dop853, Integrator::Rk4, Integrator::MoserVeselov, Integrator::ExactAdaptive] {
-        check(&thrown_brick(0.3).method(by(integrator)).duration_s(0.7).build().unwrap(), Effects::Planned);
+        check_restored_runs(
+            &thrown_brick(0.3).method(by(integrator)).duration_s(0.7).build().unwrap(),
+            Effects::Planned,
+        );
     }
 }
 
@@ -163,14 +173,14 @@ fn bodies_in_air_go_on_with_the_same_bits() {
             rotational,
             wind: DVec3::new(3.0, 1.0, 0.0),
         };
-        check(&thrown_brick(0.5).force(drag).build().unwrap(), Effects::Planned);
+        check_restored_runs(&thrown_brick(0.5).force(drag).build().unwrap(), Effects::Planned);
     }
 }
 
 #[test]
 fn stacks_go_on_with_the_same_bits() {
     for effects in [Effects::Planned, Effects::All] {
-        check(&diamond(3, Sides::Touch).duration_s(0.3).build().unwrap(), effects);
+        check_restored_runs(&diamond(3, Sides::Touch).duration_s(0.3).build().unwrap(), effects);
     }
     // Two bricks that fall beside each other onto a third.
     let size = DVec3::new(1.0, 0.5, 0.25);
@@ -178,12 +188,12 @@ fn stacks_go_on_with_the_same_bits() {
     for (k, (x, z)) in [(0.0, 0.125), (-0.55, 0.6), (0.52, 0.7)].into_iter().enumerate() {
         scene = scene.body(brick(&format!("b{k}"), size, DVec3::new(x, 0.0, z)));
     }
-    check(&scene.build().unwrap(), Effects::Planned);
+    check_restored_runs(&scene.build().unwrap(), Effects::Planned);
 }
 
 #[test]
 fn chains_with_springs_go_on_with_the_same_bits() {
-    check(&chain(accurate()), Effects::Planned);
+    check_restored_runs(&chain(accurate()), Effects::Planned);
     for integrator in [
         Integrator::Dop853,
         Integrator::ExactAdaptive,
@@ -192,14 +202,14 @@ fn chains_with_springs_go_on_with_the_same_bits() {
         Integrator::ImplicitMidpoint,
         Integrator::MoserVeselov,
     ] {
-        check(&chain(by(integrator)), Effects::Planned);
+        check_restored_runs(&chain(by(integrator)), Effects::Planned);
     }
     let mut free = Scene::builder("free chain").duration_s(0.7).output_interval_s(0.013);
     free = free.body(particle("a", 1.0, DVec3::ZERO, DVec3::X)).body(particle("b", 2.0, DVec3::X, DVec3::Y));
     let [a, b] = [0, 1].map(|body| Attachment::Body { body, point: DVec3::ZERO });
     free = free.force(Force::Spring { a, b, stiffness: 90.0, rest_length: 0.3, damping: 0.0 });
     for integrator in Integrator::ALL {
-        check(&free.clone().method(by(integrator)).build().unwrap(), Effects::Planned);
+        check_restored_runs(&free.clone().method(by(integrator)).build().unwrap(), Effects::Planned);
     }
 }
 
@@ -212,8 +222,8 @@ fn planar_pushed_and_resting_bodies_go_on_with_the_same_bits() {
         .duration_s(0.9)
         .body(floor())
         .body(heavy_brick("box", 2.0, size, DVec3::Z * 0.5).velocity(Velocity::new(DVec3::X, DVec3::Y * 2.0)));
-    check(&planar.clone().build().unwrap(), Effects::Planned);
-    check(&planar.build().unwrap(), Effects::All);
+    check_restored_runs(&planar.clone().build().unwrap(), Effects::Planned);
+    check_restored_runs(&planar.build().unwrap(), Effects::All);
     let force = DVec3::new(3.0, -1.0, 0.0);
     let push = Force::Applied {
         body: 1,
@@ -225,11 +235,11 @@ fn planar_pushed_and_resting_bodies_go_on_with_the_same_bits() {
     };
     let pushed = Scene::builder("pushed").method(accurate()).duration_s(0.6).body(floor());
     let pushed = pushed.body(heavy_brick("box", 2.0, size, DVec3::Z * 0.1)).force(push);
-    check(&pushed.build().unwrap(), Effects::Planned);
+    check_restored_runs(&pushed.build().unwrap(), Effects::Planned);
 }
 
-/// A brick rests on a slab that stands still until its motion begins: the beginning is due in a restored run too. (It was not:
-/// the slab went down and the brick stayed in the air.)
+/// A brick rests on a slab that stands still until its motion begins. A restored run observes that time too. (Before,
+/// it did not: the slab went down and the brick stayed in the air.)
 #[test]
 fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
     let positions = [0.0, -0.1, -0.3].map(|height| DVec3::Z * height).to_vec();
@@ -238,12 +248,12 @@ fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
     let slab = Body::kinematic("slab", PrescribedMotion::table(&table).unwrap()).geometry(shape.into());
     let brick = heavy_brick("brick", 2.0, DVec3::new(0.5, 0.4, 0.2), DVec3::Z * 0.2);
     let scene = Scene::builder("lift").method(accurate()).duration_s(1.5).body(slab).body(brick).build().unwrap();
-    check(&scene, Effects::Planned);
+    check_restored_runs(&scene, Effects::Planned);
 
     let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
     simulation.advance_to(0.1, &mut Unobserved).unwrap();
     let mut continued = restored(&scene, Effects::Planned, &simulation.snapshot().to_bytes());
-    // At the corner itself, whether or not it has been passed.
+    // At the very time at which the motion begins, whether or not the run has passed it.
     continued.advance_to(0.5, &mut Unobserved).unwrap();
     let mut continued = restored(&scene, Effects::Planned, &continued.snapshot().to_bytes());
     continued.run(&mut Unobserved).unwrap();
@@ -254,16 +264,19 @@ fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
 #[test]
 fn the_thesis_tier_goes_on_with_the_same_bits() {
     let thesis = Method { tier: Some(Tier::Thesis), step_s: Some(0.004), ..Method::default() };
-    check(&diamond(2, Sides::Touch).method(thesis.clone()).duration_s(0.2).build().unwrap(), Effects::Planned);
-    check(&thrown_brick(0.5).method(thesis.clone()).duration_s(0.8).build().unwrap(), Effects::Planned);
+    check_restored_runs(
+        &diamond(2, Sides::Touch).method(thesis.clone()).duration_s(0.2).build().unwrap(),
+        Effects::Planned,
+    );
+    check_restored_runs(&thrown_brick(0.5).method(thesis.clone()).duration_s(0.8).build().unwrap(), Effects::Planned);
     for integrator in Integrator::ALL {
         let method = Method { integrator: Some(integrator), ..thesis.clone() };
         let scene = Scene::builder("nut").method(method).duration_s(0.3).output_interval_s(0.007).body(nut());
-        check(&scene.build().unwrap(), Effects::Planned);
+        check_restored_runs(&scene.build().unwrap(), Effects::Planned);
     }
 }
 
-/// A run that goes on after its duration goes on so from a snapshot too.
+/// A run may go on after its duration; restored from a snapshot there, it goes on with the same bits.
 #[test]
 fn a_run_beyond_its_end_goes_on_with_the_same_bits() {
     let scene = thrown_brick(0.2).duration_s(0.5).build().unwrap();
@@ -311,7 +324,7 @@ fn bytes_that_are_cut_short_or_altered_are_refused() {
     assert_eq!(Snapshot::from_bytes(b"a text"), Err(SnapshotError::NotASnapshot));
 }
 
-/// What is refused changes nothing: the simulation goes on with the bits it would have had.
+/// A refused snapshot changes nothing: the simulation goes on with the bits it would have had.
 #[test]
 fn snapshots_of_other_scenes_and_effects_are_refused_and_change_nothing() {
     let scene = thrown_brick(0.5).build().unwrap();

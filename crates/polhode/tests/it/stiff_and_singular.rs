@@ -8,11 +8,11 @@ use polhode::{Effects, Scene, SceneBuilder, Simulation, SimulationError, Unobser
 
 const CENTER: DVec3 = DVec3::new(0.0, 0.0, 2.0);
 
-/// A box of 1 kg above the floor on a spring of 1e12 N/m: its weight moves it by 1e-11 m, a hundred thousand rounding
-/// units of its height, each of which changes the force by 1e-4 N. That noise in the estimate of the error is no error
-/// of the integration: the period of 6.3 us takes a few steps, where it took a hundred.
+/// A box of 1 kg above the floor on a spring of 1e12 N/m. Its weight stretches the spring by 1e-11 m, a hundred
+/// thousand rounding units of its height, each of which changes the force by 1e-4 N. This noise is not taken for an
+/// error of the integration: a period of 6.3 us takes a few steps. (Before, it took a hundred.)
 #[test]
-fn rounding_of_a_place_in_a_stiff_spring_asks_for_no_steps() {
+fn rounding_of_positions_on_a_stiff_spring_adds_no_steps() {
     let (stiffness, duration) = (1e12_f64, 1e-3);
     let spring = Force::Spring {
         a: Attachment::World(DVec3::Z),
@@ -39,7 +39,7 @@ fn rounding_of_a_place_in_a_stiff_spring_asks_for_no_steps() {
     }
 }
 
-/// A body that starts at the place of what attracts it, or at rest beside it.
+/// A body at rest at `place`, beside an attracting centre or in it.
 fn attracted(place: DVec3, tier: Tier) -> SceneBuilder {
     Scene::builder("attracted")
         .method(Method { tier: Some(tier), ..Method::default() })
@@ -49,7 +49,7 @@ fn attracted(place: DVec3, tier: Tier) -> SceneBuilder {
         .force(Force::PointGravity { center: CENTER, mu: 1.0 })
 }
 
-/// No tier starts where a force is not finite, and the error says which force, on which body, and when.
+/// No tier starts where a force is not finite. The error names the force, the body and the time.
 #[test]
 fn start_at_an_attracting_point_names_the_force() {
     for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis] {
@@ -64,7 +64,7 @@ fn start_at_an_attracting_point_names_the_force() {
     }
 }
 
-/// A fall from rest ends at the point: from the distance d after `pi/2 sqrt(d^3/(2 mu))`, with an error that says so.
+/// A fall from rest ends at the centre: from the distance d after `pi/2 sqrt(d^3/(2 mu))`, with an error that says so.
 #[test]
 fn radial_fall_ends_where_the_force_is_singular() {
     for offset in [DVec3::Z, DVec3::new(0.1, 0.2, 1.1)] {

@@ -8,13 +8,13 @@ use polhode::{Body, Effects, Geometry, Outcome, Recorder, RunReport, Scene, Scen
 /// Runs a scene, which must keep what its method promises, and keeps everything.
 #[track_caller]
 pub(crate) fn run(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
-    let (report, recorder) = run_whatever(scene, effects);
+    let (report, recorder) = run_even_degraded(scene, effects);
     assert_ne!(report.outcome, Outcome::Degraded, "{:?} {:?}", report.warnings, report.certificate);
     (report, recorder)
 }
 
 /// Runs a scene, whether it keeps its promise or not, and keeps everything.
-pub(crate) fn run_whatever(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
+pub(crate) fn run_even_degraded(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
     let mut recorder = Recorder::default();
     let report = Simulation::new(scene, effects).unwrap().run(&mut recorder).unwrap();
     (report, recorder)

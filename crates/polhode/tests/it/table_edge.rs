@@ -1,4 +1,4 @@
-//! RC-10 and Video 10: a box slides off the edge of a table.
+//! Case RC-10 and Video 10 of the thesis: a box slides off the edge of a table.
 
 use crate::support::{accurate, brick, run};
 use polhode::contact::Shape;

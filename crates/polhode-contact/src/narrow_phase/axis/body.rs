@@ -96,13 +96,13 @@ impl<'a> Body<'a> {
         let mut best = (f64::NEG_INFINITY, SurfaceFeature::Vertex(0));
         self.each_other(|feature| {
             let Some(element) = self.element(feature) else { return };
-            let reach = match element.locus {
+            let height = match element.locus {
                 Locus::Point(point) => n.dot(point),
                 Locus::Circle(circle) => circle.support(n),
                 _ => return,
             } + element.ball;
-            if reach > best.0 {
-                best = (reach, feature);
+            if height > best.0 {
+                best = (height, feature);
             }
         });
         best.1

@@ -17,6 +17,7 @@ use crate::clearance::PARALLEL_SINE;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
 use crate::narrow_phase::axis::axis_search::{AxisSearch, EdgeBuffers, lowest, plane_of_b, range};
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
+use crate::shape::support::farthest;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
@@ -210,7 +211,7 @@ impl OverBestFaces {
             face: face as usize,
             normal,
             separation,
-            point: lowest_point(points, normal),
+            point: farthest(points, -normal),
         };
         let normal_a = a.faces[axes.face_a.face as usize].normal;
         let normal_b = search.normals[axes.face_b.face as usize];
@@ -266,16 +267,6 @@ fn is_over(outside: f64, height: impl FnOnce() -> f64, separation: f64, toleranc
 fn sides_of(edge: &Edge, face: usize) -> Option<(f64, usize)> {
     let [first, second] = edge.faces.map(|f| f as usize);
     if first == face { Some((1.0, second)) } else { (second == face).then_some((-1.0, first)) }
-}
-
-/// The lowest point along a direction, in a tie the first; the origin when there is none.
-fn lowest_point(points: &[DVec3], direction: DVec3) -> DVec3 {
-    let mut best = (f64::INFINITY, 0);
-    for (index, point) in points.iter().enumerate() {
-        let height = point.dot(direction);
-        best = if height < best.0 { (height, index) } else { best };
-    }
-    points.get(best.1).copied().unwrap_or_default()
 }
 
 /// Selects the edges for which no point of the other body lies below both adjacent faces by more than the limit.

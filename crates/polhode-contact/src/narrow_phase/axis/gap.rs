@@ -6,7 +6,7 @@
 //! smooth elsewhere. All of these are candidates. The value `s` along any direction is a lower bound of the separation,
 //! so that an unnecessary candidate does no harm. When two candidates are equal, a face or disc is preferred.
 
-use crate::clearance::{RESOLUTION_ULPS, place_tolerance};
+use crate::clearance::{RESOLUTION_ULPS, place_tolerance, place_tolerance_of_sizes};
 use crate::narrow_phase::axis::body::{Body, framed};
 use crate::narrow_phase::axis::half_space::height_above;
 use crate::narrow_phase::axis::sieve::{Pass, Sieve, is_worse};
@@ -43,9 +43,7 @@ impl Gap {
 /// The best axis. The search ends early, with the best face or disc so far, when its separation exceeds `stop` (m).
 pub(crate) fn search(a: Body<'_>, b: Body<'_>, stop: f64) -> Gap {
     let between = a.pose.translation - b.pose.translation;
-    let (size_a, size_b) = (a.size(), b.size());
-    let smaller = if size_a == 0.0 || size_b == 0.0 { size_a.max(size_b) } else { size_a.min(size_b) };
-    let tolerance = place_tolerance(smaller, size_a.max(size_b), between);
+    let tolerance = place_tolerance_of_sizes(a.size(), b.size(), between);
     let start = SurfaceFeature::Vertex(0);
     let mut flat = Gap { separation: f64::NEG_INFINITY, normal: DVec3::Z, a: start, b: start, tolerance };
     a.each_plane(|feature| {
@@ -54,8 +52,8 @@ pub(crate) fn search(a: Body<'_>, b: Body<'_>, stop: f64) -> Gap {
             flat = Gap { separation, normal: -outward, a: feature, b: start, tolerance };
         }
     });
-    // Of two planes that separate equally well, the first body's is kept whichever body is called first: both lead to
-    // the same region of contact.
+    // Of two planes that separate equally well, A's is kept. The other one would lead to the same region of contact, so
+    // that the contacts do not depend on which body is called A.
     b.each_plane(|feature| {
         let Some((separation, normal)) = above_plane(&b, feature, &a) else { return };
         if separation > flat.separation {
@@ -100,7 +98,7 @@ fn best_of_elements(a: &Body<'_>, b: &Body<'_>, flat: Gap) -> Gap {
     let between = a.pose.translation - b.pose.translation;
     let rounding = RESOLUTION_ULPS * f64::EPSILON * (a.size() + b.size() + between.length());
     let best = Gap { separation: flat.separation + flat.tolerance, ..flat };
-    let mut search = Search { a, b, rounding, best, found: false, touching: true, certain: false };
+    let mut search = Search { a, b, rounding, best, found: false, supporting: true, certain: false };
     let sieve = Sieve::new(a, b, flat.separation, flat.tolerance);
     for pass in [Pass::Near, Pass::All] {
         b.each_other(|feature_b| {
@@ -134,7 +132,7 @@ struct Search<'s, 'a> {
     best: Gap,
     found: bool,
     /// Whether the best pair's elements contain the support points of the bodies along its normal.
-    touching: bool,
+    supporting: bool,
     /// Whether no axis can be better: the distance of two points of the bodies equals the separation along the axis.
     certain: bool,
 }
@@ -149,26 +147,26 @@ impl Search<'_, '_> {
             for place in orientations(*place, element_a, element_b).into_iter().flatten() {
                 let claimed = place.separation(element_a, element_b);
                 // The elements are subsets of the bodies, so that the separation of the bodies is at most theirs.
-                let least = if self.touching { self.best.separation } else { self.best.separation - self.rounding };
+                let least = if self.supporting { self.best.separation } else { self.best.separation - self.rounding };
                 if claimed.is_nan() || claimed <= least {
                     continue;
                 }
                 let normal = place.normal;
                 let bodies = -self.a.support(-normal) - self.b.support(normal);
-                let touches = bodies >= claimed - self.rounding;
-                let separation = if touches { claimed } else { bodies };
-                let better = match (touches, self.touching) {
+                let supports = bodies >= claimed - self.rounding;
+                let separation = if supports { claimed } else { bodies };
+                let better = match (supports, self.supporting) {
                     (true, false) => separation > self.best.separation - self.rounding,
                     (false, true) => separation > self.best.separation + self.rounding,
                     _ => separation > self.best.separation,
                 };
                 if better {
-                    (self.found, self.touching) = (true, touches);
+                    (self.found, self.supporting) = (true, supports);
                     self.best = Gap { separation, normal, a: feature_a, b: feature_b, ..self.best };
-                    let reach = place.on_a.distance(place.on_b);
-                    let within = element_a.margin(place.on_a, -normal, reach) >= 0.0
-                        && element_b.margin(place.on_b, normal, reach) >= 0.0;
-                    self.certain = touches && within && separation > self.best.tolerance;
+                    let apart = place.on_a.distance(place.on_b);
+                    let within = element_a.margin(place.on_a, -normal, apart) >= 0.0
+                        && element_b.margin(place.on_b, normal, apart) >= 0.0;
+                    self.certain = supports && within && separation > self.best.tolerance;
                 }
             }
         }
@@ -178,8 +176,8 @@ impl Search<'_, '_> {
 /// A common normal; for two curves also the opposite one, because the curves may have passed through each other.
 fn orientations(place: Place, a: &Element<'_>, b: &Element<'_>) -> [Option<Place>; 2] {
     let curve = |locus| matches!(locus, Locus::Line(..) | Locus::Circle(_));
-    let open = curve(a.locus) && curve(b.locus);
-    [Some(place), open.then(|| place.reversed())]
+    let curves = curve(a.locus) && curve(b.locus);
+    [Some(place), curves.then(|| place.reversed())]
 }
 
 /// The best axis of a pair, at least one of them round, with the normal in the world; for a cloud that of its nearest

@@ -14,7 +14,7 @@
 //! golden-section search locates each. This is not needed when a plane perpendicular to the deciding normal separates
 //! the centre circle from the body.
 
-use crate::clearance::place_tolerance;
+use crate::clearance::place_tolerance_of_sizes;
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::{self, Gap};
 use crate::narrow_phase::axis::ring_samples::{Sample, Wanted, each_minimum};
@@ -23,7 +23,7 @@ use crate::narrow_phase::common_normal::chosen_place::chosen;
 use crate::narrow_phase::common_normal::place::{Place, Places};
 use crate::narrow_phase::common_normal::places::places;
 use crate::narrow_phase::feature::branch::Branch;
-use crate::narrow_phase::feature::closest_feature::nearest_feature;
+use crate::narrow_phase::feature::closest_feature::{NearestFeature, nearest_feature};
 use crate::narrow_phase::feature::element::{Element, Locus};
 use crate::narrow_phase::feature::placed::Placed;
 use crate::shape::circle::Circle;
@@ -52,30 +52,12 @@ const LOCATED: f64 = 1e-6;
 /// to the ring's radius; the place tolerance if that is larger.
 const CONSISTENT: f64 = 1e-10;
 
-/// Distance of a point from a body: the nearest element, and the unit vector from there to the point.
-pub(crate) struct FromPoint {
-    distance: f64,
-    feature: SurfaceFeature,
-    pub(crate) normal: DVec3,
-}
-
-impl FromPoint {
-    /// The direction in which the nearest element of the body is straight, if it is.
-    pub(crate) fn along(&self, body: &Shape) -> Option<DVec3> {
-        match Element::of(body, self.feature, &Pose::IDENTITY)?.locus {
-            Locus::Line(_, along) => Some(along),
-            Locus::Cone(side) => Some(side.axis - self.normal * self.normal.dot(side.axis)),
-            _ => None,
-        }
-    }
-}
-
 /// Number of parts of an edge for the test whether it is near enough.
 const LINE_PARTS: f64 = 4.0;
 
 /// The limits of the search for minima, and the lowest minimum so far.
 #[derive(Debug, Clone, Copy)]
-struct Nearest {
+struct Limits {
     /// Largest distance of the centre circle at which minima are wanted, m.
     reach: f64,
     /// Upper bound of the least distance of the centre circle, with its rounding, m.
@@ -84,7 +66,7 @@ struct Nearest {
     above: Option<DVec3>,
 }
 
-impl Nearest {
+impl Limits {
     /// Minima with larger distances of the centre circle are not needed, m.
     const fn limit(&self) -> f64 {
         self.least.max(self.reach)
@@ -151,8 +133,7 @@ impl<'a> Ring<'a> {
         let (Shape::Torus(torus), Some(own)) = (shape, circles(shape).first().copied()) else { return None };
         let circle = own.placed(x);
         let east = circle.axis.any_orthonormal_vector();
-        let sizes = if other.size() > 0.0 { shape.size().min(other.size()) } else { shape.size() };
-        let tolerance = place_tolerance(sizes, shape.size().max(other.size()), x.translation);
+        let tolerance = place_tolerance_of_sizes(shape.size(), other.size(), x.translation);
         Some(Self { circle, tube: torus.minor, east, north: circle.axis.cross(east), other, tolerance })
     }
 
@@ -200,23 +181,21 @@ impl<'a> Ring<'a> {
         Gap { separation, normal, a: SurfaceFeature::Rim(0), b, tolerance: self.tolerance }
     }
 
-    pub(crate) fn nearest(&self, p: DVec3) -> FromPoint {
+    /// The element of the other body that is nearest to a point, both in the other body's frame.
+    pub(crate) fn nearest(&self, p: DVec3) -> NearestFeature {
         match self.other {
-            Shape::Convex(polyhedron) => {
-                let nearest = nearest_feature(polyhedron, p, self.tolerance);
-                FromPoint { distance: nearest.distance, feature: nearest.feature, normal: nearest.normal }
-            }
+            Shape::Convex(polyhedron) => nearest_feature(polyhedron, p, self.tolerance),
             Shape::Torus(torus) => {
-                let ring = Circle { center: torus.center, axis: torus.axis, radius: torus.major };
+                let ring = torus.ring();
                 let f = p - ring.nearest(p);
                 let distance = f.length();
                 let normal = if distance > 0.0 { f / distance } else { ring.axis };
-                FromPoint { distance: distance - torus.minor, feature: SurfaceFeature::Rim(0), normal }
+                NearestFeature { feature: SurfaceFeature::Rim(0), distance: distance - torus.minor, normal }
             }
             other => {
                 let point = Body::at_point(other, p);
                 let gap = gap::search(point, Body::whole(other, Pose::IDENTITY), f64::INFINITY);
-                FromPoint { distance: gap.separation, feature: gap.b, normal: gap.normal }
+                NearestFeature { feature: gap.b, distance: gap.separation, normal: gap.normal }
             }
         }
     }
@@ -236,27 +215,27 @@ impl<'a> Ring<'a> {
             }
             // Coincident centre circles have no common normal, and all of their points are equally near.
             if !found {
-                report(self.corner(0.0));
+                report(self.gap_at(0.0));
             }
             return;
         }
         let Some(rim) = Element::of(shape, SurfaceFeature::Rim(0), x) else { return };
         let least = self.nearest(self.place(0.0)).distance + self.tolerance;
-        let wanted = Nearest { reach: reach + self.tube, least, above: None };
+        let wanted = Limits { reach: reach + self.tube, least, above: None };
         let wanted = self.each_of_elements(&rim, wanted, &mut report);
         // Some places over a rim have no name of their own (`branch_offset.rs`): their distance follows from the
         // samples.
         let all_named = circles(self.other).is_empty();
         if !(all_named && wanted.above.is_some_and(|normal| self.is_above(normal))) {
-            self.each_corner(&rim, wanted, report);
+            self.each_kink(&rim, wanted, report);
         }
     }
 
     /// Reports the common normals with all elements of the other body that come near enough to the centre circle.
-    fn each_of_elements(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) -> Nearest {
+    fn each_of_elements(&self, rim: &Element<'_>, wanted: Limits, mut report: impl FnMut(Gap)) -> Limits {
         let (mut now, mut parallel) = (wanted, false);
         let body = Body::whole(self.other, Pose::IDENTITY);
-        body.each_other(|feature| now.least = now.least.min(self.between(feature).1));
+        body.each_other(|feature| now.least = now.least.min(self.distance_bounds(feature).1));
         let mut visit = |feature: SurfaceFeature| {
             let asked = self.comes_within(feature, now.limit());
             let Some(element) = body.element(feature).filter(|_| asked) else { return };
@@ -276,18 +255,18 @@ impl<'a> Ring<'a> {
         body.each_plane(&mut visit);
         body.each_other(&mut visit);
         // When the ring is parallel to a face, all of its points are equally near, and the slope locates no minimum.
-        if parallel { Nearest { above: None, ..now } } else { now }
+        if parallel { Limits { above: None, ..now } } else { now }
     }
 
     /// Whether an element may be the nearest one to some point of the centre circle, at a distance of at most `limit`
     /// (m).
     fn comes_within(&self, feature: SurfaceFeature, limit: f64) -> bool {
-        self.may_be_nearest_along(feature) && self.between(feature).0 <= limit
+        self.may_be_nearest_along(feature) && self.distance_bounds(feature).0 <= limit
     }
 
     /// A lower bound of the distance of the centre circle from a vertex or an edge of a polyhedron, and an upper bound
     /// of its distance from the polyhedron, m; infinite bounds for other elements.
-    fn between(&self, feature: SurfaceFeature) -> (f64, f64) {
+    fn distance_bounds(&self, feature: SurfaceFeature) -> (f64, f64) {
         let Shape::Convex(polyhedron) = self.other else { return (f64::NEG_INFINITY, f64::INFINITY) };
         let distance = |point: DVec3| {
             let from = point - self.circle.center;
@@ -295,18 +274,18 @@ impl<'a> Ring<'a> {
             let beside = (from - self.circle.axis * height).length() - self.circle.radius;
             (beside * beside + height * height).sqrt()
         };
-        let (nearest, reach) = match feature {
+        let (nearest, half) = match feature {
             SurfaceFeature::Vertex(index) => (distance(polyhedron.vertices[index as usize]), 0.0),
-            // The distance changes by at most the displacement of the point.
+            // The middles of the parts of the edge: every point of it is at most half a part from one of them.
             SurfaceFeature::Edge(index) => {
                 let edge = &polyhedron.edges[index as usize];
-                let (from, reach) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
-                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (reach * f64::from(2 * k + 1)));
-                (places.map(distance).fold(f64::INFINITY, f64::min), reach)
+                let (from, half) = (polyhedron.vertices[edge.vertices[0] as usize], 0.5 * edge.length / LINE_PARTS);
+                let places = (0..LINE_PARTS as u32).map(|k| from + edge.direction * (half * f64::from(2 * k + 1)));
+                (places.map(distance).fold(f64::INFINITY, f64::min), half)
             }
             _ => return (f64::NEG_INFINITY, f64::INFINITY),
         };
-        (nearest - reach - self.tolerance, nearest + self.tolerance)
+        (nearest - half - self.tolerance, nearest + self.tolerance)
     }
 
     /// Whether an edge of a polyhedron may be the nearest element to some point of the centre circle: such a point lies
@@ -326,7 +305,7 @@ impl<'a> Ring<'a> {
     /// A lower bound of the distance of a point: for a polyhedron its largest height above a face.
     fn above_faces(&self, place: DVec3) -> f64 {
         let Shape::Convex(polyhedron) = self.other else { return f64::NEG_INFINITY };
-        polyhedron.faces().map(|face| face.normal.dot(place) - face.offset).fold(f64::NEG_INFINITY, f64::max)
+        polyhedron.outside(place)
     }
 
     /// Whether a plane with this unit normal separates the whole centre circle from the other body.
@@ -334,11 +313,11 @@ impl<'a> Ring<'a> {
         -self.circle.support(-normal) > support(self.other, normal) + self.tolerance
     }
 
-    /// Reports the minima at which the nearest element changes.
-    fn each_corner(&self, rim: &Element<'_>, wanted: Nearest, mut report: impl FnMut(Gap)) {
+    /// Reports the minima at which the nearest element changes, so that the distance has a kink.
+    fn each_kink(&self, rim: &Element<'_>, wanted: Limits, mut report: impl FnMut(Gap)) {
         let sample = |angle: f64| {
             let place = self.place(angle);
-            let FromPoint { distance, feature, normal } = self.nearest(place);
+            let NearestFeature { distance, feature, normal } = self.nearest(place);
             Sample { angle, arm: place - self.circle.center, distance, normal, feature }
         };
         let mut best = wanted.least;
@@ -349,16 +328,16 @@ impl<'a> Ring<'a> {
             if lowest.distance - self.circle.radius * width > best.max(wanted.reach) {
                 return;
             }
-            if let Some(corner) = self.corner_near(rim, (lowest.angle, width), wanted.limit()) {
-                best = best.min(corner.separation + self.tube);
-                report(corner);
+            if let Some(kink) = self.kink_near(rim, (lowest.angle, width), wanted.limit()) {
+                best = best.min(kink.separation + self.tube);
+                report(kink);
             }
         });
     }
 
     /// The minimum at a sampled angle, no farther from it than the next samples, unless it is a common normal that is
     /// known within a limit (m).
-    fn corner_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
+    fn kink_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
         let sampled = self.place(angle);
         let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
         let is_common_normal = |feature: SurfaceFeature| {
@@ -377,11 +356,11 @@ impl<'a> Ring<'a> {
         }
         let lowest = self.golden(angle, step);
         let known = is_common_normal(self.nearest(self.place(lowest)).feature);
-        (!known).then(|| self.corner(lowest))
+        (!known).then(|| self.gap_at(lowest))
     }
 
-    /// The contact at an angle that is no common normal.
-    fn corner(&self, angle: f64) -> Gap {
+    /// The contact at an angle at which there is no common normal.
+    fn gap_at(&self, angle: f64) -> Gap {
         let from = self.nearest(self.place(angle));
         let separation = from.distance - self.tube;
         Gap { separation, normal: from.normal, a: SurfaceFeature::Rim(0), b: from.feature, tolerance: self.tolerance }

@@ -18,7 +18,8 @@ use std::f64::consts::{PI, TAU};
 /// Number of initial samples: arcs must be shorter than half the circle for two cosines to bound the distance.
 const FIRST: usize = 16;
 
-/// An arc of this fraction of the circle is not divided further when one element is nearest to both ends.
+/// An arc no longer than the circle divided by this number is not divided further when one element is nearest to both
+/// ends.
 const FINE: u32 = 48;
 
 /// Most nested divisions; deeper ones would reach the rounding of angles.
@@ -138,7 +139,7 @@ fn walk(
     }
 }
 
-/// `value + amplitude cos(a - phase)`: the lower bound of the distance from one sample.
+/// `value + east cos(a) + north sin(a)`: the lower bound of the distance at the angle a from one sample.
 #[derive(Clone, Copy)]
 struct Cosine {
     value: f64,

@@ -51,14 +51,14 @@ impl Sieve {
             return Self { a: None, b: None };
         }
         let z = nearest_difference(a, b);
-        let reach = z.length().max(-known) + slack;
+        let bound = z.length().max(-known) + slack;
         let of = |body: &Body<'_>, other: &Body<'_>, toward: DVec3| {
             is_polyhedron(body).then(|| {
                 let high = DVec3::new(other.support(DVec3::X), other.support(DVec3::Y), other.support(DVec3::Z));
                 let low =
                     DVec3::new(other.support(DVec3::NEG_X), other.support(DVec3::NEG_Y), other.support(DVec3::NEG_Z));
                 let near = body.support(toward) - NEAR_PART * body.shape.size();
-                Bounds { low: -low - reach, high: high + reach, toward, near }
+                Bounds { low: -low - bound, high: high + bound, toward, near }
             })
         };
         let direction = z.try_normalize().unwrap_or(DVec3::Z);

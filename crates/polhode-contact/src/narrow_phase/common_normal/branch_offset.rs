@@ -6,13 +6,13 @@
 //! the two: the *offset* of the place from the border between two halves of the circle (`x` points of the circles, `c`
 //! centres, `a` axes, `R` radii):
 //!
-//! | other locus | offset, m | at most one place each side |
+//! | other locus | offset, m | at most one place on either side |
 //! |---|---|---|
 //! | line along e | `e.(x - c)` | always: seen along the line, the halves of an ellipse on either side of its long axis |
 //! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (test `a_circle_has_at_most_one_local_minimum_on_either_half`); not proved |
-//! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | where the circles cross |
-//! | of two rings, both and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | where the circles cross |
-//! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | where their planes do |
+//! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | if the circles cross, seen along the normal |
+//! | circle, both tori, both branches named and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | if the circles cross, seen along the normal |
+//! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | if the planes of the circles cross |
 //!
 //! Circle 1 is the one whose branch is named. If both are, it is the rim of a disc rather than a torus, whose axis has
 //! no outer side, and otherwise the first. Two rims that touch have opposite axes, `a_1 = -n`; their offset, like that

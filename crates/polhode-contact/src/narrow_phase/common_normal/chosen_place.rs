@@ -31,8 +31,8 @@ pub(crate) fn chosen(all: &[Place], a: &Element<'_>, b: &Element<'_>) -> Option<
 
 /// Distance from the border of either element, m.
 pub(crate) fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
-    let reach = place.on_a.distance(place.on_b);
-    a.margin(place.on_a, -place.normal, reach).min(b.margin(place.on_b, place.normal, reach))
+    let apart = place.on_a.distance(place.on_b);
+    a.margin(place.on_a, -place.normal, apart).min(b.margin(place.on_b, place.normal, apart))
 }
 
 /// The common normal of two curves with the right sign. The curves may have passed through each other: outward

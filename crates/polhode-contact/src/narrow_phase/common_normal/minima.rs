@@ -14,7 +14,7 @@
 //! most four such angles.
 //!
 //! A minimum and a maximum that are about to merge are arbitrarily close to each other, so that no number of samples is
-//! enough. an `Interval` of half width `w` about its middle `t` has no minimum when
+//! enough. An `Interval` of half width `w` about its middle `t` has no minimum when
 //! `|h'(t)| > |h''(t)| w + M w^2/2`, with `M` a bound of `|h'''|` on it, or when `h''(t) < -M w`, and at most one when
 //! `h''(t) > M w`; else it is halved. `M` follows from the harmonics of the square of the length, so that it is as
 //! small as `h'` itself where the height is almost constant.
@@ -145,13 +145,13 @@ impl Height {
 
     /// How many minima an interval can contain, from half its width and the derivatives at its middle.
     fn count_minima_from(&self, half: f64, (slope, bend, square): (f64, f64, f64)) -> MinimaCount {
-        let reach = TAU * half;
-        let steepest = self.steepest(square - self.of_square[0] * reach);
-        if slope.abs() > reach * (bend.abs() + 0.5 * steepest * reach) {
+        let half_angle = TAU * half;
+        let steepest = self.steepest(square - self.of_square[0] * half_angle);
+        if slope.abs() > half_angle * (bend.abs() + 0.5 * steepest * half_angle) {
             MinimaCount::None
-        } else if bend > steepest * reach {
+        } else if bend > steepest * half_angle {
             MinimaCount::AtMostOne
-        } else if bend < -steepest * reach {
+        } else if bend < -steepest * half_angle {
             MinimaCount::None
         } else {
             MinimaCount::Unknown

@@ -15,6 +15,7 @@
 //! only the lists of features to search and of features that touch. It cannot fail: when a bound is exceeded, the full
 //! search is run.
 
+use crate::Side;
 use crate::narrow_phase::axis::axes::{Axes, axis_slack};
 use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest, plane_of_b};
 use crate::narrow_phase::axis::drift::Drift;
@@ -33,8 +34,8 @@ enum Verdict {
     /// It implies nothing at other poses.
     #[default]
     Unknown,
-    /// A face of A (family 0) or of B (1) separates the bodies by at least this, m.
-    Apart { family: usize, separation: f64 },
+    /// A face of this body separates the two by at least this, m.
+    Apart { of: Side, separation: f64 },
     /// Only the kept features can be the best axis.
     Close,
 }
@@ -65,11 +66,11 @@ impl Coherence {
     /// A lower bound of the separation at this relative pose, if there is one beyond `reach`, m.
     #[inline]
     pub(crate) fn apart(&self, a: &ConvexPolyhedron, b: &ConvexPolyhedron, x_ab: &Pose, reach: f64) -> Option<f64> {
-        let Verdict::Apart { family, separation } = self.verdict else { return None };
+        let Verdict::Apart { of, separation } = self.verdict else { return None };
         if self.counts != counts(a, b) {
             return None;
         }
-        let least = separation - self.drift.changes(x_ab)[family] - axis_slack(a, b, x_ab);
+        let least = separation - self.drift.changes(x_ab)[of.index()] - axis_slack(a, b, x_ab);
         (least > reach).then_some(least)
     }
 
@@ -95,10 +96,10 @@ impl Coherence {
         self.drift = Drift::since(a, b, x_ab);
         let mut axes = match search.search_faces(a, b, x_ab, reach) {
             Ok(axes) => {
-                let family = usize::from(axes.face_b.separation > axes.face_a.separation);
+                let of = if axes.face_b.separation > axes.face_a.separation { Side::B } else { Side::A };
                 // The rounding is subtracted here: it is larger at this pose than at a nearer one.
                 let separation = axes.face_separation() - axis_slack(a, b, x_ab);
-                self.verdict = Verdict::Apart { family, separation };
+                self.verdict = Verdict::Apart { of, separation };
                 return axes;
             }
             Err(axes) => axes,

@@ -51,12 +51,14 @@ pub(crate) fn nearest_feature(polyhedron: &ConvexPolyhedron, point: DVec3, toler
 fn nearest_edge_or_vertex(polyhedron: &ConvexPolyhedron, point: DVec3) -> Option<NearestFeature> {
     let mut best: Option<NearestFeature> = None;
     let lengths = polyhedron.size() + point.abs().max_element();
-    let reach = |direction| farthest(&polyhedron.vertices, direction).dot(direction) - point.dot(direction);
+    let support = |direction| farthest(&polyhedron.vertices, direction).dot(direction) - point.dot(direction);
     let mut offer = |feature, w: DVec3| {
         let distance = w.length();
         let new = NearestFeature { feature, distance, normal: w / distance };
-        let way = |nearest: &NearestFeature| (nearest.distance, nearest.normal);
-        if best.is_none_or(|best| feature != best.feature && is_nearer(way(&new), way(&best), lengths, reach)) {
+        let measured = |nearest: &NearestFeature| (nearest.distance, nearest.normal);
+        if best
+            .is_none_or(|best| feature != best.feature && is_nearer(measured(&new), measured(&best), lengths, support))
+        {
             best = Some(new);
         }
     };

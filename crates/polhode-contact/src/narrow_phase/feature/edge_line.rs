@@ -8,7 +8,8 @@ pub(crate) struct EdgeLine {
     pub(crate) middle: DVec3,
     pub(crate) direction: DVec3,
     pub(crate) length: f64,
-    /// Sum of the outward normals of the adjacent faces: a direction out of the body.
+    /// A direction out of the body. For a polyhedron: the sum of the normals of the two faces and of the directions out
+    /// of them perpendicular to the edge. For a mesh: the sum of the directions out of the triangles at the edge.
     pub(crate) outward: DVec3,
 }
 

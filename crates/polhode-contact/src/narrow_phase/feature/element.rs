@@ -109,6 +109,16 @@ impl<'a> Element<'a> {
         }
     }
 
+    /// The direction in which the surface is straight at a point with this unit normal: along a line or along the
+    /// generator of a cone; none for other loci.
+    pub(crate) fn straight_direction(&self, normal: DVec3) -> Option<DVec3> {
+        match self.locus {
+            Locus::Line(_, along) => Some(along),
+            Locus::Cone(side) => Some(side.axis - normal * normal.dot(side.axis)),
+            _ => None,
+        }
+    }
+
     /// Distance of the surface from a point of the locus along the outward normal, m: the ball's radius, plus for a
     /// point on a cone's axis the length of the normal from there to the side.
     pub(crate) fn radius_at(&self, place: DVec3) -> f64 {
@@ -119,9 +129,9 @@ impl<'a> Element<'a> {
     }
 
     /// Signed distance from the border, m; negative beyond it. `place` lies on the locus, `outward` is the unit normal
-    /// there. `reach` is the distance of the two loci: a margin of normals, which is an angle, becomes a length with
-    /// it.
-    pub(crate) fn margin(&self, place: DVec3, outward: DVec3, reach: f64) -> f64 {
+    /// there. `apart` is the distance of the two loci, m: a margin of normals is an angle, and is multiplied by it
+    /// to give a length.
+    pub(crate) fn margin(&self, place: DVec3, outward: DVec3, apart: f64) -> f64 {
         match (self.border, self.locus) {
             (Border::Ends(half), Locus::Line(middle, along)) => half - along.dot(place - middle).abs(),
             (Border::Generator(length), Locus::Cone(side)) => {
@@ -137,11 +147,11 @@ impl<'a> Element<'a> {
                 let from_side = outward.dot(out) * radial + outward.dot(circle.axis) * axial;
                 circle.radius * (outward.dot(out).min(from_side) + ALIKE_SINE)
             }
-            (Border::Cap(away), _) => reach * (away.dot(outward) + ALIKE_SINE),
+            (Border::Cap(away), _) => apart * (away.dot(outward) + ALIKE_SINE),
             (Border::Apex(side), _) => {
                 let along = outward.dot(side.axis);
                 let across = (outward - side.axis * along).length();
-                reach * (along * side.cosine - across * side.sine + ALIKE_SINE)
+                apart * (along * side.cosine - across * side.sine + ALIKE_SINE)
             }
             (Border::Polygon(polyhedron, index, pose), _) => {
                 let place = pose.inverse_transform_point(place);
@@ -155,7 +165,7 @@ impl<'a> Element<'a> {
                     if edge.vertices[0] == index { -edge.direction.dot(outward) } else { edge.direction.dot(outward) }
                 };
                 let least = polyhedron.edges_at.of(index as usize).iter().map(beyond).fold(f64::INFINITY, f64::min);
-                reach * (least + ALIKE_SINE)
+                apart * (least + ALIKE_SINE)
             }
             _ => f64::INFINITY,
         }

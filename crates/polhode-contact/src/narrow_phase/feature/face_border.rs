@@ -21,33 +21,34 @@ pub(crate) fn face_margin(polyhedron: &ConvexPolyhedron, face: &Face<'_>, y: DVe
 }
 
 /// Where on a face of the other body a vertex lies.
-pub(crate) enum Border {
+pub(crate) enum PlaceOnFace {
+    /// Farther inside than the tolerance.
     Inside,
     /// On an edge with this direction, in the frame of the face's body.
-    Edge(DVec3),
-    Vertex(u32),
+    OnEdge(DVec3),
+    AtVertex(u32),
     /// The other body's feature is no face of a polyhedron.
     Unknown,
 }
 
-/// Whether the point `y` (frame of the face's body) lies on an edge or a vertex of the face that a vertex-face contact
-/// names, within `tolerance` (m).
-pub(crate) fn at_border(other: &Shape, feature: ContactFeature, y: DVec3, tolerance: f64) -> Border {
+/// Where the point `y` (frame of the face's body) lies on the face that a vertex-face contact names: at a vertex or on
+/// an edge if it is no farther from it than `tolerance` (m).
+pub(crate) fn place_on_face(other: &Shape, feature: ContactFeature, y: DVec3, tolerance: f64) -> PlaceOnFace {
     if matches!((other, feature), (Shape::HalfSpace(_), ContactFeature::VertexFace { .. })) {
-        return Border::Inside;
+        return PlaceOnFace::Inside;
     }
     let (Shape::Convex(polyhedron), ContactFeature::VertexFace { face, .. }) = (other, feature) else {
-        return Border::Unknown;
+        return PlaceOnFace::Unknown;
     };
-    let Some(face) = polyhedron.face(face as usize) else { return Border::Unknown };
-    let mut edge = Border::Inside;
+    let Some(face) = polyhedron.face(face as usize) else { return PlaceOnFace::Unknown };
+    let mut edge = PlaceOnFace::Inside;
     for ((&vertex, side), &number) in face.vertices.iter().zip(face.sides).zip(face.edges) {
         let from = y - polyhedron.vertices[vertex as usize];
         if (from - face.normal * face.normal.dot(from)).length() <= tolerance {
-            return Border::Vertex(vertex);
+            return PlaceOnFace::AtVertex(vertex);
         }
         if side.dot(from).abs() <= tolerance {
-            edge = Border::Edge(polyhedron.edges[number as usize].direction);
+            edge = PlaceOnFace::OnEdge(polyhedron.edges[number as usize].direction);
         }
     }
     edge

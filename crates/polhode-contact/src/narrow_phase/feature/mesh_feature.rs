@@ -8,7 +8,7 @@
 use crate::bounding::aabb::Aabb;
 use crate::clearance::COINCIDENCE;
 use crate::shape::TriangleMesh;
-use crate::shape::triangle::{Part, from_triangle};
+use crate::shape::triangle::{TriangleFeature, from_triangle};
 use glam::DVec3;
 
 /// Signed distance of a point in a face's plane from the border of its patch, m. Inside: the distance from the border
@@ -19,12 +19,12 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     let patch = face / 2;
     let slack = COINCIDENCE * mesh.bounds_size();
     let mut inside: Option<f64> = None;
-    mesh.tree.overlaps(&Aabb { min: y, max: y }.widened(4.0 * slack), &mut |triangle| {
+    mesh.tree.overlaps(&Aabb::of_point(y).widened(4.0 * slack), &mut |triangle| {
         if mesh.patch_of[triangle as usize] != patch {
             return;
         }
         let mut margin = f64::INFINITY;
-        for (k, corner) in mesh.corner_places(triangle).into_iter().enumerate() {
+        for (k, corner) in mesh.corners(triangle).into_iter().enumerate() {
             let within = mesh.sides[triangle as usize][k].dot(corner - y);
             let flat = mesh.edges[mesh.edges_of[triangle as usize][k] as usize].flat;
             if within < -slack || (within < 0.0 && !flat) {
@@ -37,14 +37,14 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
     if let Some(margin) = inside {
         return margin;
     }
-    let here = Aabb { min: y, max: y };
+    let here = Aabb::of_point(y);
     let near = |bounds: &Aabb| bounds.distance(&here);
     let mut nearest = (f64::INFINITY, None);
     let distance = mesh.tree.least(f64::INFINITY, 0.0, &near, &mut |triangle, _| {
         if mesh.patch_of[triangle as usize] != patch {
             return f64::INFINITY;
         }
-        let (away, part) = from_triangle(&mesh.corner_places(triangle), y);
+        let (away, part) = from_triangle(&mesh.corners(triangle), y);
         let distance = away.length();
         if distance < nearest.0 {
             nearest = (distance, Some((triangle, part)));
@@ -52,7 +52,7 @@ pub(crate) fn patch_margin(mesh: &TriangleMesh, face: u32, y: DVec3) -> f64 {
         distance
     });
     match nearest.1 {
-        Some((triangle, Part::Edge(k))) if mesh.rises_at(mesh.edges_of[triangle as usize][k], face) => 0.0,
+        Some((triangle, TriangleFeature::Edge(k))) if mesh.rises_at(mesh.edges_of[triangle as usize][k], face) => 0.0,
         _ => -distance,
     }
 }
@@ -63,12 +63,7 @@ impl TriangleMesh {
         let Some(plane) = self.face_plane(face) else { return false };
         let height = COINCIDENCE * self.bounds_size();
         let others = self.at_edge.of(edge as usize).iter().filter(|&&t| self.patch_of[t as usize] != face / 2);
-        others.flat_map(|&t| self.corner_places(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
-    }
-
-    /// Corners of a triangle that exists.
-    pub(crate) fn corner_places(&self, triangle: u32) -> [DVec3; 3] {
-        self.joined[triangle as usize].map(|v| self.vertices[v as usize])
+        others.flat_map(|&t| self.corners(t)).any(|w| plane.normal.dot(w) - plane.offset > height)
     }
 
     /// Unit vectors out of the triangles at an edge, in their planes.
@@ -86,7 +81,7 @@ impl TriangleMesh {
     }
 
     /// Length of the first edge at a vertex, m: the scale of the triangles there.
-    pub(crate) fn face_size(&self, vertex: u32) -> f64 {
+    pub(crate) fn first_edge_length(&self, vertex: u32) -> f64 {
         let x = self.vertices.get(vertex as usize).copied().unwrap_or_default();
         self.neighbours(vertex).next().map_or(0.0, |w| w.distance(x))
     }
@@ -101,18 +96,27 @@ impl TriangleMesh {
     pub(crate) fn supports_at_edge(&self, edge: u32, v: DVec3, height: f64, slope: f64) -> bool {
         let Some(line) = self.edges.get(edge as usize) else { return false };
         let x = self.vertices[line.vertices[0] as usize];
-        let falls = |&t: &u32| self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope));
-        self.at_edge.of(edge as usize).iter().all(falls)
+        self.all_fall_away(self.at_edge.of(edge as usize), |w| falls_away(w - x, v, height, slope))
     }
 
     /// The same at a vertex.
     pub(crate) fn supports_at_vertex(&self, vertex: u32, v: DVec3, height: f64, slope: f64) -> bool {
         let Some(&x) = self.vertices.get(vertex as usize) else { return false };
-        let falls = |&t: &u32| {
-            // The step to the vertex itself is zero, and passes.
-            self.corner_places(t).iter().all(|w| falls_away(*w - x, v, height, slope))
-        };
-        self.at_vertex.of(vertex as usize).iter().all(falls)
+        // The step to the vertex itself is zero, and passes.
+        self.all_fall_away(self.at_vertex.of(vertex as usize), |w| falls_away(w - x, v, height, slope))
+    }
+
+    /// The same at a feature of a triangle; the face has its own normal.
+    pub(crate) fn supports_at(&self, triangle: u32, at: TriangleFeature, v: DVec3, height: f64, slope: f64) -> bool {
+        match at {
+            TriangleFeature::Face => true,
+            TriangleFeature::Edge(k) => self.supports_at_edge(self.edges_of[triangle as usize][k], v, height, slope),
+            TriangleFeature::Corner(k) => self.supports_at_vertex(self.joined[triangle as usize][k], v, height, slope),
+        }
+    }
+
+    fn all_fall_away(&self, triangles: &[u32], falls: impl Fn(DVec3) -> bool) -> bool {
+        triangles.iter().all(|&triangle| self.corners(triangle).into_iter().all(&falls))
     }
 
     /// Whether the surface around a vertex lies in the plane perpendicular to `v`: all of it, along a line, or not.
@@ -126,7 +130,7 @@ impl TriangleMesh {
             let others = self.joined[t as usize].map(|n| self.vertices[n as usize]);
             for w in others.into_iter().filter(|w| *w != x && level(*w)) {
                 let d = (w - x).normalize_or_zero();
-                if straight.is_none() && around.iter().any(|&u| self.holds_direction(u, vertex, -d, v, tolerance)) {
+                if straight.is_none() && around.iter().any(|&u| self.contains_direction(u, vertex, -d, v, tolerance)) {
                     straight = Some(d);
                 }
             }
@@ -144,7 +148,7 @@ impl TriangleMesh {
     }
 
     /// Whether a triangle at a vertex contains the direction `d` of the plane perpendicular to `v`.
-    fn holds_direction(&self, triangle: u32, vertex: u32, d: DVec3, v: DVec3, tolerance: f64) -> bool {
+    fn contains_direction(&self, triangle: u32, vertex: u32, d: DVec3, v: DVec3, tolerance: f64) -> bool {
         let own = self.joined[triangle as usize];
         let Some(k) = own.iter().position(|&n| n == vertex) else { return false };
         let at = |i: usize| self.vertices[own[(k + i) % 3] as usize];

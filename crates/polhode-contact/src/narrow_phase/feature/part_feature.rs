@@ -7,7 +7,7 @@ use crate::{ContactFeature, Shape, Side, SurfaceFeature};
 pub(crate) struct Local<'a> {
     pub(crate) feature: ContactFeature,
     pub(crate) shapes: [&'a Shape; 2],
-    /// The parts; zero where a body is no compound.
+    /// The numbers of the parts; zero where a body is no compound.
     pub(crate) parts: [usize; 2],
 }
 
@@ -23,10 +23,9 @@ pub(crate) fn localized<'a>(feature: ContactFeature, a: &'a Shape, b: &'a Shape)
 
 /// [`localized`] for a pair with at least one compound.
 fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
-    let index = |side: Side| usize::from(side == Side::B);
     let mut local = Local { feature, shapes, parts: [0; 2] };
     let mut take = |side: Side, kind: Kind, number: u32| -> Option<u32> {
-        let at = index(side);
+        let at = side.index();
         let Shape::Compound(compound) = shapes[at] else { return Some(number) };
         let (part, shape, number) = compound.owner(number, |first| kind.of(first))?;
         local.parts[at] = part;
@@ -44,7 +43,7 @@ fn in_parts(feature: ContactFeature, shapes: [&Shape; 2]) -> Option<Local<'_>> {
     };
     if let ContactFeature::Smooth { center_of, against, .. } = &mut feature {
         // A part that is a sphere is numbered by its centre.
-        if matches!(local.shapes[index(center_of.other())], Shape::Sphere(_)) {
+        if matches!(local.shapes[center_of.other().index()], Shape::Sphere(_)) {
             *against = SurfaceFeature::Sphere;
         }
     }
@@ -58,7 +57,7 @@ pub(crate) fn globalized(feature: ContactFeature, bodies: [&Shape; 2], parts: [u
         return feature;
     }
     let compound = |side: Side| -> Option<(&Compound, usize)> {
-        let at = usize::from(side == Side::B);
+        let at = side.index();
         if let Shape::Compound(c) = bodies[at] { Some((c, parts[at])) } else { None }
     };
     let number = |side: Side, kind: Kind, number: u32| {

@@ -38,7 +38,7 @@ pub(crate) fn pair_manifold(buffers: &mut PairBuffers, a: Placed<'_>, b: Placed<
         _ => SeparatingAxis::Nearest,
     };
     found.set_empty(separation, axis);
-    if separation.is_nan() || reach.is_nan() || separation > reach {
+    if found.is_beyond(reach) {
         return;
     }
     match (shape_a, shape_b) {

@@ -40,7 +40,7 @@ pub(crate) fn along_axes(
         None => SeparatingAxis::FaceB(axes.face_b.face),
     };
     found.set_empty(separation, axis);
-    if separation.is_nan() || reach.is_nan() || separation > reach {
+    if found.is_beyond(reach) {
         return;
     }
     buffers.features.clear();

@@ -116,11 +116,11 @@ fn of_compound(
     reach: f64,
     found: &mut Manifold,
 ) {
-    // About A's origin.
+    // The poses relative to A's origin.
     let near_a = Pose { translation: glam::DVec3::ZERO, ..*poses[0] };
     let near_b = Pose { translation: poses[1].translation - poses[0].translation, ..*poses[1] };
     let near = [&near_a, &near_b];
-    let tolerance = place_tolerance(least_part(shapes[0]), least_part(shapes[1]), near_b.translation);
+    let tolerance = place_tolerance(least_part_size(shapes[0]), least_part_size(shapes[1]), near_b.translation);
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
     candidates.clear();
     pairs.clear();
@@ -148,7 +148,7 @@ fn of_compound(
             keep(&of_parts.contacts);
         }
     }
-    if found.separation.is_nan() || reach.is_nan() || found.separation > reach {
+    if found.is_beyond(reach) {
         return found.set_empty(found.separation, SeparatingAxis::None);
     }
     let touching = TouchingPair { shapes, poses: near, same_place: SAME_PLACE_OF_PARTS * tolerance };
@@ -201,7 +201,7 @@ fn axis_of_whole(axis: SeparatingAxis, shapes: [&Shape; 2], parts: [usize; 2]) -
 }
 
 /// The size of a body's smallest part. It decides how far apart two distinct features must be.
-fn least_part(shape: &Shape) -> f64 {
+fn least_part_size(shape: &Shape) -> f64 {
     match shape {
         Shape::Compound(c) => c.parts.iter().map(Shape::size).filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min),
         other => other.size(),

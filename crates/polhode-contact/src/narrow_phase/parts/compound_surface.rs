@@ -16,7 +16,7 @@
 //! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
 use crate::bounding::aabb::Aabb;
-use crate::narrow_phase::feature::face_border::{Border, at_border, face_margin};
+use crate::narrow_phase::feature::face_border::{PlaceOnFace, face_margin, place_on_face};
 use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
 use crate::narrow_phase::parts::surface_probe::probe_length;
 use crate::shape::Compound;
@@ -48,7 +48,7 @@ pub(crate) struct Candidate {
 }
 
 /// A place on the surface of a part, in the compound's frame.
-struct Place<'a> {
+struct PlaceOnPart<'a> {
     compound: &'a Compound,
     part: usize,
     near: &'a [usize],
@@ -68,7 +68,7 @@ pub(crate) fn on_whole(
     tolerance: f64,
     near: &mut Vec<usize>,
 ) -> Option<Candidate> {
-    let at = usize::from(side == Side::B);
+    let at = side.index();
     let geometry = candidate.geometry;
     let (sign, pose) = if side == Side::A { (-1.0, poses[0]) } else { (1.0, poses[1]) };
     let x = pose.inverse_transform_point(geometry.point - geometry.normal * (0.5 * sign * geometry.separation));
@@ -76,22 +76,22 @@ pub(crate) fn on_whole(
     let part = candidate.parts[at];
     let probe = probe_length(compound.parts[part].size(), tolerance);
     near.clear();
-    let reach = Aabb { min: x, max: x }.widened(2.0 * probe);
-    compound.tree.overlaps(&reach, &mut |other| near.push(other as usize));
+    let around = Aabb::of_point(x).widened(2.0 * probe);
+    compound.tree.overlaps(&around, &mut |other| near.push(other as usize));
     near.retain(|&other| other != part);
     if near.is_empty() {
         return Some(candidate);
     }
-    let place = Place { compound, part, near, x, v, tolerance, probe };
+    let place = PlaceOnPart { compound, part, near, x, v, tolerance, probe };
     let Shape::Convex(own) = shapes[at] else { return (!place.is_covered()).then_some(candidate) };
-    match element(candidate.feature, side) {
-        Element::Face(face) => place.is_exposed(own, face).then_some(candidate),
-        Element::Edge(edge) => {
+    match feature_of(candidate.feature, side) {
+        Some(SurfaceFeature::Face(face)) => place.is_exposed(own, face).then_some(candidate),
+        Some(SurfaceFeature::Edge(edge)) => {
             let edge = own.edges.get(edge as usize)?;
             let stands = place.is_supported() || place.ends_a_face(own, &edge.faces);
             (stands && !place.continues_across(own, edge.direction)).then_some(candidate)
         }
-        Element::Vertex(vertex) => {
+        Some(SurfaceFeature::Vertex(vertex)) => {
             if !(place.is_supported() || place.ends_a_face(own, own.faces_at.of(vertex as usize))) {
                 return None;
             }
@@ -100,13 +100,13 @@ pub(crate) fn on_whole(
             let local = |direction: DVec3| poses[1 - at].rotation.inverse_rotate(pose.rotation.rotate(direction));
             let x_other = poses[1 - at]
                 .inverse_transform_point(geometry.point + geometry.normal * (0.5 * sign * geometry.separation));
-            let border = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
-                Border::Inside
+            let on_face = if geometry.margin > SAME_PLACE_OF_PARTS * tolerance {
+                PlaceOnFace::Inside
             } else {
-                at_border(shapes[1 - at], candidate.feature, x_other, SAME_PLACE_OF_PARTS * tolerance)
+                place_on_face(shapes[1 - at], candidate.feature, x_other, SAME_PLACE_OF_PARTS * tolerance)
             };
-            match border {
-                Border::Vertex(other) if !candidate.replaced => {
+            match on_face {
+                PlaceOnFace::AtVertex(other) if !candidate.replaced => {
                     let face = own
                         .faces_at
                         .of(vertex as usize)
@@ -117,39 +117,29 @@ pub(crate) fn on_whole(
                     candidate.replaced = true;
                     Some(candidate)
                 }
-                Border::Edge(along) if !inner => (along.dot(local(straight)).abs() < ALONG).then_some(candidate),
-                Border::Inside | Border::Edge(_) | Border::Vertex(_) => None,
-                Border::Unknown => Some(candidate),
+                PlaceOnFace::OnEdge(along) if !inner => (along.dot(local(straight)).abs() < ALONG).then_some(candidate),
+                PlaceOnFace::Inside | PlaceOnFace::OnEdge(_) | PlaceOnFace::AtVertex(_) => None,
+                PlaceOnFace::Unknown => Some(candidate),
             }
         }
-        Element::Other => (!place.is_covered()).then_some(candidate),
+        _ => (!place.is_covered()).then_some(candidate),
     }
 }
 
-/// The kind of feature that touches.
-enum Element {
-    Face(u32),
-    Edge(u32),
-    Vertex(u32),
-    Other,
-}
-
-fn element(feature: ContactFeature, side: Side) -> Element {
+/// The feature of one body that a contact of two parts names; none where it is round or a point of a cloud.
+fn feature_of(feature: ContactFeature, side: Side) -> Option<SurfaceFeature> {
     match feature {
-        ContactFeature::VertexFace { vertex_of, vertex, .. } if vertex_of == side => Element::Vertex(vertex),
-        ContactFeature::VertexFace { face, .. } => Element::Face(face),
-        ContactFeature::EdgeEdge { edge_a, edge_b } => Element::Edge(if side == Side::A { edge_a } else { edge_b }),
-        ContactFeature::Smooth { center_of, against, .. } if center_of != side => match against {
-            SurfaceFeature::Face(face) => Element::Face(face),
-            SurfaceFeature::Edge(edge) => Element::Edge(edge),
-            SurfaceFeature::Vertex(vertex) => Element::Vertex(vertex),
-            _ => Element::Other,
-        },
-        _ => Element::Other,
+        ContactFeature::VertexFace { vertex_of, vertex, .. } if vertex_of == side => {
+            Some(SurfaceFeature::Vertex(vertex))
+        }
+        ContactFeature::VertexFace { face, .. } => Some(SurfaceFeature::Face(face)),
+        ContactFeature::EdgeEdge { edge_a, edge_b } => Some(SurfaceFeature::Edge([edge_a, edge_b][side.index()])),
+        ContactFeature::Smooth { center_of, against, .. } if center_of != side => Some(against),
+        _ => None,
     }
 }
 
-impl Place<'_> {
+impl PlaceOnPart<'_> {
     fn others(&self) -> impl Iterator<Item = &ConvexPolyhedron> {
         self.near.iter().filter_map(|&part| match &self.compound.parts[part] {
             Shape::Convex(polyhedron) => Some(polyhedron),
@@ -176,7 +166,7 @@ impl Place<'_> {
         })
     }
 
-    /// Whether a region of the face beside the place has no other part above it.
+    /// Whether a region of the face beside the place has no other part above it; true where no probe lies on the face.
     fn is_exposed(&self, own: &ConvexPolyhedron, face: u32) -> bool {
         let Some(face) = own.face(face as usize) else { return false };
         let mut probed = false;

@@ -4,7 +4,7 @@ use crate::narrow_phase::axis::axis_search::{AxisSearch, lowest_vertex, range};
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::ALIKE;
-use crate::narrow_phase::feature::face_border::{Border, at_border};
+use crate::narrow_phase::feature::face_border::{PlaceOnFace, place_on_face};
 use crate::narrow_phase::feature::mesh_feature::Flatness;
 use crate::narrow_phase::feature::part_feature::Kind;
 use crate::narrow_phase::feature::placed::Placed;
@@ -24,21 +24,21 @@ use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::round::is_round;
 use crate::shape::topology::{flat_triangle, set_flat_triangle};
-use crate::shape::triangle::{Part, from_triangle};
+use crate::shape::triangle::{TriangleFeature, from_triangle};
 use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// A triangle gives contacts up to this ratio of the penetration along its own axes to that of the whole pair.
+/// A triangle gives contacts when the penetration along its own axes is at most this many times that of the whole pair.
 pub(crate) const DEEPER: f64 = 1.5;
 
-/// A contact in the mesh's frame, with the mesh as A.
+/// A contact of a mesh (A) in its frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeshContact {
     pub(crate) contact: Contact,
     /// Its position in the order of discovery.
     pub(crate) order: u32,
-    /// Whether it lies on a convex edge or corner of its triangle.
+    /// Whether it lies on a convex edge or corner of its triangle, so that other triangles there may have it too.
     pub(crate) on_convex_edge: bool,
 }
 
@@ -49,6 +49,7 @@ pub(crate) struct MeshPair<'a> {
     pub(crate) shape: &'a Shape,
     pub(crate) mesh: &'a TriangleMesh,
     pub(crate) other: &'a Shape,
+    /// Pose of the other body.
     pub(crate) x: Pose,
     pub(crate) tolerance: f64,
     pub(crate) reach: f64,
@@ -87,7 +88,8 @@ impl FlatTriangle {
     }
 }
 
-/// The contacts of a triangle with a polyhedron that has been placed.
+/// Adds the contacts of a triangle with a polyhedron that has been placed to `contacts`, and to `bends` the places at
+/// which the two touch at the border of a feature (`ridge_ends.rs`).
 pub(crate) fn of_polyhedron(
     buffers: &mut PairBuffers,
     pair: &MeshPair<'_>,
@@ -115,14 +117,14 @@ pub(crate) fn of_polyhedron(
         buffers.features.push(ContactFeature::EdgeEdge { edge_a: k as u32, edge_b });
     }
     let features = std::mem::take(&mut buffers.features);
-    let judge = OnTriangle { pair, triangle };
+    let on_triangle = OnTriangle { pair, triangle };
     let touching = pair.touching();
     for &feature in &features {
         // Where a ridge bends, the contacts of a single triangle are not contacts of the whole surface: cross the
         // ridges there instead (`ridge_ends.rs`).
-        let place = judge.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
+        let place = on_triangle.measure(feature).map(|c| c.geometry).filter(|geometry| touching.is_at_border(geometry));
         bends.extend(place.map(|geometry| geometry.point));
-        let Some(found) = judge.on_surface(feature) else { continue };
+        let Some(found) = on_triangle.on_surface(feature) else { continue };
         let geometry = found.contact.geometry;
         let alike = |normal: &DVec3| geometry.normal.dot(*normal) >= ALIKE;
         let decided = deciding.is_none_or(|normals| normals.iter().flatten().any(alike));
@@ -230,8 +232,8 @@ impl OnTriangle<'_> {
                 };
                 let on_body = contact.geometry.point - contact.geometry.normal * (0.5 * contact.geometry.separation);
                 let y = self.pair.x.inverse_transform_point(on_body);
-                match (at_border(self.pair.other, contact.feature, y, SAME_PLACE_OF_PARTS * tolerance), straight) {
-                    (Border::Vertex(vertex), _) => {
+                match (place_on_face(self.pair.other, contact.feature, y, SAME_PLACE_OF_PARTS * tolerance), straight) {
+                    (PlaceOnFace::AtVertex(vertex), _) => {
                         let side = u32::from(outward.dot(self.triangle.normal) < 0.0);
                         let face = 2 * mesh.patch_of[self.triangle.index as usize] + side;
                         let flat = outward.dot(self.triangle.normal).abs() >= ALIKE;
@@ -242,12 +244,12 @@ impl OnTriangle<'_> {
                         };
                         Some(MeshContact { contact, order: 0, on_convex_edge: false })
                     }
-                    (Border::Edge(along), Some(straight)) => {
+                    (PlaceOnFace::OnEdge(along), Some(straight)) => {
                         let across = self.pair.x.rotation.rotate(along).cross(straight).length();
                         (across > PARALLEL).then_some(MeshContact { contact, order: 0, on_convex_edge: false })
                     }
-                    (Border::Unknown, _) => Some(MeshContact { contact, order: 0, on_convex_edge: false }),
-                    (Border::Inside | Border::Edge(_), _) => None,
+                    (PlaceOnFace::Unknown, _) => Some(MeshContact { contact, order: 0, on_convex_edge: false }),
+                    (PlaceOnFace::Inside | PlaceOnFace::OnEdge(_), _) => None,
                 }
             }
             ContactFeature::EdgeEdge { edge_a, .. } => {
@@ -256,32 +258,28 @@ impl OnTriangle<'_> {
                 stands.then_some(MeshContact { contact, order: 0, on_convex_edge: false })
             }
             _ => {
-                let part = self.part_at(place);
-                let supported = self.supports(part, outward, 0.0);
-                Some(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported })
+                let at = self.feature_at(place);
+                let supported = self.supports(at, outward, 0.0);
+                Some(MeshContact { contact, order: 0, on_convex_edge: at != TriangleFeature::Face && supported })
             }
         }
     }
 
     /// The feature of the triangle (corner, edge or face) on which a place lies.
-    fn part_at(&self, place: DVec3) -> Part {
+    fn feature_at(&self, place: DVec3) -> TriangleFeature {
         let limit = SAME_PLACE_OF_PARTS * self.pair.tolerance;
         let corners = self.triangle.corners;
         if let Some(k) = corners.iter().position(|c| c.distance(place) <= limit) {
-            return Part::Corner(k);
+            return TriangleFeature::Corner(k);
         }
         let sides = self.pair.mesh.sides[self.triangle.index as usize];
-        (0..3).find(|&k| sides[k].dot(place - corners[k]).abs() <= limit).map_or(Part::Face, Part::Edge)
+        (0..3)
+            .find(|&k| sides[k].dot(place - corners[k]).abs() <= limit)
+            .map_or(TriangleFeature::Face, TriangleFeature::Edge)
     }
 
-    fn supports(&self, part: Part, v: DVec3, slope: f64) -> bool {
-        let index = self.triangle.index as usize;
-        let (mesh, tolerance) = (self.pair.mesh, self.pair.tolerance);
-        match part {
-            Part::Face => true,
-            Part::Edge(k) => mesh.supports_at_edge(mesh.edges_of[index][k], v, tolerance, slope),
-            Part::Corner(k) => mesh.supports_at_vertex(mesh.joined[index][k], v, tolerance, slope),
-        }
+    fn supports(&self, at: TriangleFeature, v: DVec3, slope: f64) -> bool {
+        self.pair.mesh.supports_at(self.triangle.index, at, v, self.pair.tolerance, slope)
     }
 }
 
@@ -294,7 +292,7 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
     let (tolerance, reach) = (*tolerance, *reach);
     let (centers, radius) = other.centers();
     let side = side_of(triangle, other, x, tolerance);
-    let judge = OnTriangle { pair, triangle };
+    let on_triangle = OnTriangle { pair, triangle };
     let index = triangle.index as usize;
     let mut least = f64::INFINITY;
     for (number, &center) in centers.iter().enumerate() {
@@ -305,17 +303,16 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
             continue;
         }
         let slope = tolerance / near.distance.abs().max(tolerance);
-        let supported = judge.supports(near.part, near.direction, slope);
+        let supported = on_triangle.supports(near.feature, near.direction, slope);
         let over_face = near.lateral <= SAME_PLACE_OF_PARTS * tolerance;
         if !(supported || over_face) {
             continue;
         }
         let number = number as u32;
-        let against = match near.part {
-            _ if over_face => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
-            Part::Face => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
-            Part::Edge(k) => SurfaceFeature::Edge(mesh.edges_of[index][k]),
-            Part::Corner(k) => SurfaceFeature::Vertex(mesh.joined[index][k]),
+        let against = match near.feature {
+            TriangleFeature::Edge(k) if !over_face => SurfaceFeature::Edge(mesh.edges_of[index][k]),
+            TriangleFeature::Corner(k) if !over_face => SurfaceFeature::Vertex(mesh.joined[index][k]),
+            _ => SurfaceFeature::Face(2 * mesh.patch_of[index] + near.side),
         };
         let feature = match against {
             SurfaceFeature::Face(face) if radius == 0.0 => {
@@ -323,8 +320,12 @@ pub(crate) fn of_centers(pair: &MeshPair<'_>, triangle: &Triangle, contacts: &mu
             }
             _ => ContactFeature::Smooth { center_of: Side::B, center: number, against },
         };
-        let on_convex_edge = near.part != Part::Face && supported;
-        contacts.extend(judge.measure_whole(feature).map(|contact| MeshContact { contact, order: 0, on_convex_edge }));
+        let on_convex_edge = near.feature != TriangleFeature::Face && supported;
+        contacts.extend(on_triangle.measure_whole(feature).map(|contact| MeshContact {
+            contact,
+            order: 0,
+            on_convex_edge,
+        }));
     }
     least
 }
@@ -343,9 +344,10 @@ fn side_of(triangle: &Triangle, other: &Shape, x: &Pose, tolerance: f64) -> Opti
     (above - below > 4.0 * tolerance).then(|| u32::from(below < -above))
 }
 
-/// A point and a triangle.
+/// A point beside or below a triangle.
 struct NearTriangle {
-    part: Part,
+    /// The feature that is nearest to the point.
+    feature: TriangleFeature,
     side: u32,
     /// Signed, m: negative beyond the face on its side.
     distance: f64,
@@ -356,7 +358,7 @@ struct NearTriangle {
 
 impl NearTriangle {
     fn new(triangle: &Triangle, point: DVec3, side: Option<u32>, tolerance: f64) -> Self {
-        let (away, part) = from_triangle(&triangle.corners, point);
+        let (away, feature) = from_triangle(&triangle.corners, point);
         let height = triangle.normal.dot(point) - triangle.offset;
         let lateral = (away - triangle.normal * triangle.normal.dot(away)).length();
         let length = away.length();
@@ -366,11 +368,11 @@ impl NearTriangle {
             None => u32::from(height < -POINT_DEPTH * tolerance),
         };
         let outward = triangle.outward(side);
-        if over || part == Part::Face {
+        if over || feature == TriangleFeature::Face {
             let distance = if side == 0 { height } else { -height };
-            return Self { part, side, distance, direction: outward, lateral };
+            return Self { feature, side, distance, direction: outward, lateral };
         }
-        Self { part, side, distance: length, direction: away / length, lateral }
+        Self { feature, side, distance: length, direction: away / length, lateral }
     }
 }
 
@@ -378,7 +380,7 @@ impl NearTriangle {
 const POINT_DEPTH: f64 = 64.0;
 
 /// The separation of a triangle from a body that is no polyhedron, m.
-pub(crate) fn separation_of_part(
+pub(crate) fn triangle_separation(
     search: &mut AxisSearch,
     mesh: &TriangleMesh,
     triangle: &Triangle,
@@ -398,8 +400,9 @@ pub(crate) fn separation_of_part(
     }
 }
 
-/// The contacts of a triangle with a curved body, from the pair of a flat polyhedron and that body.
-pub(crate) fn of_parts(
+/// Adds the contacts of a triangle with a curved body, found as those of a flat polyhedron with that body. Returns the
+/// separation, m.
+pub(crate) fn of_curved(
     buffers: &mut PairBuffers,
     pair: &MeshPair<'_>,
     triangle: &Triangle,
@@ -409,25 +412,24 @@ pub(crate) fn of_parts(
     let MeshPair { mesh, other, x, reach, .. } = pair;
     let flat_triangle = Placed::new(flat.set(triangle), &Pose::IDENTITY);
     pair_manifold(buffers, flat_triangle, Placed::new(other, x), *reach, manifold);
-    let judge = OnTriangle { pair, triangle };
+    let on_triangle = OnTriangle { pair, triangle };
     let mut lost = false;
     for local in &manifold.contacts {
-        let Some(contact) = judge.measure(local.feature) else { continue };
+        let Some(contact) = on_triangle.measure(local.feature) else { continue };
         let place = local.geometry.point + local.geometry.normal * (0.5 * local.geometry.separation);
-        let part = judge.part_at(place);
-        let flat_edge =
-            matches!(part, Part::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
-        let supported = judge.supports(part, -local.geometry.normal, SLOPE);
+        let at = on_triangle.feature_at(place);
+        let flat_edge = matches!(at, TriangleFeature::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
+        let supported = on_triangle.supports(at, -local.geometry.normal, SLOPE);
         // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have
         // contacts.
         if is_on_face(local.feature) || (supported && !flat_edge) {
-            contacts.push(MeshContact { contact, order: 0, on_convex_edge: part != Part::Face && supported });
+            contacts.push(MeshContact { contact, order: 0, on_convex_edge: at != TriangleFeature::Face && supported });
         } else {
             lost = true;
         }
     }
     if lost && is_round(other) {
-        on_own_face(&mut buffers.features, &judge, flat.set(triangle), manifold, contacts);
+        on_own_face(&mut buffers.features, &on_triangle, flat.set(triangle), manifold, contacts);
     }
     manifold.separation
 }
@@ -448,17 +450,17 @@ const fn is_on_face(feature: ContactFeature) -> bool {
 /// the second one. The contacts of `manifold` must have been used before: this function overwrites them.
 fn on_own_face(
     features: &mut Vec<ContactFeature>,
-    judge: &OnTriangle<'_>,
+    on_triangle: &OnTriangle<'_>,
     flat: &Shape,
     manifold: &mut Manifold,
     contacts: &mut Vec<MeshContact>,
 ) {
-    let MeshPair { other, x, reach, tolerance, .. } = judge.pair;
+    let MeshPair { other, x, reach, tolerance, .. } = on_triangle.pair;
     let slack = SAME_PLACE_OF_PARTS * *tolerance;
     let body = Body::whole(other, *x);
     for (side, sign) in [(0, 1.0), (1, -1.0)] {
-        let outward = judge.triangle.normal * sign;
-        let along = -body.support(-outward) - judge.triangle.offset * sign;
+        let outward = on_triangle.triangle.normal * sign;
+        let along = -body.support(-outward) - on_triangle.triangle.offset * sign;
         if along > *reach || along < manifold.separation.min(0.0) * DEEPER - slack {
             continue;
         }
@@ -473,7 +475,7 @@ fn on_own_face(
         manifold.contacts.clear();
         let found = &mut manifold.contacts;
         round_region::contacts(features, pair.0, pair.1, &gap, *reach, is_on_face, found);
-        let measured = found.iter().filter_map(|contact| judge.measure(contact.feature));
+        let measured = found.iter().filter_map(|contact| on_triangle.measure(contact.feature));
         let within = measured.filter(|contact| contact.geometry.margin >= -slack);
         contacts.extend(within.map(|contact| MeshContact { contact, order: 0, on_convex_edge: false }));
     }

@@ -11,11 +11,11 @@
 //!
 //! All computation is in the frame of the mesh. The result does not depend on which body is called A.
 
-use crate::clearance::place_tolerance;
+use crate::clearance::place_tolerance_of_sizes;
 use crate::narrow_phase::pair::measure::measure_again;
 use crate::narrow_phase::parts::mesh_contacts::{
-    DEEPER, FlatTriangle, MeshContact, MeshPair, deciding_contact, of_centers, of_parts, of_polyhedron, place_other,
-    separation_of_part,
+    DEEPER, FlatTriangle, MeshContact, MeshPair, deciding_contact, of_centers, of_curved, of_polyhedron, place_other,
+    triangle_separation,
 };
 use crate::narrow_phase::parts::ridge_ends::{RidgeBuffers, crossings};
 use crate::narrow_phase::parts::same_places::{SAME_PLACE_OF_PARTS, SamePlaces};
@@ -25,8 +25,8 @@ use crate::shape::TriangleMesh;
 use crate::{ContactFeature, Manifold, SeparatingAxis, Shape};
 use polhode_spatial::Pose;
 
-/// The mesh of a pair and the other body; `None` when neither is a mesh.
-fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
+/// The mesh of a pair, after its position (0 or 1), and the other body; `None` when neither is a mesh.
+pub(crate) fn mesh_and_other(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
     match shapes {
         [Shape::TriangleMesh(mesh), other] => Some((0, mesh, other)),
         [other, Shape::TriangleMesh(mesh)] => Some((1, mesh, other)),
@@ -36,13 +36,13 @@ fn sides_of(shapes: [&Shape; 2]) -> Option<(usize, &TriangleMesh, &Shape)> {
 
 /// Whether contact of this shape with a mesh is not computed: meshes and half-spaces are fixed surroundings, and have
 /// no contacts with each other.
-const fn never_meets(other: &Shape) -> bool {
+pub(crate) const fn never_meets(other: &Shape) -> bool {
     matches!(other, Shape::TriangleMesh(_) | Shape::HalfSpace(_))
 }
 
 /// The separation of a mesh from another body; `None` for other pairs.
 pub(crate) fn mesh_separation(buffers: &mut MeshBuffers, shapes: [&Shape; 2], poses: [&Pose; 2]) -> Option<f64> {
-    let (at, mesh, other) = sides_of(shapes)?;
+    let (at, mesh, other) = mesh_and_other(shapes)?;
     if never_meets(other) {
         return Some(f64::INFINITY);
     }
@@ -58,15 +58,14 @@ pub(crate) fn mesh_separation(buffers: &mut MeshBuffers, shapes: [&Shape; 2], po
                 let limits = (tolerance, best.max(0.0));
                 triangle_axes(&bodies.search, axes, offsets, mesh, &triangle, polyhedron, limits).separation
             }
-            _ => separation_of_part(&mut bodies.search, mesh, &triangle, other, &x, flat),
+            _ => triangle_separation(&mut bodies.search, mesh, &triangle, other, &x, flat),
         }
     };
     Some(mesh.tree.least(f64::INFINITY, 0.0, &|of| of.distance(&bounds), &mut measure))
 }
 
 fn tolerance_of(mesh: &TriangleMesh, other: &Shape, x: &Pose) -> f64 {
-    let size = if other.size() > 0.0 { other.size() } else { mesh.bounds_size() };
-    place_tolerance(size, mesh.bounds_size(), x.translation)
+    place_tolerance_of_sizes(mesh.bounds_size(), other.size(), x.translation)
 }
 
 /// Buffers that are reused from call to call.
@@ -82,7 +81,7 @@ pub(crate) struct MeshBuffers {
     contacts: Vec<MeshContact>,
     flat: FlatTriangle,
     /// Contacts of one triangle.
-    of_part: Manifold,
+    of_triangle: Manifold,
     ridges: RidgeBuffers,
     same_places: SamePlaces,
 }
@@ -96,32 +95,29 @@ pub(crate) fn mesh_manifold(
     found: &mut Manifold,
 ) {
     found.set_empty(f64::INFINITY, SeparatingAxis::None);
-    let Some((at, mesh, other)) = sides_of(shapes) else { return };
+    let Some((at, mesh, other)) = mesh_and_other(shapes) else { return };
     if never_meets(other) {
         return;
     }
     let x = poses[at].relative(poses[1 - at]);
     let pair = MeshPair { shape: shapes[at], mesh, other, x, tolerance: tolerance_of(mesh, other, &x), reach };
     of_triangles(buffers, &pair, found);
-    let is_near = !(found.separation.is_nan() || reach.is_nan() || found.separation > reach);
-    if is_near {
-        of_surface(buffers, &pair, found);
+    if found.is_beyond(reach) {
+        return found.set_empty(found.separation, SeparatingAxis::None);
     }
-    if is_near {
-        if at == 1 {
-            found.axis = swapped(found.axis);
-            found.contacts.iter_mut().for_each(|contact| contact.feature = contact.feature.swapped());
-        }
-        measure_again(&mut found.contacts, shapes, poses, reach.max(pair.tolerance));
-        found.contacts.sort_unstable_by_key(|contact| contact.feature);
-        return;
+    of_surface(buffers, &pair, found);
+    if at == 1 {
+        found.axis = swapped(found.axis);
+        found.contacts.iter_mut().for_each(|contact| contact.feature = contact.feature.swapped());
     }
-    found.set_empty(found.separation, SeparatingAxis::None);
+    measure_again(&mut found.contacts, shapes, poses, reach.max(pair.tolerance));
+    found.contacts.sort_unstable_by_key(|contact| contact.feature);
 }
 
 /// The separation of the triangles within reach, and their contacts when the other body is not a polyhedron.
 fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Manifold) {
-    let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_part, .. } = buffers;
+    let MeshBuffers { pair: bodies, axes: of_axes, offsets, triangles, near, contacts, flat, of_triangle, .. } =
+        buffers;
     let MeshPair { mesh, other, ref x, tolerance, reach, .. } = *pair;
     place_other(&mut bodies.search, other, x, offsets);
     triangles.clear();
@@ -150,7 +146,7 @@ fn of_triangles(buffers: &mut MeshBuffers, pair: &MeshPair<'_>, found: &mut Mani
                 note(of_centers(pair, &triangle, contacts), SeparatingAxis::Nearest);
             }
             _ => {
-                let least = of_parts(bodies, pair, &triangle, (flat, of_part), contacts);
+                let least = of_curved(bodies, pair, &triangle, (flat, of_triangle), contacts);
                 note(least, SeparatingAxis::Nearest);
             }
         }

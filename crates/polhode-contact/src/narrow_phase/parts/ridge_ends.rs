@@ -145,7 +145,7 @@ impl<'a> LocalSurface<'a> {
     /// Collects the parts or triangles whose boxes are near a place.
     fn collect_near(&self, x: DVec3, near: &mut Vec<u32>) {
         near.clear();
-        let here = Aabb { min: x, max: x }.widened(self.slack);
+        let here = Aabb::of_point(x).widened(self.slack);
         match self.surface {
             Surface::Parts(compound) => compound.tree.overlaps(&here, &mut |part| near.push(part)),
             Surface::Single(_) => near.push(0),
@@ -238,7 +238,7 @@ impl<'a> LocalSurface<'a> {
         let above = |w: &DVec3| w.dot(v) > v.dot(x) + LEAST_PROBE * self.slack;
         if let Surface::Mesh(mesh) = self.surface {
             return near.iter().any(|&triangle| {
-                let corners = mesh.corner_places(triangle);
+                let corners = mesh.corners(triangle);
                 from_triangle(&corners, x).0.length() <= self.slack && corners.iter().any(above)
             });
         }

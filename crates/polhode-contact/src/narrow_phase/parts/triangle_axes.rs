@@ -14,6 +14,7 @@ use crate::narrow_phase::axis::axis_search::{AxisSearch, range};
 use crate::narrow_phase::axis::edge_axes::{AXIS_ULPS, SQUARE_SLACK};
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
+use crate::shape::triangle::TriangleFeature;
 use glam::DVec3;
 
 /// A triangle and its plane in the mesh's frame.
@@ -29,7 +30,7 @@ pub(crate) struct Triangle {
 impl Triangle {
     pub(crate) fn new(mesh: &TriangleMesh, index: u32) -> Self {
         let patch = mesh.patches[mesh.patch_of[index as usize] as usize];
-        Self { index, corners: mesh.corner_places(index), normal: patch.normal, offset: patch.offset }
+        Self { index, corners: mesh.corners(index), normal: patch.normal, offset: patch.offset }
     }
 
     /// Normal of its outer (0) or inner (1) side.
@@ -38,14 +39,15 @@ impl Triangle {
     }
 }
 
-/// The kind of axis that decides the separation.
+/// The axis that decides the contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Decision {
     /// The triangle's outer (0) or inner (1) side.
     Side(u32),
     /// A face of the polyhedron.
     Face(u32),
-    /// The triangle's edge from this corner to the next, and an edge of the polyhedron; the unit vector from the mesh.
+    /// The triangle's edge from this corner to the next, an edge of the polyhedron, and the unit vector along their
+    /// common perpendicular, out of the mesh.
     Edges(usize, u32, DVec3),
 }
 
@@ -154,17 +156,14 @@ fn least_of([a, b, c]: [f64; 3]) -> f64 {
 fn rests_on(mesh: &TriangleMesh, triangle: &Triangle, v: DVec3, heights: [f64; 3], tolerance: f64) -> bool {
     let least = least_of(heights);
     let low = heights.map(|h| h <= least + tolerance);
-    let index = triangle.index as usize;
-    match low {
-        [true, true, true] => true,
-        [true, true, false] => mesh.supports_at_edge(mesh.edges_of[index][0], v, tolerance, 0.0),
-        [false, true, true] => mesh.supports_at_edge(mesh.edges_of[index][1], v, tolerance, 0.0),
-        [true, false, true] => mesh.supports_at_edge(mesh.edges_of[index][2], v, tolerance, 0.0),
-        _ => {
-            let corner = low.iter().position(|l| *l).unwrap_or(0);
-            mesh.supports_at_vertex(mesh.joined[index][corner], v, tolerance, 0.0)
-        }
-    }
+    let lowest = match low {
+        [true, true, true] => TriangleFeature::Face,
+        [true, true, false] => TriangleFeature::Edge(0),
+        [false, true, true] => TriangleFeature::Edge(1),
+        [true, false, true] => TriangleFeature::Edge(2),
+        _ => TriangleFeature::Corner(low.iter().position(|l| *l).unwrap_or(0)),
+    };
+    mesh.supports_at(triangle.index, lowest, v, tolerance, 0.0)
 }
 
 /// Tests the chosen edges of the polyhedron against the edges of the triangle.

@@ -61,7 +61,7 @@ impl FacePair<'_> {
     }
 
     fn vertex_on(&self, (of, vertex): (Side, u32), face: &Face<'_>, gradient: DVec3) -> Option<ContactGeometry> {
-        let (v, e) = if of == Side::A { (0, 1) } else { (1, 0) };
+        let (v, e) = (of.index(), of.other().index());
         let place = *self.polyhedra[v].vertices.get(vertex as usize)?;
         vertex_above_face(of, (place, self.poses[v]), (self.polyhedra[e], face, self.poses[e]), gradient, self.reach)
     }

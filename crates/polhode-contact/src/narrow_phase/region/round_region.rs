@@ -1,11 +1,11 @@
 //! All contacts of the region in which two bodies touch, at least one of them round.
 //!
-//! The support set of each body along the separating normal is one of three parts: flat (a face or disc whose normal is
+//! The support set of each body along the separating normal is flat (a face, a disc or a torus whose normal or axis is
 //! within 0.01 rad of it), a line (a side or edge perpendicular to it within 0.01 rad), or a point. The overlap of the
-//! two parts has corners of three kinds, as for polygons (thesis 3.4, figure 17): a corner of A's part over B's, one of
+//! two sets has corners of three kinds, as for polygons (thesis 3.4, figure 17): a corner of A's set over B's, one of
 //! B's over A's, and crossings of their borders.
 //!
-//! | part | corners | border |
+//! | support set | corners | border |
 //! |---|---|---|
 //! | face | its vertices | its edges |
 //! | disc | its sample points ([`crate::shape::round`]) and the lowest point of its rim when it is tilted | its rim |
@@ -30,9 +30,9 @@ use crate::shape::round::circles;
 use crate::{Contact, ContactFeature, Shape, SurfaceFeature};
 use glam::DVec3;
 
-/// The support set of a body along a direction.
+/// The support set of a body along a direction, up to 0.01 rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Part {
+enum SupportSet {
     /// A face or disc.
     Flat(u32),
     /// A torus that lies flat.
@@ -145,86 +145,88 @@ fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &G
 }
 
 /// The support set of a shape along an outward unit vector in the world.
-fn part_of(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> Part {
+fn support_set(Placed { shape, pose }: Placed<'_>, outward: DVec3) -> SupportSet {
     let outward = pose.rotation.inverse_rotate(outward);
     let side = |axis: DVec3, sine: f64| {
         let lies = (outward.dot(axis) - sine).abs() <= ALIKE_SINE;
-        if lies { Part::Line(SurfaceFeature::Side(0)) } else { Part::Point }
+        if lies { SupportSet::Line(SurfaceFeature::Side(0)) } else { SupportSet::Point }
     };
     match shape {
-        Shape::HalfSpace(_) => Part::Flat(0),
+        Shape::HalfSpace(_) => SupportSet::Flat(0),
         Shape::Convex(polyhedron) => {
             let along = |f: &usize| polyhedron.faces[*f].normal.dot(outward);
             let best = (0..polyhedron.faces.len()).max_by(|f, g| along(f).total_cmp(&along(g)));
             match best.filter(|f| along(f) >= ALIKE) {
-                Some(face) => Part::Flat(face as u32),
+                Some(face) => SupportSet::Flat(face as u32),
                 None => edge_along(polyhedron, outward),
             }
         }
-        Shape::Cylinder(c) if outward.dot(c.axis).abs() >= ALIKE => Part::Flat(u32::from(outward.dot(c.axis) > 0.0)),
-        Shape::Cone(c) if -outward.dot(c.axis) >= ALIKE => Part::Flat(0),
-        Shape::Torus(t) if outward.dot(t.axis).abs() >= ALIKE => Part::Ring,
+        Shape::Cylinder(c) if outward.dot(c.axis).abs() >= ALIKE => {
+            SupportSet::Flat(u32::from(outward.dot(c.axis) > 0.0))
+        }
+        Shape::Cone(c) if -outward.dot(c.axis) >= ALIKE => SupportSet::Flat(0),
+        Shape::Torus(t) if outward.dot(t.axis).abs() >= ALIKE => SupportSet::Ring,
         Shape::Cylinder(c) => side(c.axis, 0.0),
         Shape::Cone(c) => side(c.axis, c.radius / libm::hypot(c.radius, c.height)),
         Shape::Capsule(c) => side((c.ends[1] - c.ends[0]).normalize(), 0.0),
-        _ => Part::Point,
+        _ => SupportSet::Point,
     }
 }
 
 /// The edge of a polyhedron that is perpendicular to a direction at the support point, if there is one.
-fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> Part {
+fn edge_along(polyhedron: &crate::ConvexPolyhedron, outward: DVec3) -> SupportSet {
     let height = |v: u32| outward.dot(polyhedron.vertices[v as usize]);
     let top = (0..polyhedron.vertices.len() as u32).map(height).fold(f64::NEG_INFINITY, f64::max);
     let drop = |edge: &crate::Edge| top - height(edge.vertices[0]).min(height(edge.vertices[1]));
     let lying = polyhedron.edges.iter().enumerate().filter(|(_, edge)| drop(edge) <= ALIKE_SINE * edge.length);
     lying
         .min_by(|(_, e), (_, f)| drop(e).total_cmp(&drop(f)))
-        .map_or(Part::Point, |(index, _)| Part::Line(SurfaceFeature::Edge(index as u32)))
+        .map_or(SupportSet::Point, |(index, _)| SupportSet::Line(SurfaceFeature::Edge(index as u32)))
 }
 
-/// Calls `visit` with the corners of a part.
-fn each_corner(shape: &Shape, part: Part, mut visit: impl FnMut(SurfaceFeature)) {
+/// Calls `visit` with the corners of a support set.
+fn each_corner(shape: &Shape, set: SupportSet, mut visit: impl FnMut(SurfaceFeature)) {
     use SurfaceFeature::{Cap, Edge, Rim, Vertex};
-    match (shape, part) {
-        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+    match (shape, set) {
+        (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.vertices).for_each(|&v| visit(Vertex(v)));
         }
-        (Shape::Convex(polyhedron), Part::Line(Edge(edge))) => {
+        (Shape::Convex(polyhedron), SupportSet::Line(Edge(edge))) => {
             let edge = polyhedron.edges.get(edge as usize);
             edge.iter().flat_map(|edge| edge.vertices).for_each(|v| visit(Vertex(v)));
         }
-        (Shape::Cylinder(_), Part::Flat(face)) => {
+        (Shape::Cylinder(_), SupportSet::Flat(face)) => {
             (0..RIM_POINTS).for_each(|k| visit(Vertex(face * RIM_POINTS + k)));
             visit(Rim(face));
         }
-        (Shape::Cone(_), Part::Flat(_)) => {
+        (Shape::Cone(_), SupportSet::Flat(_)) => {
             (1..=RIM_POINTS).for_each(|k| visit(Vertex(k)));
             visit(Rim(0));
         }
-        (Shape::Torus(_), Part::Ring) => {
+        (Shape::Torus(_), SupportSet::Ring) => {
             (0..RIM_POINTS).for_each(|k| visit(Vertex(k)));
             visit(Rim(0));
         }
-        (Shape::Cylinder(_), Part::Line(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
-        (Shape::Cone(_), Part::Line(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
-        (Shape::Capsule(_), Part::Line(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
+        (Shape::Cylinder(_), SupportSet::Line(_)) => [Rim(0), Rim(1)].into_iter().for_each(visit),
+        (Shape::Cone(_), SupportSet::Line(_)) => [Vertex(0), Rim(0)].into_iter().for_each(visit),
+        (Shape::Capsule(_), SupportSet::Line(_)) => [Cap(0), Cap(1)].into_iter().for_each(visit),
         _ => {}
     }
 }
 
-/// Calls `visit` with each border of a part as a pair of features: an edge or side twice, or the two crossings of a
-/// rim.
-fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature; 2])) {
+/// Calls `visit` with each border of a support set as a pair of features: an edge or side twice, or the two crossings
+/// of a rim.
+fn each_border(shape: &Shape, set: SupportSet, mut visit: impl FnMut([SurfaceFeature; 2])) {
     use SurfaceFeature::{Edge, RimEntry, RimExit};
-    match (shape, part) {
-        (Shape::Convex(polyhedron), Part::Flat(face)) => {
+    match (shape, set) {
+        (Shape::Convex(polyhedron), SupportSet::Flat(face)) => {
             let face = polyhedron.face(face as usize);
             face.iter().flat_map(|face| face.edges).for_each(|&edge| visit([Edge(edge); 2]));
         }
-        (Shape::Cylinder(_) | Shape::Cone(_), Part::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
-        (Shape::Torus(_), Part::Ring) => visit([RimExit(0), RimEntry(0)]),
-        (_, Part::Line(line)) => visit([line; 2]),
+        (Shape::Cylinder(_) | Shape::Cone(_), SupportSet::Flat(face)) => visit([RimExit(face), RimEntry(face)]),
+        (Shape::Torus(_), SupportSet::Ring) => visit([RimExit(0), RimEntry(0)]),
+        (_, SupportSet::Line(line)) => visit([line; 2]),
         _ => {}
     }
 }
@@ -232,24 +234,26 @@ fn each_border(shape: &Shape, part: Part, mut visit: impl FnMut([SurfaceFeature;
 impl Region<'_> {
     /// Lists the candidates.
     fn collect(&mut self, normal: DVec3) {
-        let (part_a, part_b) = (part_of(self.a, -normal), part_of(self.b, normal));
+        let (set_a, set_b) = (support_set(self.a, -normal), support_set(self.b, normal));
         let (shape_a, shape_b) = (self.a.shape, self.b.shape);
-        let base = |part: Part| match part {
-            Part::Flat(face) => Some(SurfaceFeature::Face(face)),
-            Part::Line(line) => Some(line),
-            Part::Ring | Part::Point => None,
+        let base = |set: SupportSet| match set {
+            SupportSet::Flat(face) => Some(SurfaceFeature::Face(face)),
+            SupportSet::Line(line) => Some(line),
+            SupportSet::Ring | SupportSet::Point => None,
         };
         // The corners of a line lie on a plane under it; of two lines each has its corners on the other when they are
         // parallel.
-        let wider = |this: Part, other: Part| matches!(this, Part::Flat(_)) || matches!(other, Part::Line(_));
-        if let Some(base_b) = base(part_b).filter(|_| wider(part_b, part_a)) {
-            each_corner(shape_a, part_a, |corner| self.features.push(named(corner, base_b)));
+        let wider = |this: SupportSet, other: SupportSet| {
+            matches!(this, SupportSet::Flat(_)) || matches!(other, SupportSet::Line(_))
+        };
+        if let Some(base_b) = base(set_b).filter(|_| wider(set_b, set_a)) {
+            each_corner(shape_a, set_a, |corner| self.features.push(named(corner, base_b)));
         }
-        if let Some(base_a) = base(part_a).filter(|_| wider(part_a, part_b)) {
-            each_corner(shape_b, part_b, |corner| self.features.push(named(base_a, corner)));
+        if let Some(base_a) = base(set_a).filter(|_| wider(set_a, set_b)) {
+            each_corner(shape_b, set_b, |corner| self.features.push(named(base_a, corner)));
         }
-        each_border(shape_a, part_a, |[first_a, second_a]| {
-            each_border(shape_b, part_b, |[first_b, second_b]| {
+        each_border(shape_a, set_a, |[first_a, second_a]| {
+            each_border(shape_b, set_b, |[first_b, second_b]| {
                 self.features.push(named(first_a, first_b));
                 if (first_a, first_b) != (second_a, second_b) {
                     self.features.push(named(second_a, second_b));

@@ -9,7 +9,7 @@
 //! | lowest | contacts |
 //! |---|---|
 //! | a vertex | the vertex on the face |
-//! | an edge | its ends on the face, and its crossings with the sides of the face, also at their ends |
+//! | an edge | its ends on the face, and its crossings with the sides of the face, ends of sides included |
 //! | a face | those of two faces that lie on each other (`face_pair.rs`) |
 
 use crate::ContactFeature;
@@ -116,9 +116,9 @@ impl FaceBelow<'_> {
         for ((&corner, &side), &own) in self.face.vertices.iter().zip(self.face.sides).zip(self.face.edges) {
             let corner = self.polyhedron.vertices[corner as usize];
             let [from, to] = [start, end].map(|place| side.dot(place - corner));
-            let beyond = from.min(to) < -self.tolerance && from.max(to) > self.tolerance;
+            let crosses = from.min(to) < -self.tolerance && from.max(to) > self.tolerance;
             let crossing = start + (end - start) * (from / (from - to));
-            if beyond && face_margin(self.polyhedron, &self.face, crossing) >= -self.tolerance {
+            if crosses && face_margin(self.polyhedron, &self.face, crossing) >= -self.tolerance {
                 let (edge_a, edge_b) = if self.side == Side::A { (own, number) } else { (number, own) };
                 features.push(ContactFeature::EdgeEdge { edge_a, edge_b });
             }

@@ -97,7 +97,7 @@ fn from_mesh(mesh: &TriangleMesh, feature: SurfaceFeature, y: DVec3) -> Option<D
             let w = y - x;
             let beyond = |corner: DVec3| (x - corner).dot(w) / (x - corner).length();
             let margin = mesh.neighbours(vertex).map(beyond).fold(f64::INFINITY, f64::min);
-            from_point(w, COINCIDENCE * mesh.face_size(vertex), margin)
+            from_point(w, COINCIDENCE * mesh.first_edge_length(vertex), margin)
         }
         _ => None,
     }

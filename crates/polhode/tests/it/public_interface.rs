@@ -1,5 +1,5 @@
-//! Programs that use the public interface as its names suggest: the same bits however a run is divided into steps or
-//! restored from snapshots, in every tier; and queries of a program, compared with sums by hand.
+//! Programs that use the public interface as its names suggest. A run has the same bits however it is divided into
+//! steps or restored from snapshots, in every tier; the answers of queries are compared with sums computed in the test.
 
 use crate::pivot_rows::seesaw;
 use crate::support::{accurate, ball, brick, elastic, floor};
@@ -22,7 +22,7 @@ fn start(scene: &Scene) -> Simulation {
     Simulation::new(scene, Effects::Planned).unwrap()
 }
 
-/// Two bricks and a ball that fall on a slab in motion, whose top is at z = 0.
+/// Two bricks and a ball that fall on a moving slab, whose top is at z = 0 at the start.
 fn on_slab(name: &str, motion: PrescribedMotion) -> SceneBuilder {
     let shape = Geometry::Shape(Shape::cuboid(DVec3::new(2.0, 2.0, 0.2)).unwrap());
     let slab = Body::kinematic("slab", motion).geometry(shape);
@@ -72,7 +72,7 @@ fn valley() -> SceneBuilder {
     scene
 }
 
-/// Scenes with a conveyor, a turntable, a shaker, a lift, a pivot with a spring, and bounces without end.
+/// Scenes with a conveyor, a turntable, a shaker, a lift, a pivot with a spring, and balls whose bounces accumulate.
 fn scenes(tier: Tier) -> Vec<Scene> {
     let steady = |linear, angular| PrescribedMotion::constant_velocity(Velocity::new(linear, angular)).unwrap();
     let heights = [0.0, 0.0, 0.1, 0.05].map(|height| DVec3::Z * (height - 0.1));
@@ -89,25 +89,26 @@ fn scenes(tier: Tier) -> Vec<Scene> {
     scenes.map(|scene| scene.output_interval_s(0.023).method(by(tier)).build().unwrap()).into()
 }
 
-/// Everything that an observer was told, all digits.
-fn told(recorder: &Recorder) -> String {
+/// All samples and events that an observer received, with all digits.
+fn record_text(recorder: &Recorder) -> String {
     format!("{:?} {:?} {:?}", recorder.times, recorder.samples, recorder.events)
 }
 
-/// A report without its number of steps, which depends on how often a caller has asked where all bodies fly.
-fn said(report: &RunReport) -> String {
+/// A report without its number of steps, to which calls of `advance_to` add while all bodies fly.
+fn report_text(report: &RunReport) -> String {
     format!("{:?}", RunReport { steps: 0, ..report.clone() })
 }
 
-/// All queries of a program at the present, with all digits.
-fn seen(simulation: &Simulation) -> String {
+/// The answers to all queries at the present time, with all digits.
+fn query_text(simulation: &Simulation) -> String {
     let views = (simulation.contacts(), simulation.pivots(), simulation.islands(), simulation.frame());
     format!("{views:?} {:?} {:?} {:?}", simulation.energy(), simulation.momentum(), simulation.plan())
 }
 
-/// Steps in a loop are a run, in each tier; in the tier `accurate` so are presents at irregular times, asked for twice.
+/// Calling `step` in a loop gives the run, bit for bit, in each tier. So do calls of `advance_to` at irregular times,
+/// each made twice, in the tier `accurate`.
 #[test]
-fn loops_and_cuts_change_no_bit() {
+fn steps_and_stops_change_no_bit() {
     for scene in TIERS.into_iter().flat_map(scenes) {
         let (mut whole, mut stepped, mut cut) = (Recorder::default(), Recorder::default(), Recorder::default());
         let report = start(&scene).run(&mut whole).unwrap();
@@ -115,8 +116,8 @@ fn loops_and_cuts_change_no_bit() {
         while simulation.time() < scene.duration_s() {
             simulation.step(&mut stepped).unwrap();
         }
-        assert_eq!(said(&simulation.run(&mut stepped).unwrap()), said(&report));
-        assert!(told(&whole) == told(&stepped), "{}", scene.name());
+        assert_eq!(report_text(&simulation.run(&mut stepped).unwrap()), report_text(&report));
+        assert!(record_text(&whole) == record_text(&stepped), "{}", scene.name());
         if scene.method().tier != Some(Tier::Accurate) {
             continue;
         }
@@ -129,8 +130,8 @@ fn loops_and_cuts_change_no_bit() {
             simulation.advance_to(t, &mut cut).unwrap();
             assert_eq!(simulation.time(), t);
         }
-        assert_eq!(said(&simulation.run(&mut cut).unwrap()), said(&report));
-        assert!(told(&whole) == told(&cut), "{}", scene.name());
+        assert_eq!(report_text(&simulation.run(&mut cut).unwrap()), report_text(&report));
+        assert!(record_text(&whole) == record_text(&cut), "{}", scene.name());
     }
 }
 
@@ -158,7 +159,7 @@ fn add(simulation: &mut Simulation) -> BodyId {
 /// A simulation restored from bytes that were taken at a random time continues as the original: its queries, samples,
 /// events and report have the same bits, in each tier, with and without actions of a program.
 #[test]
-fn kept_simulations_go_on_with_the_same_bits() {
+fn restored_simulations_go_on_with_the_same_bits() {
     for (number, scene) in TIERS.into_iter().flat_map(scenes).enumerate() {
         let mut random = SplitMix64::new(number as u64);
         for acts in [false, true, false, true] {
@@ -173,21 +174,21 @@ fn kept_simulations_go_on_with_the_same_bits() {
             one.advance_to(t, &mut Unobserved).unwrap();
             let kept = Snapshot::from_bytes(&one.snapshot().to_bytes()).unwrap();
             other.restore(&kept).unwrap();
-            assert_eq!(seen(&one), seen(&other), "{} {t}", scene.name());
+            assert_eq!(query_text(&one), query_text(&other), "{} {t}", scene.name());
             let (mut first, mut second) = (Recorder::default(), Recorder::default());
             let (one, other) = (one.run(&mut first).unwrap(), other.run(&mut second).unwrap());
             assert_eq!(format!("{one:?}"), format!("{other:?}"), "{} {t}", scene.name());
-            assert!(told(&first) == told(&second), "{} {t}", scene.name());
+            assert!(record_text(&first) == record_text(&second), "{} {t}", scene.name());
             let closure = (one.ledger.closure_relative(), one.ledger.momentum.closure_relative());
             assert!(closure.0 < 1e-12 && closure.1 < 1e-12, "{} {closure:?}", scene.name());
         }
     }
 }
 
-/// A run that is cut within stretches of crowded events, and goes on from a snapshot taken there, has the bits of one
-/// that was never stopped.
+/// A run that is stopped within a stretch of crowded events, and continued from a snapshot taken there, has the bits of
+/// one that was never stopped.
 #[test]
-fn kept_in_crowded_stretches() {
+fn runs_restored_in_crowded_stretches_have_the_same_bits() {
     let scene = seesaw().duration_s(1.0).build().unwrap();
     let mut whole = Recorder::default();
     let report = start(&scene).run(&mut whole).unwrap();
@@ -201,18 +202,17 @@ fn kept_in_crowded_stretches() {
             }
             simulation.advance_to(t, &mut record).unwrap();
             let kept = Snapshot::from_bytes(&simulation.snapshot().to_bytes()).unwrap();
-            let views = seen(&simulation);
+            let views = query_text(&simulation);
             simulation = start(&scene);
             simulation.restore(&kept).unwrap();
-            assert_eq!(seen(&simulation), views, "{t}");
+            assert_eq!(query_text(&simulation), views, "{t}");
         }
     }
-    assert_eq!(said(&simulation.run(&mut record).unwrap()), said(&report));
-    assert!(told(&whole) == told(&record));
+    assert_eq!(report_text(&simulation.run(&mut record).unwrap()), report_text(&report));
+    assert!(record_text(&whole) == record_text(&record));
 }
 
-/// Energies and momenta are the sums over bodies that anyone would write, before and after an impulse beside the
-/// centre.
+/// Energies and momenta are the textbook sums over bodies, before and after an impulse beside the centre of mass.
 #[test]
 fn energies_and_momenta_are_sums_over_bodies() {
     let bodies = [("a", 2.0, 0.1, DVec3::Z), ("b", 3.0, 0.2, DVec3::new(3.0, 0.0, 2.0))];
@@ -256,7 +256,7 @@ fn stacks(tier: Tier) -> Simulation {
     start(&scene.build().unwrap())
 }
 
-/// What stands on the floor presses on it by its weight, from the first instant on.
+/// Bodies on the floor press on it with their weight, from the first instant on.
 #[test]
 fn contacts_bear_the_weight() {
     for tier in [Tier::Accurate, Tier::Stepped] {
@@ -280,8 +280,8 @@ fn contacts_bear_the_weight() {
     }
 }
 
-/// Two stacks on one floor are two islands: at rest before and after the first step, pushed, and with a brick taken
-/// from under one of them, whose other brick then flies and is in none.
+/// Two stacks on one floor are two islands: at rest, before and after the first step, and when pushed. When the lower
+/// brick of a stack is removed, the upper one flies and belongs to no island.
 #[test]
 fn stacks_are_islands() {
     for tier in [Tier::Accurate, Tier::Stepped] {
@@ -309,16 +309,16 @@ fn stacks_are_islands() {
     }
 }
 
-/// Before the first step a ball in the air flies and a brick on the floor does not.
+/// Before the first step a frame says that a ball in the air flies and that a brick on the floor does not.
 #[test]
-fn motions_are_told_from_the_start() {
+fn frames_give_kinds_of_motion_from_the_start() {
     let scene = Scene::builder("start").method(accurate()).body(floor());
     let scene = scene.body(ball("ball", 1.0, 0.1, DVec3::Z * 2.0, DVec3::ZERO));
     let simulation = start(&scene.body(brick("brick", DVec3::splat(0.2), DVec3::Z * 0.1)).build().unwrap());
     assert_eq!(simulation.frame().motions, [MotionKind::Given, MotionKind::Flight, MotionKind::Integrated]);
 }
 
-/// A plan derived again counts what is there, and says when it looked.
+/// A plan derived during a run counts the bodies that are there then, and names its time.
 #[test]
 fn plans_count_the_bodies_that_are_there() {
     let scene = Scene::builder("counts").method(accurate()).body(floor());
@@ -332,7 +332,7 @@ fn plans_count_the_bodies_that_are_there() {
     assert!(facts.contains(&"1 pairs may collide, 0 touch at t = 0.25"), "{facts:?}");
 }
 
-/// A ball that lies on the floor and is hit from above goes up again as restitution says.
+/// A ball on the floor that is hit from above rebounds with the restitution of the pair.
 #[test]
 fn struck_ball_bounces() {
     for tier in [Tier::Accurate, Tier::Stepped] {
@@ -350,7 +350,7 @@ fn struck_ball_bounces() {
     }
 }
 
-/// When the floor is taken away what stood on it falls, all as one.
+/// When the floor is removed, all bricks that stood on it fall freely.
 #[test]
 fn stack_falls_without_its_floor() {
     for tier in TIERS {

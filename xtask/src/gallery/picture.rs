@@ -1,0 +1,58 @@
+//! Drawing a still, writing it as a file and reading it back.
+
+use super::selection::Still;
+use crate::cases::Run;
+use glam::DVec3;
+use polhode_view::Recording;
+use polhode_view::camera::Camera;
+use polhode_view::raster::{Picture, PictureSize};
+use polhode_view::still::{frame_from, write_png};
+use std::error::Error;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+/// Width and height of a still, pixels.
+const SIZE: [u32; 2] = [320, 200];
+
+/// Draws a still of a run.
+///
+/// # Errors
+/// When the run has no sample within an output interval of the time.
+pub(super) fn draw(still: &Still, run: &Run) -> Result<Picture, Box<dyn Error>> {
+    let times = &run.record.times;
+    let apart = |sample: &usize| (times[*sample] - still.time_s).abs();
+    let nearest = (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
+    let found = nearest.filter(|sample| apart(sample) <= run.scene.output_interval_s());
+    let sample = found.ok_or_else(|| format!("{}: the run has no sample at t = {} s", still.name, still.time_s))?;
+    let recording = Recording::of_instant(&run.scene, times[sample], &run.record.samples[sample])?;
+    let bounds = still.looks_at.map_or_else(|| recording.bounds(), |corners| corners.map(DVec3::from_array));
+    let size = PictureSize::new(SIZE[0], SIZE[1])?;
+    let camera = Camera::at_box(bounds, DVec3::from_array(still.from()), size.aspect());
+    Ok(frame_from(&recording, 0, camera, bounds, size))
+}
+
+/// A picture as the bytes of a PNG file.
+///
+/// # Errors
+/// Those of the encoder.
+pub(super) fn png(picture: &Picture) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut bytes = Vec::new();
+    write_png(picture, &mut bytes)?;
+    Ok(bytes)
+}
+
+/// Red, green and blue of every pixel of a PNG file.
+///
+/// # Errors
+/// When there is none, or it is not one of such pixels.
+pub(super) fn read_rgb(path: &Path) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+    let mut bytes = vec![0; reader.output_buffer_size().ok_or("the picture is too large")?];
+    let info = reader.next_frame(&mut bytes)?;
+    if info.color_type != png::ColorType::Rgb || info.bit_depth != png::BitDepth::Eight {
+        return Err("not red, green and blue of eight bits".into());
+    }
+    bytes.truncate(info.buffer_size());
+    Ok(bytes)
+}
