@@ -13,6 +13,7 @@
 //! | `view` | the command that shows a scene or a trajectory |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
+//! | `plots` | the plots of a run over time |
 //! | `watch` | the observer of a run: outputs, pictures, progress bar and Ctrl-C |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
@@ -44,6 +45,7 @@ mod heading;
 mod mesh;
 mod pictures;
 mod plan;
+mod plots;
 mod run;
 mod scene;
 mod stdout;

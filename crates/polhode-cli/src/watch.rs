@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::pictures::Pictures;
+use crate::plots::Plots;
 use indicatif::{ProgressBar, ProgressStyle};
 use polhode::{BodySample, Event, Flow, Frame, Observer};
 use polhode_scene::Outputs;
@@ -14,6 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(crate) struct Watch {
     pub(crate) outputs: Outputs,
     pub(crate) pictures: Pictures,
+    pub(crate) plots: Plots,
     pub(crate) bar: Bar,
     pub(crate) interrupt: Interrupt,
     /// When the run stops next to be kept, s.
@@ -29,18 +31,22 @@ impl Observer for Watch {
     fn event(&mut self, event: &Event) {
         self.outputs.event(event);
         self.pictures.event(event);
+        self.plots.event(event);
     }
 
     fn wants_frames(&self) -> bool {
-        self.pictures.wants_frames()
+        self.pictures.wants_frames() || self.plots.wants_frames()
     }
 
     fn frame(&mut self, frame: &Frame) {
         self.pictures.frame(frame);
+        self.plots.frame(frame);
     }
 
     fn progress(&mut self, t: f64) -> Flow {
         self.bar.advance(t);
+        // Plots are of every step, also of the one at which the run is stopped.
+        self.plots.progress(t);
         if t >= self.stop_s || self.interrupt.has_come() || self.outputs.progress(t) == Flow::Stop {
             return Flow::Stop;
         }

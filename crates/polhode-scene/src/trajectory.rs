@@ -4,8 +4,6 @@
 //! scene: every sample has every body of the scene once, times ascend, every number is finite.
 
 use crate::trajectory_rows::{Row, RowError, Rows};
-use glam::DVec3;
-use polhode::spatial::{Pose, Rotation, Velocity};
 use polhode::{BodySample, Scene};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -126,14 +124,10 @@ impl TrajectoryReader {
     }
 
     fn sample(&self, row: &Row) -> Result<BodySample, TrajectoryError> {
-        let [px, py, pz, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz] = row.numbers;
         if let Some(number) = row.numbers.iter().find(|number| !number.is_finite()) {
             return Err(self.wrong(format!("a number of body `{}` is {number}: it must be finite", row.key[1])));
         }
-        let rotation = Rotation::from_wxyz([qw, qx, qy, qz])
-            .map_err(|error| self.wrong(format!("body `{}`: {error}", row.key[1])))?;
-        let velocity = Velocity { linear: DVec3::new(vx, vy, vz), angular: DVec3::new(wx, wy, wz) };
-        Ok(BodySample { pose: Pose::new(rotation, DVec3::new(px, py, pz)), velocity })
+        row.body_sample().map_err(|error| self.wrong(format!("body `{}`: {error}", row.key[1])))
     }
 
     fn wrong(&self, reason: String) -> TrajectoryError {
