@@ -125,6 +125,13 @@ struct Drawn<'a> {
     spreads: Vec<[Spot; 2]>,
 }
 
+impl Drawn<'_> {
+    /// The places of its line.
+    fn line(&self) -> Vec<Spot> {
+        self.spots.iter().map(|(spot, _)| *spot).collect()
+    }
+}
+
 /// Where everything stands.
 struct Frame {
     right: f64,
@@ -169,11 +176,14 @@ impl CostChart {
         let mut svg = Svg::new([WIDTH, frame.foot + BOTTOM], &self.title);
         self.draw_head(&mut svg, &drawn);
         self.draw_axes(&mut svg, &frame);
-        draw_front(&mut svg, &frame, &drawn);
-        let mut labels = LabelSpots::new(inner(&frame), markers(&drawn), pieces(&drawn));
+        let stairs = front(&frame, &drawn);
+        draw_front(&mut svg, &stairs, &drawn);
+        let mut pieces: Vec<Spot> = drawn.iter().flat_map(|one| line_pieces(&one.line())).collect();
+        pieces.extend(line_pieces(&stairs));
+        let mut labels = LabelSpots::new(inner(&frame), markers(&drawn), pieces);
         self.draw_levels(&mut svg, &frame, &mut labels);
         for one in &drawn {
-            draw_curve(&mut svg, one);
+            draw_curve(&mut svg, &frame, one);
         }
         self.draw_target(&mut svg, &drawn, &mut labels);
         draw_labels(&mut svg, &frame, &drawn, &mut labels);
@@ -281,9 +291,14 @@ impl CostChart {
             svg.line(&[[LEFT, y], [frame.right, y]], Stroke::new(Ink::Text, 1.0).dashed(5.0, 4.0).opacity(0.65));
             let width = text_width(&text, LABEL);
             let at = |x: f64| Area { from: [x, y + below - 7.0], to: [x + 8.0 + width, y + below + 7.0] };
-            let first = at(LEFT);
-            // A target below what is known of the reference has its name beside that of the reference.
-            let area = taken.iter().find(|other| other.overlaps(&first)).map_or(first, |other| at(other.to[0]));
+            // On the left, but on the right where methods stand; a target below what is known of the reference has its name
+            // beside that of the reference.
+            let sides = [at(LEFT), at(frame.right - width - 14.0)];
+            let first = if labels.has_markers(&sides[0]) { sides[1] } else { sides[0] };
+            let beside = |other: &Area| {
+                if first.from[0] > LEFT { at(other.from[0] - width - 8.0) } else { at(other.to[0]) }
+            };
+            let area = taken.iter().find(|other| other.overlaps(&first)).map_or(first, beside);
             labels.keep_free(area);
             svg.text_on_ground([area.from[0] + 6.0, y + below], &text, Type::new(LABEL, Ink::Faint));
             taken.push(area);
@@ -328,11 +343,11 @@ fn markers(drawn: &[Drawn<'_>]) -> Vec<Spot> {
     drawn.iter().flat_map(|one| one.spots.iter().map(|(spot, _)| *spot)).collect()
 }
 
-/// Places on the curves, some pixels apart.
-fn pieces(drawn: &[Drawn<'_>]) -> Vec<Spot> {
+/// Places on a line, some pixels apart.
+fn line_pieces(line: &[Spot]) -> Vec<Spot> {
     let mut pieces = Vec::new();
-    for pair in drawn.iter().flat_map(|one| one.spots.windows(2)) {
-        let [(a, _), (b, _)] = [pair[0], pair[1]];
+    for pair in line.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
         let count = (libm::hypot(b[0] - a[0], b[1] - a[1]) / PIECE).ceil().min(1e3) as usize;
         let at = |number: usize, axis: usize| a[axis] + (b[axis] - a[axis]) * number as f64 / count as f64;
         pieces.extend((1..count).map(|number| [at(number, 0), at(number, 1)]));
@@ -340,10 +355,9 @@ fn pieces(drawn: &[Drawn<'_>]) -> Vec<Spot> {
     pieces
 }
 
-/// The staircase of the best error for a cost, as wide as the markers.
-fn draw_front(svg: &mut Svg, frame: &Frame, drawn: &[Drawn<'_>]) {
-    let on_front = drawn.iter().flat_map(|one| &one.spots).filter(|(_, point)| point.on_front);
-    let mut spots: Vec<Spot> = on_front.map(|(spot, _)| *spot).collect();
+/// The staircase of the best error for a cost.
+fn front(frame: &Frame, drawn: &[Drawn<'_>]) -> Vec<Spot> {
+    let mut spots = on_front(drawn);
     spots.sort_by(|a, b| a[0].total_cmp(&b[0]).then(b[1].total_cmp(&a[1])));
     let mut stairs: Vec<Spot> = Vec::new();
     for &spot in &spots {
@@ -355,22 +369,33 @@ fn draw_front(svg: &mut Svg, frame: &Frame, drawn: &[Drawn<'_>]) {
     if let Some(&[_, last]) = stairs.last() {
         stairs.push([frame.right, last]);
     }
-    svg.line(&stairs, Stroke::new(Ink::Band, 7.0));
-    for spot in spots {
+    stairs
+}
+
+fn on_front(drawn: &[Drawn<'_>]) -> Vec<Spot> {
+    let points = drawn.iter().flat_map(|one| &one.spots).filter(|(_, point)| point.on_front);
+    points.map(|(spot, _)| *spot).collect()
+}
+
+/// The staircase behind the curves, as wide as the markers.
+fn draw_front(svg: &mut Svg, stairs: &[Spot], drawn: &[Drawn<'_>]) {
+    svg.line(stairs, Stroke::new(Ink::Band, 7.0));
+    for spot in on_front(drawn) {
         svg.disc(spot, 9.5, Ink::Band);
     }
 }
 
-fn draw_curve(svg: &mut Svg, one: &Drawn<'_>) {
+fn draw_curve(svg: &mut Svg, frame: &Frame, one: &Drawn<'_>) {
     let ink = one.style.ink;
-    let spots: Vec<Spot> = one.spots.iter().map(|(spot, _)| *spot).collect();
-    if spots.len() > 1 {
-        svg.line(&spots, Stroke::new(ink, 1.3).opacity(0.75));
+    let line = one.line();
+    if line.len() > 1 {
+        svg.line(&line, Stroke::new(ink, 1.3).opacity(0.75));
     }
-    for ((spot, _), spread) in one.spots.iter().zip(&one.spreads) {
+    for (spot, spread) in line.iter().zip(&one.spreads) {
         // Where the noise is within the marker there is nothing to see.
         if spread[1][0] - spread[0][0] > 2.0 * MARKER {
-            svg.line(spread, Stroke::new(ink, 1.2));
+            let within = spread.map(|[x, y]| [x.clamp(LEFT, frame.right), y]);
+            svg.line(&within, Stroke::new(ink, 0.9).opacity(0.6));
         }
         one.style.marker.draw(svg, *spot, MARKER, ink);
     }

@@ -1,7 +1,7 @@
 //! Labels under each other, each as near as can be to what it names, none over another.
 //!
 //! The places are those of least sum of squared distances under the condition that neighbours are a row apart: isotonic
-//! regression by pooling (Barlow and others 1972; `docs/REFERENCES.md`), exact and in one pass.
+//! regression by pooling (Barlow et al. 1972), exact and in one pass.
 
 /// Labels that share a stretch without gaps.
 struct Pool {

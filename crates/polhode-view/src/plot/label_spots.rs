@@ -39,7 +39,7 @@ const DIRECTIONS: [Spot; 8] =
     [[1.0, 0.0], [-1.0, 0.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0], [0.0, -1.0], [0.0, 1.0]];
 
 /// Distances from a point to its label, pixels.
-const DISTANCES: [f64; 5] = [9.0, 16.0, 26.0, 40.0, 58.0];
+const DISTANCES: [f64; 7] = [9.0, 16.0, 26.0, 40.0, 58.0, 80.0, 110.0];
 
 /// What it costs to cover a marker, and a piece of a curve, in pixels of distance.
 const MARKER: f64 = 60.0;
@@ -66,6 +66,11 @@ impl LabelSpots {
     /// Keeps a place free of labels.
     pub(crate) fn keep_free(&mut self, place: Area) {
         self.placed.push(place);
+    }
+
+    /// Whether a marker stands in a place.
+    pub(crate) fn has_markers(&self, place: &Area) -> bool {
+        self.markers.iter().any(|spot| place.contains(spot))
     }
 
     /// The place of a label of this width and height for a point; none where there is no room.
