@@ -23,9 +23,14 @@ pub(crate) fn svg(studies: &[Value]) -> String {
 fn row(study: &Value) -> Row {
     Row {
         name: word(study, "scene").to_owned(),
-        note: format!("{} s simulated", study["duration_s"].as_f64().unwrap_or(f64::NAN)),
+        note: format!("{} s simulated", short(study["duration_s"].as_f64().unwrap_or(f64::NAN))),
         cells: TARGETS.map(|target| cell(study, target)).to_vec(),
     }
+}
+
+/// A duration, without a fraction where that is below a thousandth.
+fn short(seconds: f64) -> String {
+    if seconds < 1000.0 { seconds.to_string() } else { format!("{seconds:.0}") }
 }
 
 /// Every method that reaches a target, at its cheapest.

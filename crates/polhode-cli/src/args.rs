@@ -96,8 +96,8 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Args)]
 pub(crate) struct RunOutputArgs {
     /// Writes the trajectory (.csv, .npy, .json), a page that plays it (.html), a model (.glb), a moving picture (.gif,
-    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `resume`: from the checkpoint on (may be given
-    /// several times)
+    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `resume`: from the checkpoint on (may be
+    /// given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// What is plotted over time, into the .svg files of -o [default with -o FILE.svg: all]
@@ -172,9 +172,9 @@ pub(crate) struct CostArgs {
     pub(crate) broad_phase: bool,
     /// Names the cheapest method whose error stays below this, and its ties; exit code 1 when there is none
     ///
-    /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise of
-    /// timing: the ranges that hold the middle half of the rounds' ratios of both overlap. With fewer than three rounds the
-    /// range is 10 % each way.
+    /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise
+    /// of timing: the ranges that hold the middle half of the rounds' ratios of both overlap. With fewer than three
+    /// rounds the range is 10 % each way.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) target: Option<f64>,
     /// Counts instructions too, which repeat exactly, and takes them for the cost (needs valgrind)

@@ -36,7 +36,7 @@ impl Plots {
         Ok(Self { files, asked, drawn: None })
     }
 
-    /// Begins with a simulation as it stands.
+    /// Begins at the present time of a simulation.
     pub(crate) fn begin(&mut self, scene: &polhode::Scene, simulation: &Simulation) {
         if !self.files.is_empty() {
             self.drawn = Some(RunPlots::new(scene, simulation.time(), &self.asked));

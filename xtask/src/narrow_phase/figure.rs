@@ -77,8 +77,11 @@ fn draw(svg: &mut Svg, panel: &Panel, left: f64) {
 }
 
 fn write_power(svg: &mut Svg, at: Spot, mark: &Mark, kind: Type) {
-    if let Mark::Power(exponent) = mark {
-        svg.power_of_ten(at, "", *exponent, kind);
+    match mark {
+        Mark::Power(0) => svg.text(at, "1", kind),
+        Mark::Power(exponent) => svg.power_of_ten(at, "", *exponent, kind),
+        // Gaps and errors are drawn above zero.
+        Mark::Number(_) | Mark::Foot { .. } => {}
     }
 }
 

@@ -1,8 +1,8 @@
 //! Time as a ratio: every candidate in turn, round after round, and the median over the rounds.
 //!
 //! What slows a machine down (another program, heat, a changing clock) slows all candidates of a round alike, so the
-//! ratio to a candidate of the same round repeats where seconds do not. What is left is the noise of timing: it is given as
-//! the range that holds the middle half of a candidate's ratios.
+//! ratio to a candidate of the same round repeats where seconds do not. What is left is the noise of timing: it is
+//! given as the range that holds the middle half of a candidate's ratios.
 
 use super::source::Source;
 use polhode::{Scene, Unobserved};
@@ -22,7 +22,8 @@ pub(crate) struct Effort {
 /// Rounds from which on the spread of the ratios says how noisy they are.
 const FEWEST_FOR_NOISE: usize = 3;
 
-/// Noise that is taken for fewer rounds, relative: what times differ by from run to run on a machine that does nothing else.
+/// Noise that is taken for fewer rounds, relative: what times differ by from run to run on a machine that does nothing
+/// else.
 const UNMEASURED_NOISE: f64 = 0.1;
 
 /// What a candidate takes.

@@ -6,11 +6,11 @@ use crate::{FLIGHT, Place};
 const DIVERGING: &str = r#"
 format = 1
 name = "diverging"
-duration = 100.0
+duration = 1000.0
 [method]
 tier = "accurate"
 integrator = "explicit-euler"
-step = 10.0
+step = 1.0
 [[bodies]]
 name = "ball"
 mass = 1.0
@@ -18,9 +18,9 @@ inertia = [1, 1, 1]
 position = [1, 0, 0]
 [[forces]]
 type.spring.body = "ball"
-type.spring.point = [0, 0, 0]
+type.spring.point = [0.1, 0, 0]
 type.spring.anchor = [0, 0, 0]
-type.spring.stiffness = 100.0
+type.spring.stiffness = 1000.0
 type.spring.rest_length = 0.5
 "#;
 
@@ -46,6 +46,28 @@ fn a_run() {
     assert_eq!(some, place.read("again.SVG"));
     place.expect(0, &["run", "scene.toml", "-o", "all-again.svg"]);
     assert_eq!(all, place.read("all-again.svg"));
+}
+
+/// Plots are looked at and change nothing: the trajectory has the same bytes with them and without, and a run that is
+/// resumed has them from the checkpoint on.
+#[test]
+fn a_run_with_contact() {
+    let scene = "format = 1\nname = \"drop\"\nduration = 1.0\noutput.interval = 0.0625\n\
+                 [materials.m]\nrestitution = 0.4\n\
+                 [[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\nmaterial = \"m\"\n\
+                 [[bodies]]\nname = \"brick\"\nshape.box.size = [0.6, 0.4, 0.2]\nmass = 2\nposition = [0, 0, 0.8]\n\
+                 rotation_vector = [0.4, 0.7, 0.1]\nmaterial = \"m\"\n";
+    let place = Place::with_scene(scene);
+    place.expect(0, &["run", "scene.toml", "-o", "without.csv", "--checkpoint-every", "0.6"]);
+    place.expect(0, &["run", "scene.toml", "-o", "with.csv", "-o", "with.svg"]);
+    assert_eq!(place.read("without.csv"), place.read("with.csv"));
+    let svg = place.read("with.svg");
+    for part in [">impact \u{d7} ", ">touching ", ">impact 1", "largest so far"] {
+        assert!(svg.contains(part), "{part}\n{svg}");
+    }
+    place.expect(0, &["resume", "scene.checkpoint", "--plot", "energy,steps", "-o", "rest.svg"]);
+    let rest = place.read("rest.svg");
+    assert!(rest.contains(">energy, J<") && !rest.contains(">0.2<") && rest.contains(">0.8<"), "{rest}");
 }
 
 /// A run that stops with an error leaves the plots of what was computed, with where and why it stopped.

@@ -1,4 +1,4 @@
-//! What stands at the marks of axes.
+//! Labels of the marks of axes, and values in few digits.
 
 use super::scale::Mark;
 use super::svg::{Spot, Svg, Type};

@@ -7,8 +7,8 @@
 //! | velocity | length of the difference of velocities of the centres of mass, m/s |
 //! | energy | of kinetic energy and that of gravity, all bodies together, J; it needs the masses of a scene |
 //!
-//! Axes are logarithmic; what does not differ is at their foot. The energies of springs and other forces are not in it, for they
-//! are no matter of poses and velocities alone.
+//! Axes are logarithmic; what does not differ is at their foot. The energies of springs and other forces are not in it,
+//! for they are no matter of poses and velocities alone.
 
 use super::axes;
 use super::ink::Ink;

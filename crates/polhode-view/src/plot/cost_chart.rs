@@ -1,4 +1,5 @@
-//! Error against cost: one curve for a method, labelled at its end, with the same quantities in other units on a second axis.
+//! Error against cost: one curve for a method, labelled at its end, with the same quantities in other units on a second
+//! axis.
 
 use super::axes;
 use super::decades::Decades;
@@ -31,12 +32,14 @@ const MARKER: f64 = 4.0;
 const NEAR_COLUMN: f64 = 0.45;
 /// Room around the points, decades.
 const ROOM: f64 = 0.12;
-/// Room below the error of the reference, where its name stands, decades.
+/// Room below the error of the reference, for its name, decades.
 const ROOM_BELOW: f64 = 0.5;
 /// Errors above this are not drawn: nothing is right any more, and one that diverges would squeeze the rest.
 const LARGEST_ERROR: f64 = 10.0;
 /// Marks on an axis, about.
 const MARKS: usize = 12;
+/// Radius of the ring around the cheapest that reaches the target, pixels.
+const RING: f64 = 9.0;
 /// Pieces that a curve is cut into so that labels keep off it, pixels.
 const PIECE: f64 = 5.0;
 
@@ -132,10 +135,10 @@ impl Drawn<'_> {
     }
 }
 
-/// Where everything stands.
+/// Places of the axes.
 struct Frame {
     right: f64,
-    /// End of the frame: labels stand between.
+    /// Right end of the frame; labels are between.
     outer: f64,
     foot: f64,
     x: Decades,
@@ -288,13 +291,15 @@ impl CostChart {
             if !y.is_finite() {
                 continue;
             }
-            svg.line(&[[LEFT, y], [frame.right, y]], Stroke::new(Ink::Text, 1.0).dashed(5.0, 4.0).opacity(0.65));
+            let line = [[LEFT, y], [frame.right, y]];
+            svg.line(&line, Stroke::new(Ink::Text, 1.0).dashed(5.0, 4.0).opacity(0.65));
+            labels.keep_off(line_pieces(&line));
             let width = text_width(&text, LABEL);
             let at = |x: f64| Area { from: [x, y + below - 7.0], to: [x + 8.0 + width, y + below + 7.0] };
-            // On the left, but on the right where methods stand; a target below what is known of the reference has its name
-            // beside that of the reference.
+            // On the left, but on the right if markers are there; a target below what is known of the reference has its
+            // name beside that of the reference.
             let sides = [at(LEFT), at(frame.right - width - 14.0)];
-            let first = if labels.has_markers(&sides[0]) { sides[1] } else { sides[0] };
+            let first = if labels.has_markers(&sides[0].grown(RING)) { sides[1] } else { sides[0] };
             let beside = |other: &Area| {
                 if first.from[0] > LEFT { at(other.from[0] - width - 8.0) } else { at(other.to[0]) }
             };
@@ -310,19 +315,19 @@ impl CostChart {
         let Some(target) = &self.target else { return };
         let ranked = drawn.iter().flat_map(|one| &one.spots).filter(|(_, point)| point.rank != Rank::Plain);
         for (spot, point) in ranked {
-            svg.ring(*spot, if point.rank == Rank::Cheapest { 9.0 } else { 8.0 }, ring(point.rank));
+            svg.ring(*spot, if point.rank == Rank::Cheapest { RING } else { RING - 1.0 }, ring(point.rank));
             if point.rank == Rank::Cheapest {
                 let kind = Type::new(LABEL + 0.5, Ink::Text).bold();
                 let width = 1.08 * text_width(&target.text, kind.size);
                 // Not within its own ring.
-                labels.keep_free(Area::around(*spot, [9.0, 9.0]));
+                labels.keep_free(Area::around(*spot, [RING, RING]));
                 draw_beside(svg, labels, *spot, (&target.text, width), kind);
             }
         }
     }
 }
 
-/// The frame that labels beside points stand in.
+/// The area for labels beside points.
 fn inner(frame: &Frame) -> Area {
     Area { from: [LEFT + 2.0, TOP + 2.0], to: [frame.right, frame.foot - 2.0] }
 }
@@ -423,7 +428,11 @@ fn draw_beside(
 fn draw_labels(svg: &mut Svg, frame: &Frame, drawn: &[Drawn<'_>], labels: &mut LabelSpots) {
     let mut column: Vec<(&Drawn<'_>, Spot)> = Vec::new();
     for one in drawn {
-        let Some((end, _)) = one.spots.last() else { continue };
+        let Some((end, point)) = one.spots.last() else { continue };
+        if one.spots.len() == 1 && point.rank == Rank::Cheapest {
+            // The text beside its ring has its name.
+            continue;
+        }
         let is_near = frame.right - end[0] < NEAR_COLUMN * (frame.right - LEFT);
         let width = text_width(&one.curve.name, LABEL);
         let kind = Type::new(LABEL, one.style.ink);

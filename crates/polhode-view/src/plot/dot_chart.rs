@@ -3,7 +3,7 @@
 use super::axes;
 use super::decades::Decades;
 use super::ink::Ink;
-use super::method_style::{Style, styles};
+use super::method_style::{FAMILIES, Style, styles};
 use super::svg::{Anchor, Stroke, Svg, Type};
 use super::text_width::{cut_to, text_width};
 
@@ -18,7 +18,7 @@ const TOP: f64 = 82.0;
 const GAP: f64 = 18.0;
 /// Height of a row, pixels.
 const ROW: f64 = 46.0;
-/// Where the dots stand in a row, from above, and where the text above them does, pixels.
+/// Places of the dots and of the text above them, from the top of a row, pixels.
 const DOTS: f64 = 31.0;
 const ABOVE: f64 = 13.0;
 /// Size of labels, pixels.
@@ -121,7 +121,7 @@ impl DotChart {
         svg.finish()
     }
 
-    /// The methods in the order in which they occur.
+    /// The methods, those of a family beside each other, in the order in which they occur.
     fn methods(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for dot in self.rows.iter().flat_map(|row| row.cells.iter().flat_map(|cell| &cell.dots)) {
@@ -129,6 +129,8 @@ impl DotChart {
                 names.push(&dot.method);
             }
         }
+        let family_of = |name: &&str| FAMILIES.iter().position(|family| family.members.contains(name));
+        names.sort_by_key(|name| family_of(name).unwrap_or(FAMILIES.len()));
         names
     }
 

@@ -1,9 +1,9 @@
 //! Colours of figures, for light and dark pages.
 //!
-//! A figure names an ink, not a colour. Each ink has one colour on white, which every program that reads SVG shows, and one
-//! for dark pages, which browsers take when the reader asks for dark pages. The inks of curves have a contrast of at least
-//! 4.5 to 1 against white, so that labels in them can be read, and differ for readers who see fewer colours (blue,
-//! vermilion, green and purple after Okabe and Ito, darkened).
+//! A figure names an ink, not a colour. Each ink has one colour on white, which every program that reads SVG shows, and
+//! one for dark pages, which browsers take when the reader asks for dark pages. The inks of curves have a contrast of
+//! at least 4.5 to 1 against white, so that labels in them can be read, and differ for readers who see fewer colours
+//! (blue, vermilion, green and purple after Okabe and Ito, darkened).
 
 use std::fmt::Write as _;
 

@@ -52,7 +52,7 @@ pub fn label_rows(wanted: &[f64], row: f64, [low, high]: [f64; 2]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    //! Labels do not overlap, stay within their room where it suffices, and stand still where they can.
+    //! Labels do not overlap, stay within the bounds if these suffice, and are not moved without need.
     use super::*;
     use proptest::prelude::*;
 
@@ -60,13 +60,13 @@ mod tests {
     const ROUNDING: f64 = 1e-9;
 
     #[test]
-    fn labels_that_are_apart_stand_where_they_want() {
+    fn labels_that_are_apart_are_not_moved() {
         assert_eq!(label_rows(&[50.0, 20.0], 10.0, [0.0, 100.0]), [50.0, 20.0]);
         assert_eq!(label_rows(&[], 10.0, [0.0, 100.0]), [] as [f64; 0]);
     }
 
     #[test]
-    fn labels_of_one_place_stand_around_it() {
+    fn labels_of_one_place_are_around_it() {
         assert_eq!(label_rows(&[50.0, 50.0, 50.0], 10.0, [0.0, 100.0]), [40.0, 50.0, 60.0]);
         assert_eq!(label_rows(&[0.0, 0.0], 10.0, [0.0, 100.0]), [5.0, 15.0]);
         assert_eq!(label_rows(&[100.0, 100.0], 10.0, [0.0, 100.0]), [85.0, 95.0]);

@@ -1,7 +1,8 @@
 //! Labels beside points of a figure, none over another.
 //!
-//! Each label in turn takes the best of some places around its point: a place over another label or beyond the frame is no
-//! place; markers and curves are covered only where nothing else is left. A label for which there is no place is told so.
+//! Each label in turn takes the best of some places around its point: a place over another label or beyond the frame is
+//! no place; markers and curves are covered only where nothing else is left. A label for which there is no place is
+//! told so.
 
 use super::svg::Spot;
 
@@ -18,6 +19,12 @@ impl Area {
     /// Around a place.
     pub(crate) fn around([x, y]: Spot, half: [f64; 2]) -> Self {
         Self { from: [x - half[0], y - half[1]], to: [x + half[0], y + half[1]] }
+    }
+
+    /// Larger by this on all sides.
+    pub(crate) fn grown(&self, by: f64) -> Self {
+        let [from, to] = [self.from, self.to];
+        Self { from: [from[0] - by, from[1] - by], to: [to[0] + by, to[1] + by] }
     }
 
     /// Whether two have an area in common.
@@ -48,7 +55,7 @@ const PIECE: f64 = 4.0;
 /// What it costs to take a later direction, pixels of distance.
 const DIRECTION: f64 = 0.5;
 
-/// What stands in a figure already.
+/// What a figure contains already.
 #[derive(Debug, Clone)]
 pub(crate) struct LabelSpots {
     frame: Area,
@@ -68,7 +75,12 @@ impl LabelSpots {
         self.placed.push(place);
     }
 
-    /// Whether a marker stands in a place.
+    /// Adds pieces of a line.
+    pub(crate) fn keep_off(&mut self, pieces: Vec<Spot>) {
+        self.pieces.extend(pieces);
+    }
+
+    /// Whether a marker is in an area.
     pub(crate) fn has_markers(&self, place: &Area) -> bool {
         self.markers.iter().any(|spot| place.contains(spot))
     }

@@ -10,11 +10,11 @@ pub enum Marker {
     Disc,
     /// A square.
     Square,
-    /// A triangle that stands.
+    /// A triangle that points up.
     Triangle,
     /// A diamond.
     Diamond,
-    /// A triangle on its head.
+    /// A triangle that points down.
     Inverted,
     /// A star of four points.
     Star,

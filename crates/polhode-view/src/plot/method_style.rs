@@ -50,8 +50,8 @@ pub fn family(name: &str) -> Option<&'static Family> {
     FAMILIES.iter().find(|family| words().any(|word| family.members.contains(&word)))
 }
 
-/// Styles of methods that stand in one figure. A name that is no method's is a family of its own; members of a family that
-/// differ in other settings take the markers that are left.
+/// Styles of the methods of one figure. A name that is no method's is a family of its own; members of a family
+/// that differ in other settings take the markers that are left.
 pub fn styles(names: &[&str]) -> Vec<Style> {
     let mut styles: Vec<Style> = Vec::with_capacity(names.len());
     let mut others = Ink::CURVES.into_iter().filter(|ink| !names.iter().any(|name| ink_of(name) == Some(*ink))).cycle();

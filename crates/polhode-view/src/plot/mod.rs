@@ -1,14 +1,14 @@
 //! Figures as SVG: runs over time, two runs compared, error against cost.
 //!
-//! One writer draws all figures of the project. The same data gives the same bytes on every machine; no font is read, widths of
-//! texts are estimated. Figures are white and become dark where a page asks for it.
+//! One writer draws all figures of the project. The same data gives the same bytes on every machine; no font is read,
+//! widths of texts are estimated. Figures are white and become dark where a page asks for it.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`ink`] | colours on white and on dark pages |
 //! | [`svg`] | lines, shapes and text |
 //! | `text_width` | how wide a text is, about |
-//! | [`scale`], `decades`, `axes` | from values to places; what stands at marks |
+//! | [`scale`], `decades`, `axes` | from values to places; labels of marks |
 //! | [`mod@label_rows`], `label_spots` | labels that do not overlap: under each other, beside points |
 //! | [`marker`], [`method_style`] | markers; one ink for a family of methods, one marker for a member |
 //! | [`trace`], `event_times` | quantities and events over time, in bounded memory |

@@ -1,7 +1,7 @@
 //! Plots of a run over time: energy, ledger, penetration, contacts and steps.
 //!
-//! An [`Observer`] keeps what is asked for while the run goes on, in memory that does not grow with it. A run that stops early
-//! is drawn up to where it stopped.
+//! An [`Observer`] keeps what is asked for while the run goes on, in memory that does not grow with it. A run that
+//! stops early is drawn up to where it stopped.
 
 use super::axes;
 use super::event_times::EventTimes;
@@ -120,7 +120,8 @@ impl RunPlots {
             RunPlot::Contacts | RunPlot::Steps => "",
         };
         let own = QUANTITIES.iter().zip(&self.traces).filter(|(quantity, _)| quantity.plot == plot);
-        // A term of the ledger that this run has none of says nothing; what the numbers lost is said when it is nothing.
+        // A term of the ledger that this run has none of says nothing; what the numbers lost is said when it is
+        // nothing.
         let is_shown = |quantity: &Quantity, trace: &Trace| {
             plot != RunPlot::Ledger || quantity.name == "numerical" || trace.is_anything()
         };

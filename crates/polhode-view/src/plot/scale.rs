@@ -1,7 +1,7 @@
 //! Axes: from values to places, and the values that are marked.
 //!
-//! A linear axis goes between round numbers, a logarithmic one between whole powers of ten. Both are made for whatever values
-//! there are: none, one, equal ones, zeros, huge ones, and what is not a number.
+//! A linear axis goes between round numbers, a logarithmic one between whole powers of ten. Both are made for whatever
+//! values there are: none, one, equal ones, zeros, huge ones, and what is not a number.
 
 /// Values beyond this are drawn at it: differences of larger ones overflow.
 const LARGEST: f64 = 1e300;
@@ -9,8 +9,8 @@ const LARGEST: f64 = 1e300;
 /// Positive numbers below this count as zero: what is smaller has no digits left.
 const SMALLEST: f64 = 1e-290;
 
-/// Values that differ by less than this, of the largest, are drawn as equal: an axis of their difference would show rounding,
-/// with labels of ten digits.
+/// Values that differ by less than this, of the largest, are drawn as equal: an axis of their difference would show
+/// rounding, with labels of ten digits.
 const EQUAL: f64 = 1e-9;
 
 /// Marks on a linear axis at the most, about.
@@ -25,7 +25,7 @@ const FOOT_SHARE: f64 = 0.11;
 /// Sizes of numbers that are written without an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
 
-/// What stands at a mark of an axis.
+/// The label of a mark.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mark {
     /// A number.

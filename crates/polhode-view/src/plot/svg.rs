@@ -1,9 +1,9 @@
 //! A writer of SVG for figures: lines, shapes and text, nothing else.
 //!
-//! The crate plotters was used before. It rounds every place to whole pixels, which shows in smooth curves, and has neither
-//! classes for dark pages nor exponents, so that figures for a paper need a writer of their own; what is needed of SVG is
-//! little. The same calls give the same bytes on every machine: places are written in hundredths of a pixel. What has a place
-//! that is not finite is not drawn.
+//! The crate plotters was used before. It rounds every place to whole pixels, which shows in smooth curves, and has
+//! neither classes for dark pages nor exponents, so that figures for a paper need a writer of their own; what is needed
+//! of SVG is little. The same calls give the same bytes on every machine: places are written in hundredths of a pixel.
+//! What has a place that is not finite is not drawn.
 
 use super::ink::{Ink, dark_rules};
 use std::fmt::Write as _;
@@ -59,7 +59,7 @@ impl Stroke {
     }
 }
 
-/// Which part of a text stands at its place.
+/// Which part of a text is at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its left end.
@@ -77,7 +77,7 @@ pub struct Type {
     pub size: f64,
     /// Its ink.
     pub ink: Ink,
-    /// Which part of it stands at its place.
+    /// Which part of it is at its place.
     pub anchor: Anchor,
     /// How heavy it is.
     pub weight: Weight,

@@ -42,7 +42,7 @@ const BEYOND_STOP: f64 = 0.04;
 /// A line of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// What stands at its end: its name, and its last value.
+    /// The label at its end: its name, and its last value.
     pub label: String,
     /// Its ink.
     pub ink: Ink,
@@ -133,7 +133,7 @@ pub struct TimeChart {
     pub stop: Option<Stop>,
 }
 
-/// Where the axes stand.
+/// Places of the axes.
 struct Frame {
     left: f64,
     right: f64,
@@ -209,7 +209,8 @@ impl TimeChart {
         let lines = self.panels.iter().flat_map(|panel| panel.lines.iter().map(|line| &line.label));
         let all = lines.chain(self.events.iter().map(|row| &row.label));
         let widest = all.map(|label| text_width(label, LABEL)).fold(0.0, f64::max);
-        widest.clamp(LABELS[0], LABELS[1])
+        // A whole pixel more than is needed, so that rounding cuts no label.
+        (widest.ceil() + 1.0).clamp(LABELS[0], LABELS[1])
     }
 
     /// What was not reached is shaded.
@@ -299,7 +300,7 @@ fn draw_lines(svg: &mut Svg, panel: &Panel, frame: &Frame, [top, foot]: [f64; 2]
     let wanted: Vec<f64> = ends.iter().map(|end| end.map_or(foot, |end| end[1])).collect();
     let x = frame.right + LEADER;
     let room = WIDTH - RIGHT - x;
-    // A label may stand half a row above and below the axes.
+    // A label may extend half a row above and below the axes.
     let within = [top - 0.5 * LABEL_ROW, foot + 0.5 * LABEL_ROW];
     for ((line, end), row) in panel.lines.iter().zip(&ends).zip(label_rows(&wanted, LABEL_ROW, within)) {
         if let Some(end) = end {

@@ -1,8 +1,8 @@
 //! A quantity over time, kept in bounded memory.
 //!
-//! Values that follow each other share a bucket, which keeps the first, the least, the greatest and the last of them. When
-//! there are too many buckets, neighbours are joined. So a curve of a million samples is drawn with every peak that it has,
-//! from some thousand places; one of fewer samples than [`MOST_BUCKETS`] is kept whole.
+//! Values that follow each other share a bucket, which keeps the first, the least, the greatest and the last of them.
+//! When there are too many buckets, neighbours are joined. So a curve of a million samples is drawn with every peak
+//! that it has, from some thousand places; one of fewer samples than [`MOST_BUCKETS`] is kept whole.
 
 /// Buckets at the most: more than a figure has pixels across.
 const MOST_BUCKETS: usize = 1024;
@@ -10,7 +10,7 @@ const MOST_BUCKETS: usize = 1024;
 /// A value at a time, s.
 pub type Sample = [f64; 2];
 
-/// Values that follow each other. What is not a number stands for the whole bucket.
+/// Values that follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Bucket {
     first: Sample,
