@@ -32,6 +32,9 @@ const BOTTOM: f64 = 48.0;
 const LABEL: f64 = 11.5;
 const LABEL_ROW: f64 = 15.0;
 
+/// Half of the width of a marker, pixels.
+const MARKER: f64 = 3.6;
+
 /// Powers of ten that are marked, about.
 const MARKS: usize = 6;
 
@@ -71,7 +74,9 @@ fn draw(svg: &mut Svg, panel: &Panel, left: f64) {
         let (ink, marker) = (Ink::of_curve(k), Marker::ALL[k % Marker::ALL.len()]);
         let spots: Vec<Spot> = series.places.iter().map(spot).collect();
         svg.line(&spots, Stroke::new(ink, 1.4));
-        spots.iter().for_each(|spot| marker.draw(svg, *spot, 3.6, ink));
+        for spot in &spots {
+            marker.draw(svg, *spot, MARKER, ink);
+        }
         svg.text([to + 10.0, row], series.name, Type::new(LABEL, ink));
     }
 }
