@@ -7,6 +7,7 @@
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
+//! | [`cost_summary`] | its figure of all scenes |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
@@ -26,6 +27,7 @@
 mod cases;
 mod commands;
 mod cost;
+mod cost_summary;
 mod exact;
 mod gallery;
 mod golden;

@@ -14,6 +14,7 @@
 //! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
+//! | `plots` | the plots of a run over time |
 //! | `watch` | the observer of a run: tells outputs and pictures; progress bar and Ctrl-C |
 //! | `inputs` | files that an output never replaces |
 //! | `cost` | the command that sets error against computing time |
@@ -47,6 +48,7 @@ mod inputs;
 mod mesh;
 mod pictures;
 mod plan;
+mod plots;
 mod run;
 mod scene;
 mod stdout;

@@ -5,6 +5,7 @@ use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
+use crate::plots::{Plots, is_plot};
 use crate::watch::{Bar, Interrupt, Watch};
 use crate::{cost, inputs, scene, stdout, text};
 use polhode::{Observer, Outcome, RunReport, Simulation};
@@ -24,10 +25,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load_with(file, &changes)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
     let files = Files { asked: &args.output, inputs: &[file] };
-    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
     let simulation = scene::prepare(&loaded, &args.scene.changes)?;
-    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
+    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
@@ -37,9 +38,9 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let inputs = [&args.from, &checkpoint.scene];
     let files = Files { asked: &args.output, inputs: &inputs };
-    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
+    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// The files that a run writes, and those that it was made from.
@@ -50,26 +51,31 @@ struct Files<'a> {
 
 impl Files<'_> {
     /// Opens the outputs.
-    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures), Failure> {
-        let RunOutputArgs { output, events, .. } = self.asked;
-        for path in output.iter().chain(events).map(PathBuf::as_path) {
+    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures, Plots), Failure> {
+        let RunOutputArgs { output, plot, events, .. } = self.asked;
+        let all: Vec<&Path> = output.iter().chain(events).map(PathBuf::as_path).collect();
+        for (number, &path) in all.iter().enumerate() {
             inputs::check_output(path, self.inputs.iter().map(|input| input.as_path()))?;
-            if checkpoints.path().is_some_and(|checkpoint| inputs::is_same(path, checkpoint)) {
+            let is_named = |other: &&Path| inputs::is_same(path, other);
+            if checkpoints.path().iter().any(is_named) || all[..number].iter().any(is_named) {
                 let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
                 return Err(Failure::Usage(what));
             }
         }
         let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
         let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
-        let trajectories: Vec<PathBuf> = output.iter().filter(|path| !is_picture(path)).cloned().collect();
+        let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
+        let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
+        let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
+        let plots = Plots::create(&plotted, plot)?;
         let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
         let outputs =
             Outputs::create(&loaded.scene, &trajectories, events.as_deref()).map_err(|error| match error {
-                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}")),
+                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg")),
                 error => error.into(),
             })?;
         pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
-        Ok((outputs, pictures))
+        Ok((outputs, pictures, plots))
     }
 }
 
@@ -92,6 +98,7 @@ struct Run {
     simulation: Simulation,
     outputs: Outputs,
     pictures: Pictures,
+    plots: Plots,
     checkpoints: Checkpoints,
     started: Instant,
     json: bool,
@@ -100,7 +107,7 @@ struct Run {
 impl Run {
     /// Goes on to the end, and prints the report.
     fn finish(self) -> Result<(), Failure> {
-        let Self { loaded, mut simulation, mut outputs, mut pictures, checkpoints, started, json } = self;
+        let Self { loaded, mut simulation, mut outputs, mut pictures, mut plots, checkpoints, started, json } = self;
         if !json {
             match stdout::text(&text::plan(&loaded, simulation.plan())) {
                 // Files are still wanted when nobody reads the report.
@@ -109,7 +116,8 @@ impl Run {
             }
         }
         let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
-        let observers: Vec<&mut dyn Observer> = vec![&mut outputs, &mut pictures];
+        plots.begin(&loaded.scene, &simulation);
+        let observers: Vec<&mut dyn Observer> = vec![&mut outputs, &mut pictures, &mut plots];
         let mut watch = Watch { observers, bar: &bar, interrupt: &interrupt, stop_s: f64::INFINITY };
         let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
         bar.clear();
@@ -119,6 +127,7 @@ impl Run {
                 let said = format!("interrupted at t = {t} s of {duration} s");
                 keep_partial(outputs)?;
                 show(pictures, &pictures::failed(&said), &Value::Null)?;
+                plots.finish_stopped(simulation.plan(), &said)?;
                 if let Some(said) = checkpoints.write(&simulation)? {
                     failure::note(&said);
                 }
@@ -127,6 +136,7 @@ impl Run {
             Ok(report) => {
                 outputs.finish()?;
                 show(pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
+                plots.finish(&report)?;
                 let wall_s = started.elapsed().as_secs_f64();
                 if json {
                     stdout::json(&scene_report_json(&loaded, &report, wall_s))?;
@@ -142,6 +152,9 @@ impl Run {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
                 keep_partial(outputs)?;
                 if let Err(other) = show(pictures, &pictures::failed(failure.message()), &Value::Null) {
+                    failure::note(other.message());
+                }
+                if let Err(other) = plots.finish_stopped(simulation.plan(), failure.message()) {
                     failure::note(other.message());
                 }
                 Err(failure)

@@ -38,8 +38,9 @@ impl Observer for Watch<'_> {
     fn progress(&mut self, t: f64) -> Flow {
         self.bar.advance(t);
         let is_over = t >= self.stop_s || self.interrupt.has_come();
-        let stops = is_over || self.observers.iter_mut().any(|observer| observer.progress(t) == Flow::Stop);
-        if stops { Flow::Stop } else { Flow::Continue }
+        // All are told of the step at which the run stops: plots are of every step.
+        let flows: Vec<Flow> = self.observers.iter_mut().map(|observer| observer.progress(t)).collect();
+        if is_over || flows.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
     }
 }
 

@@ -69,7 +69,7 @@ mod read;
 mod trajectory_rows;
 
 pub use checkpoint::{Checkpoint, CheckpointError};
-pub use compare::{CompareError, Comparison, Tolerance, compare};
+pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;
 pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError};
 pub use load::{LoadedScene, load, load_text, load_with};

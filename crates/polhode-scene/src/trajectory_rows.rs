@@ -2,6 +2,8 @@
 
 use crate::csv::{Fault, Records};
 use crate::output::COLUMNS;
+use polhode::BodySample;
+use polhode::spatial::{DVec3, Pose, Rotation, RotationError, Velocity};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -27,6 +29,19 @@ pub(crate) struct Row {
     /// Time and body as written.
     pub(crate) key: [String; 2],
     pub(crate) numbers: [f64; NUMBERS],
+}
+
+impl Row {
+    /// Pose and velocity.
+    ///
+    /// # Errors
+    /// Why the numbers of the quaternion are no rotation.
+    pub(crate) fn body_sample(&self) -> Result<BodySample, RotationError> {
+        let [px, py, pz, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz] = self.numbers;
+        let rotation = Rotation::from_wxyz([qw, qx, qy, qz])?;
+        let velocity = Velocity { linear: DVec3::new(vx, vy, vz), angular: DVec3::new(wx, wy, wz) };
+        Ok(BodySample { pose: Pose::new(rotation, DVec3::new(px, py, pz)), velocity })
+    }
 }
 
 /// The rows of a trajectory.

@@ -7,6 +7,7 @@ mod compare;
 mod cost;
 mod mesh;
 mod plan;
+mod plots;
 mod resume;
 mod run;
 mod usage;
