@@ -8,6 +8,7 @@
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`friction`] | the command: frictional contact problems of other programs |
+//! | [`cost_summary`] | its figure of all scenes |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
@@ -21,11 +22,13 @@
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`readme`] | the example of the README, as a test |
+//! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod cases;
 mod commands;
 mod cost;
+mod cost_summary;
 mod exact;
 mod friction;
 mod gallery;
@@ -42,6 +45,7 @@ mod row;
 mod schedule;
 mod table;
 mod verify;
+mod viewer;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

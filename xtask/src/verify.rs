@@ -1,7 +1,7 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. the gallery, 5. golden trajectories.
+//! 4. the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
 //! wrong; cases and golden trajectories run beside each other (`schedule.rs`). Progress goes to stderr, the table (or, with
@@ -12,7 +12,7 @@ use crate::cases::{self, Amount, Context};
 use crate::row::Row;
 use crate::schedule::{self, Company, Step};
 use crate::table::{self, Counts};
-use crate::{commands, gallery, golden, house};
+use crate::{commands, gallery, golden, house, viewer};
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ pub(crate) const EXIT_USAGE: u8 = 2;
 /// What to verify and how to print it.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
-    /// Rewrite the golden trajectories and print the largest change of each.
+    /// Rewrite golden trajectories and pictures and print the largest change of each.
     #[arg(long)]
     bless: bool,
     /// Run only the cases whose name contains PATTERN (whatever the case of its letters), and nothing of cargo's.
@@ -99,12 +99,20 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
     }
     let goldens = scenes.iter().map(|scene| (scene, golden::case_name(scene))).filter(|(_, name)| selected(name));
     steps.extend(goldens.map(|(scene, name)| Step::new(name, Company::Beside, || golden::check(context, scene))));
+    let stills = golden::STILLS.iter().filter(|still| selected(&still.case_name()));
+    steps.extend(stills.map(|still| Step::new(still.case_name(), Company::Beside, || still.check(context))));
+    if selected(viewer::NAME) && !options.extent.quick {
+        let look = if options.bless { viewer::record } else { viewer::check };
+        steps.push(Step::new(viewer::NAME, Company::Alone, move || look(context)));
+    }
     steps
 }
 
 fn no_such_case(options: &Options, scenes: &[String]) -> String {
     let cases = [HOUSE, gallery::CASE].into_iter().chain(cases::ALL.iter().map(|case| case.name)).map(str::to_owned);
-    let names: Vec<String> = cases.chain(scenes.iter().map(|scene| golden::case_name(scene))).collect();
+    let goldens = scenes.iter().map(|scene| golden::case_name(scene));
+    let stills = golden::STILLS.iter().map(golden::GoldenStill::case_name);
+    let names: Vec<String> = cases.chain(goldens).chain(stills).chain([viewer::NAME.to_owned()]).collect();
     let pattern = options.only.as_deref().unwrap_or_default();
     format!("no case contains \"{pattern}\"; the cases are: {}", names.join(", "))
 }

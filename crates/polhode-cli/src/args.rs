@@ -96,15 +96,34 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Args)]
 pub(crate) struct RunOutputArgs {
     /// Writes the trajectory (.csv, .npy, .json), a page that plays it (.html), a model (.glb), a moving picture (.gif,
-    /// .apng, .webp) or a picture of the end (.png); `resume`: from the checkpoint on (may be given several times)
+    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `resume`: from the checkpoint on (may be
+    /// given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
+    /// What is plotted over time, into the .svg files of -o [default with -o FILE.svg: all]
+    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
+    pub(crate) plot: Vec<RunPlotArg>,
     /// Writes the events as CSV (`resume`: from the checkpoint on)
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// What is plotted of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RunPlotArg {
+    /// Kinetic, potential and total energy
+    Energy,
+    /// Where the energy went
+    Ledger,
+    /// How deep bodies overlap
+    Penetration,
+    /// How many contacts touch and bear a load, and how many bodies rest
+    Contacts,
+    /// How long the steps are
+    Steps,
 }
 
 /// Where and when checkpoints are written.
@@ -151,7 +170,11 @@ pub(crate) struct CostArgs {
     /// Compares the broad phases, which find pairs that may touch, on the boxes of one run
     #[arg(long, conflicts_with_all = ["vary", "target", "instructions", "svg"])]
     pub(crate) broad_phase: bool,
-    /// Names the cheapest method whose error stays below this; exit code 1 when there is none
+    /// Names the cheapest method whose error stays below this, and its ties; exit code 1 when there is none
+    ///
+    /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise
+    /// of timing: the ranges that hold the middle half of the rounds' ratios of both overlap. With fewer than three
+    /// rounds the range is 10 % each way.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) target: Option<f64>,
     /// Counts instructions too, which repeat exactly, and takes them for the cost (needs valgrind)
@@ -183,7 +206,7 @@ pub(crate) struct CostArgs {
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 pub(crate) struct ViewArgs {
-    /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv)
+    /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv, .json, .npy)
     #[arg(required = true, num_args = 1..)]
     pub(crate) files: Vec<PathBuf>,
     /// Where to: .html, .png, .gif, .apng, .webp or .glb (may be given several times) [default: the first file's name with
@@ -202,6 +225,13 @@ pub(crate) struct ViewArgs {
     /// Width and height of pictures, pixels [default: 1280x720; 640x360 for moving pictures]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<String>,
+    /// From where pictures are taken: front, side, top, iso, or the place of the camera, m: --camera 3,-4,2 [default: from the
+    /// front, a little from the right and above]
+    #[arg(long, value_name = "VIEW|X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) camera: Option<String>,
+    /// What the camera looks at, m: --look-at 0,0,0.5 [default: the middle of what moves]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) look_at: Option<String>,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
 }
@@ -334,4 +364,26 @@ pub(crate) struct CompareArgs {
     /// Difference that is accepted, relative to the larger of the two numbers
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub(crate) rtol: f64,
+    /// Draws the differences over time, into the .svg file of -o [default: all that the files, and --scene, tell]
+    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',', num_args = 0..=1, requires = "output")]
+    pub(crate) plot: Option<Vec<ComparePlotArg>>,
+    /// Where the plots go (.svg)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// The scene of the trajectories, whose masses energies are computed from
+    #[arg(long, value_name = "SCENE", requires = "output")]
+    pub(crate) scene: Option<PathBuf>,
+}
+
+/// What is plotted of two trajectories: differences over time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ComparePlotArg {
+    /// Distance of the bodies' origins
+    Positions,
+    /// Angle between their attitudes
+    Attitudes,
+    /// Of velocities of their centres of mass
+    Velocities,
+    /// Of kinetic energy and that of gravity (needs --scene)
+    Energy,
 }

@@ -11,9 +11,12 @@
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
 //! | `view` | the command that shows a scene or a trajectory |
+//! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
-//! | `watch` | the observer of a run: outputs, pictures, progress bar and Ctrl-C |
+//! | `plots` | the plots of a run over time |
+//! | `watch` | the observer of a run: tells outputs and pictures; progress bar and Ctrl-C |
+//! | `inputs` | files that an output never replaces |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
@@ -41,14 +44,17 @@ mod compare;
 mod cost;
 mod failure;
 mod heading;
+mod inputs;
 mod mesh;
 mod pictures;
 mod plan;
+mod plots;
 mod run;
 mod scene;
 mod stdout;
 mod text;
 mod view;
+mod viewpoint;
 mod watch;
 
 use args::{Cli, Command};

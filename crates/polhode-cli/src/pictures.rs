@@ -5,10 +5,11 @@ use crate::heading::Heading;
 use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
 use polhode_scene::{AtomicFile, report_json};
 use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
+use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
 use polhode_view::page::MOST_FRAMES;
 use polhode_view::raster::PictureSize;
-use polhode_view::still::{still, write_png};
+use polhode_view::still::{still_from, write_png};
 use polhode_view::{FrameSource, Page, PageRun, Recording, ViewError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -59,6 +60,11 @@ impl Kind {
     pub(crate) fn moves(self) -> bool {
         matches!(self, Self::Gif | Self::Apng | Self::WebP)
     }
+
+    /// Whether it is a picture, still or moving.
+    pub(crate) fn is_picture(self) -> bool {
+        self == Self::Still || self.moves()
+    }
 }
 
 /// The files that show one or two runs, written while they go on.
@@ -77,6 +83,8 @@ pub(crate) struct Options {
     pub(crate) least_interval_s: Option<f64>,
     /// Width and height of pictures, pixels; without it what suits their kind.
     pub(crate) size: Option<[u32; 2]>,
+    /// From where pictures are taken.
+    pub(crate) viewpoint: Viewpoint,
 }
 
 impl Options {
@@ -128,32 +136,25 @@ impl Pictures {
             self.page_runs.push((path, run.with_least_interval(self.options.least_interval_s.unwrap_or_default())));
         }
         if let (Some((_, file)), None) = (self.files.first(), &self.recording) {
-            let recording = Recording::new(scene, self.recording_interval_s(scene));
-            self.recording = Some(recording.map_err(|error| failure(file.target(), error))?);
+            self.recording = Some(self.recording_of(scene).map_err(|error| failure(file.target(), error))?);
         }
         Ok(())
     }
 
-    /// Takes one instant of a scene for its motion.
-    ///
-    /// # Errors
-    /// When the scene has no bodies, or the sample is not one of it.
-    pub(crate) fn take_instant(&mut self, scene: &Scene, t_s: f64, bodies: &[BodySample]) -> Result<(), Failure> {
-        let Some((_, file)) = self.files.first() else { return Ok(()) };
-        let recording = Recording::of_instant(scene, t_s, bodies);
-        self.recording = Some(recording.map_err(|error| failure(file.target(), error))?);
-        Ok(())
+    /// Takes a recording that has ended for the motion of the scene.
+    pub(crate) fn take(&mut self, recording: Recording) {
+        self.recording = Some(recording);
     }
 
-    /// Least time between the frames that are kept, s: of a picture alone only the last one counts.
-    fn recording_interval_s(&self, scene: &Scene) -> f64 {
+    /// The recording that pictures and models are made from: of a picture alone only the last frame counts.
+    fn recording_of(&self, scene: &Scene) -> Result<Recording, ViewError> {
         let least = self.options.least_interval_s;
         if self.files.iter().all(|(kind, _)| *kind == Kind::Still) {
-            f64::INFINITY
+            Recording::for_still(scene)
         } else if self.files.iter().any(|(kind, _)| kind.moves()) {
-            least.unwrap_or(1.0 / MOVING_PICTURE_FPS)
+            Recording::new(scene, least.unwrap_or(1.0 / MOVING_PICTURE_FPS))
         } else {
-            least.unwrap_or_default().max(scene.duration_s() / MOST_FRAMES)
+            Recording::new(scene, least.unwrap_or_default().max(scene.duration_s() / MOST_FRAMES))
         }
     }
 
@@ -221,11 +222,11 @@ impl Observer for Pictures {
 /// Writes a recording into a file of a kind.
 fn encode(recording: &Recording, kind: Kind, options: &Options, file: &mut AtomicFile) -> Result<(), ViewError> {
     let size = options.size_of(kind)?;
-    let pace = || Pace::new(recording, size);
+    let pace = || Pace::new(recording, size)?.seen_from(&options.viewpoint);
     match kind {
         Kind::Still => {
             let last = recording.times().len().saturating_sub(1);
-            write_png(&still(recording, last, size), file)
+            write_png(&still_from(recording, last, &options.viewpoint, size)?, file)
         }
         Kind::Gif => write_gif(&pace()?, file),
         Kind::Apng => write_apng(&pace()?, file),

@@ -5,9 +5,10 @@ use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
+use crate::plots::{Plots, is_plot};
 use crate::watch::{Bar, Interrupt, Watch};
-use crate::{cost, scene, stdout, text};
-use polhode::{Outcome, RunReport, Simulation};
+use crate::{cost, inputs, scene, stdout, text};
+use polhode::{Observer, Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, scene_report_json};
 use polhode_view::FrameSource;
 use serde_json::Value;
@@ -24,10 +25,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load_with(file, &changes)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
     let files = Files { asked: &args.output, inputs: &[file] };
-    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
     let simulation = scene::prepare(&loaded, &args.scene.changes)?;
-    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
+    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
@@ -37,9 +38,9 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let inputs = [&args.from, &checkpoint.scene];
     let files = Files { asked: &args.output, inputs: &inputs };
-    let (outputs, pictures) = files.create(&loaded, &checkpoints)?;
+    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
     let started = Instant::now();
-    Run { loaded, simulation, outputs, pictures, checkpoints, started, json: args.output.json }.finish()
+    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
 }
 
 /// The files that a run writes, and those that it was made from.
@@ -50,30 +51,31 @@ struct Files<'a> {
 
 impl Files<'_> {
     /// Opens the outputs.
-    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures), Failure> {
-        let RunOutputArgs { output, events, .. } = self.asked;
-        for path in output.iter().chain(events).map(PathBuf::as_path) {
-            if self.inputs.iter().any(|input| is_same(path, input)) {
-                let what =
-                    format!("error: {} is what the run is made from: an output never replaces it", path.display());
-                return Err(Failure::Usage(what));
-            }
-            if checkpoints.path().is_some_and(|checkpoint| is_same(path, checkpoint)) {
+    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures, Plots), Failure> {
+        let RunOutputArgs { output, plot, events, .. } = self.asked;
+        let all: Vec<&Path> = output.iter().chain(events).map(PathBuf::as_path).collect();
+        for (number, &path) in all.iter().enumerate() {
+            inputs::check_output(path, self.inputs.iter().map(|input| input.as_path()))?;
+            let is_named = |other: &&Path| inputs::is_same(path, other);
+            if checkpoints.path().iter().any(is_named) || all[..number].iter().any(is_named) {
                 let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
                 return Err(Failure::Usage(what));
             }
         }
         let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
         let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
-        let trajectories: Vec<PathBuf> = output.iter().filter(|path| !is_picture(path)).cloned().collect();
+        let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
+        let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
+        let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
+        let plots = Plots::create(&plotted, plot)?;
         let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
         let outputs =
             Outputs::create(&loaded.scene, &trajectories, events.as_deref()).map_err(|error| match error {
-                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}")),
+                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg")),
                 error => error.into(),
             })?;
         pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
-        Ok((outputs, pictures))
+        Ok((outputs, pictures, plots))
     }
 }
 
@@ -81,12 +83,6 @@ impl Files<'_> {
 fn degraded(report: &RunReport) -> String {
     let first = report.warnings.first().map_or("", String::as_str);
     format!("degraded: {}: the run has not kept what its method promises: {first}", report.scene)
-}
-
-/// Whether two names are of one file.
-fn is_same(a: &Path, b: &Path) -> bool {
-    let place = |path: &Path| std::fs::canonicalize(path).or_else(|_| std::path::absolute(path));
-    a == b || place(a).is_ok_and(|a| place(b).is_ok_and(|b| a == b))
 }
 
 /// The name of a scene file's checkpoint, in the present folder.
@@ -102,6 +98,7 @@ struct Run {
     simulation: Simulation,
     outputs: Outputs,
     pictures: Pictures,
+    plots: Plots,
     checkpoints: Checkpoints,
     started: Instant,
     json: bool,
@@ -110,7 +107,7 @@ struct Run {
 impl Run {
     /// Goes on to the end, and prints the report.
     fn finish(self) -> Result<(), Failure> {
-        let Self { loaded, mut simulation, outputs, pictures, checkpoints, started, json } = self;
+        let Self { loaded, mut simulation, mut outputs, mut pictures, mut plots, checkpoints, started, json } = self;
         if !json {
             match stdout::text(&text::plan(&loaded, simulation.plan())) {
                 // Files are still wanted when nobody reads the report.
@@ -119,23 +116,27 @@ impl Run {
             }
         }
         let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
-        let mut watch = Watch { outputs, pictures, bar, interrupt, stop_s: f64::INFINITY };
+        plots.begin(&loaded.scene, &simulation);
+        let observers: Vec<&mut dyn Observer> = vec![&mut outputs, &mut pictures, &mut plots];
+        let mut watch = Watch { observers, bar: &bar, interrupt: &interrupt, stop_s: f64::INFINITY };
         let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
-        watch.bar.clear();
+        bar.clear();
         match report {
-            Ok(_) if simulation.time() < loaded.scene.duration_s() && watch.interrupt.has_come() => {
+            Ok(_) if simulation.time() < loaded.scene.duration_s() && interrupt.has_come() => {
                 let (t, duration) = (simulation.time(), loaded.scene.duration_s());
                 let said = format!("interrupted at t = {t} s of {duration} s");
-                keep_partial(watch.outputs)?;
-                show(watch.pictures, &pictures::failed(&said), &Value::Null)?;
+                keep_partial(outputs)?;
+                show(pictures, &pictures::failed(&said), &Value::Null)?;
+                plots.finish_stopped(simulation.plan(), &said)?;
                 if let Some(said) = checkpoints.write(&simulation)? {
                     failure::note(&said);
                 }
                 Err(Failure::Interrupted(said))
             }
             Ok(report) => {
-                watch.outputs.finish()?;
-                show(watch.pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
+                outputs.finish()?;
+                show(pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
+                plots.finish(&report)?;
                 let wall_s = started.elapsed().as_secs_f64();
                 if json {
                     stdout::json(&scene_report_json(&loaded, &report, wall_s))?;
@@ -149,8 +150,11 @@ impl Run {
             }
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-                keep_partial(watch.outputs)?;
-                if let Err(other) = show(watch.pictures, &pictures::failed(failure.message()), &Value::Null) {
+                keep_partial(outputs)?;
+                if let Err(other) = show(pictures, &pictures::failed(failure.message()), &Value::Null) {
+                    failure::note(other.message());
+                }
+                if let Err(other) = plots.finish_stopped(simulation.plan(), failure.message()) {
                     failure::note(other.message());
                 }
                 Err(failure)
@@ -164,7 +168,7 @@ fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,
     checkpoints: &Checkpoints,
-    watch: &mut Watch,
+    watch: &mut Watch<'_>,
 ) -> Result<RunReport, Failure> {
     loop {
         watch.stop_s = checkpoints.next_s(simulation.time());

@@ -4,12 +4,13 @@ use crate::args::ViewArgs;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
-use crate::watch::{Bar, Interrupt};
-use crate::{scene, stdout};
-use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Unobserved};
-use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, load_with};
-use polhode_view::FrameSource;
+use crate::viewpoint::viewpoint;
+use crate::watch::{Bar, Interrupt, Watch};
+use crate::{inputs, scene, stdout};
+use polhode::{BodySample, Flow, Observer, Outcome, RunReport};
+use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory, load_with};
 use polhode_view::page::MOST_FRAMES;
+use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -38,10 +39,14 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
     let runs = runs(args, interval_s)?;
     check_pictures_of_two(&paths, &runs)?;
     let heading = Heading::of(runs.iter().map(|run| &run.loaded));
-    let options = Options { least_interval_s: args.fps.map(|_| interval_s), size: size(args.size.as_deref())? };
+    let options = Options {
+        least_interval_s: args.fps.map(|_| interval_s),
+        size: size(args.size.as_deref())?,
+        viewpoint: viewpoint(args, &paths)?,
+    };
     let mut pictures = Pictures::create(&paths, &heading, options)?;
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
-        take_still(run, args, still_time(text, run)?, &mut pictures)?;
+        pictures.take(at_instant(run, args, still_time(text, run)?)?);
         pictures.finish(&Value::Null)?;
         return print_paths(&paths);
     }
@@ -105,38 +110,46 @@ fn outside(t: f64, from: f64, to: f64) -> Failure {
     Failure::Usage(format!("error: --still t={t}: the motion is from t = {from} s to {to} s"))
 }
 
-/// Draws one instant: simulated to there exactly, or the nearest sample of a trajectory.
-fn take_still(run: &ShownRun, args: &ViewArgs, t_s: f64, pictures: &mut Pictures) -> Result<(), Failure> {
+/// One instant, with the motion that leads there: simulated to there exactly, or the nearest sample of a trajectory.
+fn at_instant(run: &ShownRun, args: &ViewArgs, t_s: f64) -> Result<Recording, Failure> {
     let scene = &run.loaded.scene;
-    match &run.motion {
+    let refused = |error| Failure::Usage(format!("error: {}: {error}", scene.name()));
+    let mut recording = Recording::for_still(scene).map_err(refused)?;
+    let (t, bodies) = match &run.motion {
         Motion::Simulated => {
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
-            let reached = simulation.advance_to(t_s, &mut Unobserved);
+            let reached = simulation.advance_to(t_s, &mut recording);
             reached.map_err(|error| scene::failed(&run.loaded, error))?;
-            pictures.take_instant(scene, t_s, &simulation.bodies())
+            (t_s, simulation.bodies())
         }
-        Motion::Read(path) => {
-            let mut reader = TrajectoryReader::open(path, scene)?;
-            let mut first_s = None;
-            let mut nearest: Option<(f64, Vec<BodySample>)> = None;
-            while let Some((t, bodies)) = reader.next_sample()? {
-                first_s.get_or_insert(t);
-                if nearest.as_ref().is_none_or(|(other, _)| (t - t_s).abs() < (other - t_s).abs()) {
-                    nearest = Some((t, bodies));
-                }
-                if t >= t_s {
-                    break;
-                }
-            }
-            match (first_s, nearest) {
-                (Some(first), Some((t, _))) if t_s < first || (t < t_s && reader.is_at_end()) => {
-                    Err(outside(t_s, first, t))
-                }
-                (_, Some((t, bodies))) => pictures.take_instant(scene, t, &bodies),
-                (_, None) => Ok(()),
-            }
+        Motion::Read(path) => nearest_sample(path, run, t_s, &mut recording)?,
+    };
+    recording.end_at(t, &bodies).map_err(refused)?;
+    Ok(recording)
+}
+
+/// The sample of a trajectory that is nearest to a time (s) within it; what leads there is recorded.
+fn nearest_sample(
+    path: &Path,
+    run: &ShownRun,
+    t_s: f64,
+    recording: &mut Recording,
+) -> Result<(f64, Vec<BodySample>), Failure> {
+    let mut reader = TrajectoryReader::open(path, &run.loaded.scene)?;
+    let mut first_s = f64::NAN;
+    let mut before: Option<(f64, Vec<BodySample>)> = None;
+    while let Some((t, bodies)) = reader.next_sample()? {
+        if before.is_none() {
+            first_s = t;
         }
+        if t >= t_s {
+            let nearest = before.filter(|(other, _)| t_s - other < t - t_s).unwrap_or((t, bodies));
+            return if t_s >= first_s { Ok(nearest) } else { Err(outside(t_s, first_s, t)) };
+        }
+        recording.sample(t, &bodies);
+        before = Some((t, bodies));
     }
+    Err(outside(t_s, first_s, before.map_or(f64::NAN, |(last, _)| last)))
 }
 
 /// Width and height of pictures.
@@ -164,7 +177,8 @@ fn show(
             pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Simulation)?;
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
             let bar = Bar::new(run.loaded.scene.duration_s());
-            let report = simulation.run(&mut Showing { pictures, bar: &bar, interrupt });
+            let mut watch = Watch { observers: vec![pictures], bar: &bar, interrupt, stop_s: f64::INFINITY };
+            let report = simulation.run(&mut watch);
             bar.clear();
             match report.map_err(|error| scene::failed(&run.loaded, error)) {
                 Ok(report) if interrupt.has_come() => {
@@ -204,15 +218,7 @@ fn read(path: &Path, run: &ShownRun, pictures: &mut Pictures) -> Result<(), Fail
 
 /// The runs that the command line names.
 fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
-    let is_trajectory = |path: &&PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-    let trajectories: Vec<_> = args.files.iter().filter(is_trajectory).collect();
-    let scenes: Vec<_> = args.files.iter().filter(|path| !is_trajectory(path)).collect();
-    if let Some(other) = scenes.iter().find(|path| {
-        path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy") || ending.eq_ignore_ascii_case("json"))
-    }) {
-        let what = format!("error: {}: a trajectory is shown from a .csv file", other.display());
-        return Err(Failure::Usage(what));
-    }
+    let (trajectories, scenes): (Vec<_>, Vec<_>) = args.files.iter().partition(|path| is_trajectory(path));
     let changes = scene::overrides(&args.changes)?;
     let simulated = |path: &Path, changes: &[polhode_scene::Override], name: Option<String>| {
         let mut loaded = load_with(path, changes)?;
@@ -257,20 +263,21 @@ fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
 
 /// Where the pictures go.
 fn outputs(args: &ViewArgs) -> Result<Vec<PathBuf>, Failure> {
-    if args.output.is_empty() {
-        let ending = if args.still.is_some() { "png" } else { "html" };
-        let beside = args.files.first().map(|file| file.with_extension(ending));
-        return Ok(beside.into_iter().collect());
-    }
-    for path in &args.output {
+    let ending = if args.still.is_some() { "png" } else { "html" };
+    let beside = || args.files.first().map(|file| file.with_extension(ending)).into_iter().collect();
+    let paths: Vec<PathBuf> = if args.output.is_empty() { beside() } else { args.output.clone() };
+    for path in &paths {
         let refused = match Kind::of(path) {
             None => format!("unknown ending; accepted: {ENDINGS}"),
             Some(kind) if args.still.is_some() && kind != Kind::Still => "--still draws a picture (.png)".to_owned(),
-            Some(_) => continue,
+            Some(_) => {
+                inputs::check_output(path, args.files.iter().map(PathBuf::as_path))?;
+                continue;
+            }
         };
         return Err(Failure::Usage(format!("error: {}: {refused}", path.display())));
     }
-    Ok(args.output.clone())
+    Ok(paths)
 }
 
 /// Time between frames, s.
@@ -283,42 +290,12 @@ fn interval(fps: Option<f64>, paths: &[PathBuf]) -> Result<f64, Failure> {
     }
 }
 
-/// Shows a run and its progress, and stops it at Ctrl-C.
-struct Showing<'a> {
-    pictures: &'a mut Pictures,
-    bar: &'a Bar,
-    interrupt: &'a Interrupt,
-}
-
-impl Observer for Showing<'_> {
-    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
-        self.pictures.sample(t, bodies);
-    }
-
-    fn event(&mut self, event: &Event) {
-        self.pictures.event(event);
-    }
-
-    fn wants_frames(&self) -> bool {
-        self.pictures.wants_frames()
-    }
-
-    fn frame(&mut self, frame: &Frame) {
-        self.pictures.frame(frame);
-    }
-
-    fn progress(&mut self, t: f64) -> Flow {
-        self.bar.advance(t);
-        if self.interrupt.has_come() { Flow::Stop } else { self.pictures.progress(t) }
-    }
-}
-
 impl From<TrajectoryError> for Failure {
     fn from(failure: TrajectoryError) -> Self {
         let message = format!("error: {failure}");
         match failure {
             TrajectoryError::Read { .. } => Self::InputOutput(message),
-            TrajectoryError::Content { .. } => Self::Usage(message),
+            TrajectoryError::Content { .. } | TrajectoryError::Ending { .. } => Self::Usage(message),
         }
     }
 }

@@ -1,50 +1,46 @@
-//! What a run shows and writes while it goes on, and when it stops.
+//! Who is told of a run while it goes on, and when it stops.
 
 use crate::failure::Failure;
-use crate::pictures::Pictures;
 use indicatif::{ProgressBar, ProgressStyle};
 use polhode::{BodySample, Event, Flow, Frame, Observer};
-use polhode_scene::Outputs;
 use std::io::IsTerminal;
 use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Writes files, shows progress and stops the run at Ctrl-C or when a checkpoint is due.
-pub(crate) struct Watch {
-    pub(crate) outputs: Outputs,
-    pub(crate) pictures: Pictures,
-    pub(crate) bar: Bar,
-    pub(crate) interrupt: Interrupt,
+/// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C or when a checkpoint is due.
+pub(crate) struct Watch<'a> {
+    /// Files and pictures that are written.
+    pub(crate) observers: Vec<&'a mut dyn Observer>,
+    pub(crate) bar: &'a Bar,
+    pub(crate) interrupt: &'a Interrupt,
     /// When the run stops next to be kept, s.
     pub(crate) stop_s: f64,
 }
 
-impl Observer for Watch {
+impl Observer for Watch<'_> {
     fn sample(&mut self, t: f64, bodies: &[BodySample]) {
-        self.outputs.sample(t, bodies);
-        self.pictures.sample(t, bodies);
+        self.observers.iter_mut().for_each(|observer| observer.sample(t, bodies));
     }
 
     fn event(&mut self, event: &Event) {
-        self.outputs.event(event);
-        self.pictures.event(event);
+        self.observers.iter_mut().for_each(|observer| observer.event(event));
     }
 
     fn wants_frames(&self) -> bool {
-        self.pictures.wants_frames()
+        self.observers.iter().any(|observer| observer.wants_frames())
     }
 
     fn frame(&mut self, frame: &Frame) {
-        self.pictures.frame(frame);
+        self.observers.iter_mut().for_each(|observer| observer.frame(frame));
     }
 
     fn progress(&mut self, t: f64) -> Flow {
         self.bar.advance(t);
-        if t >= self.stop_s || self.interrupt.has_come() || self.outputs.progress(t) == Flow::Stop {
-            return Flow::Stop;
-        }
-        self.pictures.progress(t)
+        let is_over = t >= self.stop_s || self.interrupt.has_come();
+        // All are told of the step at which the run stops: plots are of every step.
+        let flows: Vec<Flow> = self.observers.iter_mut().map(|observer| observer.progress(t)).collect();
+        if is_over || flows.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
     }
 }
 

@@ -6,6 +6,7 @@
 
 use crate::output::COLUMNS;
 use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows};
+use polhode::BodySample;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -116,6 +117,30 @@ impl Comparison {
 /// # Errors
 /// When a file cannot be read or is not a trajectory, or a tolerance is negative.
 pub fn compare(a: &Path, b: &Path, tolerance: Tolerance) -> Result<Comparison, CompareError> {
+    compare_rows(a, b, tolerance, |_| ())
+}
+
+/// A row that both trajectories have.
+#[derive(Debug)]
+pub struct RowPair<'a> {
+    /// Time, s; NaN where what is written is none.
+    pub t_s: f64,
+    /// Name of the body.
+    pub body: &'a str,
+    /// The body in both; none where numbers are no pose.
+    pub samples: Option<[BodySample; 2]>,
+}
+
+/// Compares two CSV trajectories, and tells of every row that both have.
+///
+/// # Errors
+/// As [`compare`](compare()).
+pub fn compare_rows(
+    a: &Path,
+    b: &Path,
+    tolerance: Tolerance,
+    mut tell: impl FnMut(&RowPair<'_>),
+) -> Result<Comparison, CompareError> {
     for value in [tolerance.absolute, tolerance.relative] {
         if value.is_nan() || value < 0.0 {
             return Err(CompareError::Tolerance(value));
@@ -138,6 +163,9 @@ pub fn compare(a: &Path, b: &Path, tolerance: Tolerance) -> Result<Comparison, C
         };
         comparison.rows += 1;
         comparison.add(&row_a, &row_b, tolerance);
+        let [time, body] = &row_a.key;
+        let samples = row_a.body_sample().ok().zip(row_b.body_sample().ok()).map(|(a, b)| [a, b]);
+        tell(&RowPair { t_s: time.parse().unwrap_or(f64::NAN), body, samples });
     }
 }
 

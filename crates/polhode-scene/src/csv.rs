@@ -24,6 +24,7 @@ pub(crate) fn write_number(out: &mut (impl Write + ?Sized), number: f64) -> io::
 pub(crate) struct Records<R> {
     input: R,
     line: u64,
+    ends_with_line_end: bool,
 }
 
 /// Why a record could not be read.
@@ -43,12 +44,17 @@ impl From<io::Error> for Fault {
 
 impl<R: BufRead> Records<R> {
     pub(crate) fn new(input: R) -> Self {
-        Self { input, line: 0 }
+        Self { input, line: 0, ends_with_line_end: true }
     }
 
     /// The line, from 1, at which the last record read ends.
     pub(crate) fn line(&self) -> u64 {
         self.line
+    }
+
+    /// Whether the last record read has a line's end behind it.
+    pub(crate) fn ends_with_line_end(&self) -> bool {
+        self.ends_with_line_end
     }
 
     /// Reads the next record; false at the end of the file.
@@ -67,6 +73,7 @@ impl<R: BufRead> Records<R> {
                 };
             }
             self.line += 1;
+            self.ends_with_line_end = record.ends_with(b"\n");
             let is_open = record.iter().fold(false, |open, &byte| open ^ (byte == b'"'));
             if !is_open {
                 break;

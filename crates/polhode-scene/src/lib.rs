@@ -69,7 +69,7 @@ mod read;
 mod trajectory_rows;
 
 pub use checkpoint::{Checkpoint, CheckpointError};
-pub use compare::{CompareError, Comparison, Tolerance, compare};
+pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;
 pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError};
 pub use load::{LoadedScene, load, load_text, load_with};
@@ -78,4 +78,4 @@ pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, OutputError, Outputs};
 pub use report::{plan_json, plan_with_accelerations_json, report_json, scene_report_json};
 pub use schema::schema;
-pub use trajectory::{TrajectoryError, TrajectoryReader};
+pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};

@@ -2,6 +2,8 @@
 
 use crate::csv::{Fault, Records};
 use crate::output::COLUMNS;
+use polhode::BodySample;
+use polhode::spatial::{DVec3, Pose, Rotation, RotationError, Velocity};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -29,6 +31,19 @@ pub(crate) struct Row {
     pub(crate) numbers: [f64; NUMBERS],
 }
 
+impl Row {
+    /// Pose and velocity.
+    ///
+    /// # Errors
+    /// Why the numbers of the quaternion are no rotation.
+    pub(crate) fn body_sample(&self) -> Result<BodySample, RotationError> {
+        let [px, py, pz, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz] = self.numbers;
+        let rotation = Rotation::from_wxyz([qw, qx, qy, qz])?;
+        let velocity = Velocity { linear: DVec3::new(vx, vy, vz), angular: DVec3::new(wx, wy, wz) };
+        Ok(BodySample { pose: Pose::new(rotation, DVec3::new(px, py, pz)), velocity })
+    }
+}
+
 /// The rows of a trajectory.
 #[derive(Debug)]
 pub(crate) struct Rows {
@@ -42,8 +57,12 @@ impl Rows {
     pub(crate) fn open(path: &Path) -> Result<Self, RowError> {
         let file = File::open(path).map_err(|source| RowError::Read { path: path.to_owned(), source })?;
         let mut rows = Self { path: path.to_owned(), records: Records::new(BufReader::new(file)), fields: Vec::new() };
-        let is_header = rows.read()? && rows.fields == COLUMNS;
-        if is_header { Ok(rows) } else { Err(rows.content(format!("the first line must be {}", COLUMNS.join(",")))) }
+        let is_empty = !rows.read()?;
+        if rows.fields == COLUMNS {
+            return Ok(rows);
+        }
+        let what = if is_empty { "the file is empty: " } else { "" };
+        Err(rows.content(format!("{what}the first line must be {}", COLUMNS.join(","))))
     }
 
     fn read(&mut self) -> Result<bool, RowError> {
@@ -59,11 +78,14 @@ impl Rows {
             return Ok(None);
         }
         if self.fields.len() != COLUMNS.len() {
-            return Err(self.content(format!("{} columns, {} are needed", self.fields.len(), COLUMNS.len())));
+            let cut_off = if self.ends_with_line_end() { "" } else { ": the file is cut off in this line" };
+            let (found, needed) = (self.fields.len(), COLUMNS.len());
+            return Err(self.content(format!("{found} columns, {needed} are needed{cut_off}")));
         }
         let mut numbers = [0.0; NUMBERS];
-        for (number, field) in numbers.iter_mut().zip(&self.fields[FIRST_NUMBER..]) {
-            *number = field.parse().map_err(|_| self.content(format!("`{field}` is not a number")))?;
+        for (number, (field, column)) in numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).skip(FIRST_NUMBER)) {
+            *number =
+                field.parse().map_err(|_| self.content(format!("`{field}` in column {column} is not a number")))?;
         }
         let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
         Ok(Some(Row { key, numbers }))
@@ -72,6 +94,11 @@ impl Rows {
     /// The line, from 1, at which the last row read ends.
     pub(crate) fn line(&self) -> u64 {
         self.records.line()
+    }
+
+    /// Whether the last row read has a line's end behind it.
+    pub(crate) fn ends_with_line_end(&self) -> bool {
+        self.records.ends_with_line_end()
     }
 
     /// That the file is not a trajectory at the present line.

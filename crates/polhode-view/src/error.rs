@@ -1,5 +1,6 @@
 //! Why something cannot be shown.
 
+use polhode::spatial::DVec3;
 use std::io;
 use thiserror::Error;
 
@@ -27,6 +28,14 @@ pub enum ViewError {
         t_s: f64,
         /// Which body.
         body: String,
+    },
+    /// A camera that does not look anywhere.
+    #[error("a camera at {eye} m that looks at {target} m: two different places with finite coordinates are needed")]
+    CameraPlace {
+        /// Where it is, m.
+        eye: DVec3,
+        /// Where it looks, m.
+        target: DVec3,
     },
     /// A picture's width or height.
     #[error("a picture of {width} x {height} pixels: 1 to {most} pixels each way are possible")]

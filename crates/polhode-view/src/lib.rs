@@ -1,4 +1,4 @@
-//! Runs made visible: one HTML page with a viewer, stills, moving pictures and animated models.
+//! Runs made visible: one HTML page with a viewer, stills, moving pictures, animated models and plots.
 //!
 //! It shows what it is told and simulates nothing: a [`Scene`](polhode::Scene) gives the bodies, an
 //! [`Observer`](polhode::Observer) or a trajectory gives their motion. It reads no clock, has no global, prints nothing and
@@ -15,6 +15,7 @@
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
 //! | [`glb`] | animated models as binary glTF |
+//! | [`plot`] | figures as SVG |
 //! | [`error`] | [`ViewError`] |
 
 pub mod animation;
@@ -26,6 +27,7 @@ pub mod glb;
 pub mod light;
 pub mod mesh_library;
 pub mod page;
+pub mod plot;
 pub mod quanta;
 pub mod raster;
 pub mod recording;

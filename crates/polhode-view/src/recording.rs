@@ -12,6 +12,13 @@ const LARGEST_BESIDE: f64 = 1.5;
 /// Distance up to which a standing body is in the picture whole, in sizes of what moves.
 const FARTHEST_BESIDE: f64 = 1.0;
 
+/// Bodies of which a picture shows the paths at the most: of more it shows a crowd.
+pub const MOST_PATHS: usize = 64;
+/// Frames of the path that leads to a still.
+const PATH_FRAMES: f64 = 1000.0;
+/// A body whose path is longer than this many times its size is lost in a picture of the path.
+const LOST: f64 = 60.0;
+
 /// The motion of a scene: an [`Observer`] that keeps the poses of the bodies that move.
 #[derive(Debug)]
 pub struct Recording {
@@ -57,6 +64,30 @@ impl Recording {
         let mut recording = Self::new(scene, 0.0)?;
         recording.add(t_s, bodies)?;
         Ok(recording)
+    }
+
+    /// Of a scene for a still: of few bodies with the path that leads there.
+    ///
+    /// # Errors
+    /// When the scene has no bodies.
+    pub fn for_still(scene: &Scene) -> Result<Self, ViewError> {
+        let recording = Self::new(scene, scene.duration_s() / PATH_FRAMES)?;
+        let is_marked = recording.shown.moving.len() <= MOST_PATHS;
+        Ok(if is_marked { recording } else { Self { thinning: Thinning::new(f64::INFINITY), ..recording } })
+    }
+
+    /// Ends it with the bodies at a time, s.
+    ///
+    /// # Errors
+    /// When a sample was not one of the scene.
+    pub fn end_at(&mut self, t_s: f64, bodies: &[BodySample]) -> Result<(), ViewError> {
+        self.put_off = None;
+        while self.times.last().is_some_and(|&last| last >= t_s) {
+            self.times.pop();
+            self.poses.pop();
+        }
+        self.add(t_s, bodies)?;
+        self.end()
     }
 
     /// Ends it: the last sample is always a frame.
@@ -134,11 +165,30 @@ impl Recording {
         }
     }
 
-    /// Corners of the box that a camera looks at, m: around the bodies that move in all frames, and around those standing bodies
-    /// that are near them and of their size. Where none moves, around all.
+    /// Corners of the box that a camera looks at in all frames, m: around the bodies that move, and around those standing
+    /// bodies that are near them and of their size. Where none moves, around all.
     pub fn bounds(&self) -> [DVec3; 2] {
+        self.bounds_of(&self.poses)
+    }
+
+    /// Corners of the box that a camera looks at in one frame, m: that around the bodies as they stand then; where they are
+    /// too small to be seen beside the path that they have come, around that path and what attracts them.
+    pub fn bounds_at(&self, frame: usize) -> [DVec3; 2] {
+        let path = &self.poses[..self.poses.len().min(frame + 1)];
+        let mut along = self.bounds_of(path);
+        let largest = self.shown.moving.iter().map(|&body| self.shown.bodies[body].size_m()).fold(0.0, f64::max);
+        if (along[1] - along[0]).length() <= LOST * largest || largest == 0.0 {
+            return self.bounds_of(path.get(frame..).unwrap_or_default());
+        }
+        for &center in &self.shown.centers {
+            along = [along[0].min(center), along[1].max(center)];
+        }
+        along
+    }
+
+    fn bounds_of(&self, frames: &[Vec<Pose>]) -> [DVec3; 2] {
         let mut moving: Option<[DVec3; 2]> = None;
-        for poses in &self.poses {
+        for poses in frames {
             for (&body, pose) in self.shown.moving.iter().zip(poses) {
                 add_box(&mut moving, &self.shown.bodies[body], pose);
             }

@@ -3,6 +3,7 @@
 use crate::mesh_library::MeshLibrary;
 use crate::tessellation::parts::equivalent_ellipsoid;
 use crate::tessellation::{Detail, Parts, parts_of};
+use polhode::scene::Force;
 use polhode::spatial::{DVec3, MassProperties, Pose};
 use polhode::{Body, Scene};
 
@@ -35,6 +36,11 @@ impl ShownBody {
         self.bounds.map_or(0.0, |[low, high]| low.abs().max(high.abs()).length())
     }
 
+    /// The middle of the box around its parts in a pose, in the world, m; its origin where it has none.
+    pub fn middle(&self, pose: &Pose) -> DVec3 {
+        self.bounds.map_or(pose.translation, |[low, high]| pose.transform_point(0.5 * (low + high)))
+    }
+
     /// Length of the diagonal of the box around its parts, m.
     pub fn size_m(&self) -> f64 {
         self.bounds.map_or(0.0, |[low, high]| (high - low).length())
@@ -54,6 +60,8 @@ pub struct ShownScene {
     pub bodies: Vec<ShownBody>,
     /// Numbers of the bodies that may move, ascending.
     pub moving: Vec<usize>,
+    /// Points that attract all bodies, m.
+    pub centers: Vec<DVec3>,
 }
 
 impl ShownScene {
@@ -62,7 +70,18 @@ impl ShownScene {
         let detail = Detail::for_bodies(scene.bodies().len());
         let bodies: Vec<ShownBody> = scene.bodies().iter().map(|body| shown(body, detail, library)).collect();
         let moving = bodies.iter().enumerate().filter(|(_, body)| body.moves).map(|(number, _)| number).collect();
-        Self { name: scene.name().to_owned(), gravity: scene.gravity(), duration_s: scene.duration_s(), bodies, moving }
+        let centers = scene.forces().iter().filter_map(|force| match force {
+            Force::PointGravity { center, .. } => Some(*center),
+            _ => None,
+        });
+        Self {
+            name: scene.name().to_owned(),
+            gravity: scene.gravity(),
+            duration_s: scene.duration_s(),
+            bodies,
+            moving,
+            centers: centers.collect(),
+        }
     }
 }
 

@@ -1,18 +1,33 @@
 //! Stills: one frame as a PNG picture.
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Viewpoint};
 use crate::error::ViewError;
 use crate::light::Light;
-use crate::raster::{Picture, PictureSize, SceneTriangles, draw};
+use crate::raster::{Marks, Picture, PictureSize, SceneTriangles, draw};
 use crate::recording::Recording;
 use polhode::spatial::DVec3;
 use std::io::Write;
 
 /// Draws a frame of a recording: the bodies that move, in the middle, from the front, a little from the right and above.
 pub fn still(recording: &Recording, frame: usize, size: PictureSize) -> Picture {
-    let bounds = recording.bounds();
+    let bounds = recording.bounds_at(frame);
     let camera = Camera::for_box(bounds, size.aspect());
     frame_from(recording, frame, camera, bounds, size)
+}
+
+/// Draws a frame of a recording from a viewpoint.
+///
+/// # Errors
+/// When the viewpoint looks nowhere.
+pub fn still_from(
+    recording: &Recording,
+    frame: usize,
+    viewpoint: &Viewpoint,
+    size: PictureSize,
+) -> Result<Picture, ViewError> {
+    let bounds = recording.bounds_at(frame);
+    let camera = viewpoint.camera(bounds, size.aspect())?;
+    Ok(frame_from(recording, frame, camera, bounds, size))
 }
 
 /// Draws a frame as a camera sees it.
@@ -23,7 +38,8 @@ pub fn frame_from(
     bounds: [DVec3; 2],
     size: PictureSize,
 ) -> Picture {
-    draw(&SceneTriangles::of_frame(recording, frame), camera, &Light::default(), bounds, size)
+    let marks = Marks::of_frame(recording, frame, &camera, size.height());
+    draw(&SceneTriangles::of_frame(recording, frame), &marks, camera, &Light::default(), bounds, size)
 }
 
 /// Writes a picture as PNG.

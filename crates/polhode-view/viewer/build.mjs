@@ -1,11 +1,16 @@
-// Bundles the viewer into dist/viewer.js, and puts the licence of three.js beside it.
+// Bundles the viewer into dist/viewer.js, and puts the licence of three.js beside it; `node build.mjs FOLDER` into another
+// folder, to see whether dist/ is what the sources build to.
 
-import { copyFileSync, statSync } from 'node:fs';
+import { copyFileSync, mkdirSync, statSync } from 'node:fs';
+import { join } from 'node:path';
 import { build } from 'esbuild';
 
+const folder = process.argv[2] ?? 'dist';
+const bundle = join(folder, 'viewer.js');
+mkdirSync(folder, { recursive: true });
 await build({
   entryPoints: ['src/main.js'],
-  outfile: 'dist/viewer.js',
+  outfile: bundle,
   bundle: true,
   minify: true,
   format: 'iife',
@@ -13,5 +18,5 @@ await build({
   legalComments: 'inline',
   charset: 'utf8',
 });
-copyFileSync('node_modules/three/LICENSE', 'dist/LICENSES.txt');
-console.log(`dist/viewer.js: ${statSync('dist/viewer.js').size} bytes`);
+copyFileSync('node_modules/three/LICENSE', join(folder, 'LICENSES.txt'));
+console.log(`${bundle}: ${statSync(bundle).size} bytes`);

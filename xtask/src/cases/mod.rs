@@ -83,4 +83,5 @@ pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};
 pub(crate) use list::{ALL, ALONE, QUICK};
 pub(crate) use run::Run;
+pub(crate) use speed::build_program;
 pub(crate) use strict_hash::strict_hash;

@@ -35,7 +35,7 @@ pub(super) fn peak_memory(context: &Context) -> CaseResult {
 }
 
 /// Builds the program and returns where it is: beside this one, which was built with the same profile.
-pub(super) fn build_program(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
+pub(crate) fn build_program(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let mut command = commands::cargo(root);
     command.args(["build", "--release", "--quiet", "--package", "polhode-cli"]);
     if !command.status()?.success() {

@@ -4,7 +4,12 @@ use std::error::Error;
 use std::process::{Command, ExitCode};
 
 /// What insta is told by its environment: never to stop the run, never to print, and when to write.
-pub(super) const ENVIRONMENT: [&str; 3] = ["INSTA_UPDATE", "INSTA_FORCE_PASS", "INSTA_OUTPUT"];
+const ENVIRONMENT: [&str; 3] = ["INSTA_UPDATE", "INSTA_FORCE_PASS", "INSTA_OUTPUT"];
+
+/// Whether goldens are written anew.
+pub(super) fn is_blessed() -> bool {
+    std::env::var(ENVIRONMENT[0]).is_ok_and(|value| value == "force")
+}
 
 /// Runs this program again with the environment that insta needs, unless it is there already; returns the exit code
 /// of that run.

@@ -9,18 +9,21 @@
 //! |---|---|
 //! | `trajectory` | a run as readable text |
 //! | `comparator` | two texts compared number by number |
+//! | `still` | pictures of scenes, compared pixel by pixel |
 //! | `environment` | what insta is told by its environment |
 
 mod comparator;
 mod environment;
+mod still;
 mod trajectory;
 
 pub(crate) use environment::{in_snapshot_environment, without_snapshot_environment};
+pub(crate) use still::{GoldenStill, STILLS};
 
 use crate::cases::{CaseResult, Context, Run, guarded, strict_hash};
 use crate::row::{Row, Tolerance};
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
-use environment::ENVIRONMENT;
+use environment::is_blessed;
 use polhode::Effects;
 use std::error::Error;
 use std::path::Path;
@@ -45,7 +48,7 @@ fn compare(context: &Context, scene: &str, case: &str) -> CaseResult {
     let mut rows = vec![Row::exact(case, "same bits when run twice", hash_words(hash), hash_words(again))];
     let folder = context.root.join("fixtures/golden");
     let comparison = snapshot(&folder, scene, &trajectory::text(&first, hash))?;
-    let blessed = std::env::var(ENVIRONMENT[0]).is_ok_and(|value| value == "force");
+    let blessed = is_blessed();
     rows.extend(match comparison {
         None if blessed => vec![Row::info(case, "written for the first time", "", "")],
         None => {

@@ -4,7 +4,7 @@ use super::study::{Entry, Measured, Study};
 use std::fmt::Write as _;
 
 /// The columns. Errors are relative, angles in rad; an empty field is what was not measured.
-const COLUMNS: [&str; 20] = [
+const COLUMNS: [&str; 25] = [
     "method",
     "setting",
     "changes",
@@ -13,11 +13,16 @@ const COLUMNS: [&str; 20] = [
     "error",
     "position_error",
     "attitude_error_rad",
+    "position_error_mm",
+    "attitude_error_deg",
     "final_position_error",
     "final_attitude_error_rad",
     "final_velocity_error",
     "energy_error",
     "time_ratio",
+    "time_ratio_low",
+    "time_ratio_high",
+    "us_per_simulated_s",
     "time_s",
     "rounds",
     "instructions",
@@ -33,7 +38,7 @@ pub(super) fn text(study: &Study) -> String {
     for (number, entry) in study.entries.iter().enumerate() {
         let mut fields = described(study, entry);
         match &entry.outcome {
-            Ok(measured) => fields.extend(numbers(measured)),
+            Ok(measured) => fields.extend(numbers(study, entry, measured)),
             Err(_) => fields.resize(fields.len() + NUMBERS, String::new()),
         }
         fields.push((study.base == Some(number)).to_string());
@@ -58,19 +63,27 @@ fn described(study: &Study, entry: &Entry) -> Vec<String> {
 }
 
 /// Columns from `error` to `pareto`.
-const NUMBERS: usize = 13;
+const NUMBERS: usize = 18;
 
-fn numbers(measured: &Measured) -> [String; NUMBERS] {
+fn numbers(study: &Study, entry: &Entry, measured: &Measured) -> [String; NUMBERS] {
     let errors = &measured.errors;
+    let [millimetres, degrees] = study.errors_in_units(entry, errors);
+    let [low, high] = measured.timing.spread;
     [
         digits(errors.headline()),
         digits(errors.position),
         digits(errors.attitude),
+        // Without a reference there is no length.
+        if millimetres.is_finite() { digits(millimetres) } else { String::new() },
+        digits(degrees),
         digits(errors.final_position),
         digits(errors.final_attitude),
         digits(errors.final_velocity),
         digits(measured.energy_error),
         digits(measured.timing.ratio),
+        digits(low),
+        digits(high),
+        digits(study.microseconds(measured)),
         digits(measured.timing.seconds),
         measured.timing.rounds.to_string(),
         measured.instructions.map_or(String::new(), |count| count.to_string()),
@@ -117,7 +130,7 @@ mod tests {
             energy_error: 1e-9,
             steps: 10,
             solver: Solver { integrator: Integrator::Cf4, closed_form: false },
-            timing: Timing { ratio: 0.75, seconds: 0.001, rounds: 3 },
+            timing: Timing { ratio: 0.75, spread: [0.5, 1.0], seconds: 0.001, rounds: 3 },
             instructions: None,
             on_front: true,
         };
@@ -138,8 +151,8 @@ mod tests {
         let rows: Vec<_> = text.lines().collect();
         assert_eq!(rows[0], COLUMNS.join(","));
         let changes = "method.integrator=cf4 method.step=0.1";
-        let numbers = "0.5,0.25,0.5,0.0,0.0,0.0,1e-9,0.75,0.001,3,,10,true,true,";
+        let numbers = "0.5,0.25,0.5,,28.64788975654116,0.0,0.0,0.0,1e-9,0.75,0.5,1.0,750.0,0.001,3,,10,true,true,";
         assert_eq!(rows[1], format!("cf4,step 0.1,{changes},,,{numbers}"));
-        assert_eq!(rows[2], format!("cf4,,{changes},,,,,,,,,,,,,,,,false,\"refused, \"\"why\"\"\""));
+        assert_eq!(rows[2], format!("cf4,,{changes},,,,,,,,,,,,,,,,,,,,,false,\"refused, \"\"why\"\"\""));
     }
 }

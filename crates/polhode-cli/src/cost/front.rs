@@ -46,6 +46,11 @@ pub(crate) fn cheapest(points: &[Point], target: f64) -> Option<usize> {
     reaching.min_by(|(_, a), (_, b)| order(a, b)).map(|(number, _)| number)
 }
 
+/// Whether two costs cannot be told apart: the ranges between which half of the measurements of each are overlap.
+pub(crate) fn is_tie(a: [f64; 2], b: [f64; 2]) -> bool {
+    a[0] <= b[1] && b[0] <= a[1]
+}
+
 #[cfg(test)]
 mod tests {
     //! Dominance with ties, with what is no answer, and below what is known about the reference.
@@ -85,6 +90,12 @@ mod tests {
         let pairs = [(1.0, 2e-13), (2.0, 1e-15), (0.5, 1e-3)];
         assert_eq!(front(&points(pairs, 1e-12), 0.0), [true, false, true]);
         assert_eq!(front(&points(pairs, 1e-14), 0.0), [true, true, true]);
+    }
+
+    #[test]
+    fn costs_within_each_other_s_noise_are_a_tie() {
+        assert!(is_tie([1.0, 1.2], [1.1, 1.4]) && is_tie([1.0, 2.0], [1.4, 1.5]) && is_tie([1.0, 1.1], [1.1, 1.2]));
+        assert!(!is_tie([1.0, 1.1], [1.2, 1.3]) && !is_tie([f64::NAN; 2], [1.0, 1.0]));
     }
 
     #[test]

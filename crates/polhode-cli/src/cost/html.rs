@@ -16,10 +16,22 @@ const SCRIPT: &str = r#"document.querySelectorAll("th").forEach((th, column) => 
 pub(super) const STYLE: &str = "body{font:15px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
 svg{max-width:100%;height:auto}table{border-collapse:collapse}th{cursor:pointer;border-bottom:2px solid #888}\
 th,td{padding:.15em .8em;text-align:left;white-space:nowrap}td.n{text-align:right;font-variant-numeric:tabular-nums}\
-tr.front{background:#fff3d0}pre{white-space:pre-wrap}";
+tr.front{background:#fff3d0}pre{white-space:pre-wrap}\
+@media(prefers-color-scheme:dark){body{background:#0d1117;color:#e6edf3}tr.front{background:#3a3010}}";
 
-const COLUMNS: [&str; 10] =
-    ["method", "setting", "error", "position", "attitude, rad", "velocity", "energy", "time", "instructions", "steps"];
+const COLUMNS: [&str; 11] = [
+    "method",
+    "setting",
+    "error",
+    "position, mm",
+    "attitude, degrees",
+    "velocity",
+    "energy",
+    "time",
+    "us for each simulated s",
+    "instructions",
+    "steps",
+];
 
 /// The whole page; `figure` is the SVG.
 pub(super) fn page(study: &Study, figure: &str) -> String {
@@ -55,10 +67,13 @@ fn row(rows: &mut String, study: &Study, entry: &Entry) {
     let _ = write!(rows, "<tr{class}>{name}");
     let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
     let _ = write!(rows, "{}", cell(errors.headline(), &escaped(&text::at_most(errors.headline(), floor))));
-    for error in [errors.position, errors.attitude, errors.final_velocity, measured.energy_error] {
+    let [millimetres, degrees] = study.errors_in_units(entry, errors);
+    for error in [millimetres, degrees, errors.final_velocity, measured.energy_error] {
         rows.push_str(&cell(error, &format!("{error:.2e}")));
     }
     rows.push_str(&cell(measured.timing.ratio, &text::ratio(measured.timing.ratio)));
+    let microseconds = study.microseconds(measured);
+    rows.push_str(&cell(microseconds, &text::ratio(microseconds)));
     match measured.instructions {
         Some(count) => rows.push_str(&cell(count as f64, &count.to_string())),
         None => rows.push_str("<td></td>"),

@@ -24,7 +24,8 @@ pub(super) fn value(study: &Study, target: Option<f64>) -> Value {
     if let Some(target) = target {
         let cheapest = study.cheapest(target);
         let found = cheapest.map(|entry| json!({ "name": entry.candidate.name(), "toml": entry.candidate.toml() }));
-        value["target"] = json!({ "error": target, "cheapest": found });
+        let ties: Vec<String> = study.ties(target).iter().map(|entry| entry.candidate.name()).collect();
+        value["target"] = json!({ "error": target, "cheapest": found, "ties": ties });
     }
     value
 }
@@ -60,11 +61,16 @@ fn candidate(study: &Study, entry: &Entry) -> Value {
             value["known_error"] = json!(study.known_error(entry));
             value["position_error"] = json!(errors.position);
             value["attitude_error_rad"] = json!(errors.attitude);
+            let [millimetres, degrees] = study.errors_in_units(entry, errors);
+            value["position_error_mm"] = json!(millimetres);
+            value["attitude_error_deg"] = json!(degrees);
             value["final_position_error"] = json!(errors.final_position);
             value["final_attitude_error_rad"] = json!(errors.final_attitude);
             value["final_velocity_error"] = json!(errors.final_velocity);
             value["energy_error"] = json!(measured.energy_error);
             value["time_ratio"] = json!(measured.timing.ratio);
+            value["time_ratio_spread"] = json!(measured.timing.spread);
+            value["us_per_simulated_s"] = json!(study.microseconds(measured));
             value["time_s"] = json!(measured.timing.seconds);
             value["rounds"] = json!(measured.timing.rounds);
             value["instructions"] = json!(measured.instructions);

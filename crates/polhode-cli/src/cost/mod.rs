@@ -82,7 +82,7 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     let (csv, svg, html) = (csv?, svg?, html?);
     let options = Options { samples: args.samples, effort: effort(args), budget_s: args.budget, counting };
     let study = Study::run(&source, &axes, &options)?;
-    let drawn = if svg.is_some() || html.is_some() { figure::svg(&study)? } else { String::new() };
+    let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
     for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
         if let Some(file) = file {
             write(file, &text)?;

@@ -71,6 +71,11 @@ impl Measured {
     pub(crate) fn cost(&self) -> f64 {
         self.instructions.map_or(self.timing.ratio, |count| count as f64)
     }
+
+    /// The costs between which half of the measurements are: instructions repeat exactly.
+    pub(crate) fn spread(&self) -> [f64; 2] {
+        self.instructions.map_or(self.timing.spread, |count| [count as f64; 2])
+    }
 }
 
 impl Study {
@@ -105,6 +110,36 @@ impl Study {
     pub(crate) fn cheapest(&self, target: f64) -> Option<&Entry> {
         let points: Vec<_> = self.entries.iter().map(|entry| point(entry, &self.references)).collect();
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
+    }
+
+    /// The others that reach `target`, and whose cost cannot be told from that of the cheapest.
+    pub(crate) fn ties(&self, target: f64) -> Vec<&Entry> {
+        let Some(cheapest) = self.cheapest(target) else { return Vec::new() };
+        let Ok(least) = &cheapest.outcome else { return Vec::new() };
+        let is_tie = |entry: &&Entry| {
+            let reaches = self.known_error(entry).is_some_and(|error| error <= target);
+            let costs = entry.outcome.as_ref().is_ok_and(|other| front::is_tie(other.spread(), least.spread()));
+            reaches && costs && !std::ptr::eq(*entry, cheapest)
+        };
+        self.entries.iter().filter(is_tie).collect()
+    }
+
+    /// Time of the candidate whose time is the unit, s.
+    pub(crate) fn base_seconds(&self) -> Option<f64> {
+        let entry = self.entries.get(self.base?)?;
+        entry.outcome.as_ref().ok().map(|measured| measured.timing.seconds)
+    }
+
+    /// Microseconds that a candidate takes for each simulated second.
+    pub(crate) fn microseconds(&self, measured: &Measured) -> f64 {
+        let seconds = self.base_seconds().map_or(measured.timing.seconds, |base| base * measured.timing.ratio);
+        seconds * 1e6 / self.duration_s
+    }
+
+    /// The largest distance (mm) and angle (degrees) of a candidate from its reference.
+    pub(crate) fn errors_in_units(&self, entry: &Entry, errors: &Errors) -> [f64; 2] {
+        let length_m = self.references.get(entry.reference).map_or(f64::NAN, |reference| reference.scales.length_m);
+        [errors.position * length_m * 1e3, errors.attitude.to_degrees()]
     }
 
     /// The smallest error that any candidate is known to reach, with its name.

@@ -78,6 +78,8 @@ pub(super) fn notes(study: &Study) -> String {
     }
     let time = format!("relative to {}: median of interleaved rounds, without preparing the scene", study.base_name());
     lines.row(["time", &time]);
+    lines.row(["noise", "half of the range that holds the middle half of the rounds, of the time"]);
+    lines.row(["us/s", "microseconds of computing for each simulated second, on this machine"]);
     if study.counting == Counting::Instructions {
         lines.row(["cost", "instructions executed, without starting and preparing"]);
     }
@@ -93,30 +95,32 @@ fn described(reference: &Reference) -> String {
 }
 
 fn columns(study: &Study) -> Vec<String> {
-    let mut columns = vec!["", "method", "setting", "error", "position", "attitude", "velocity", "energy", "time"];
+    let mut columns = vec!["", "method", "setting", "error", "mm", "degrees", "velocity", "energy", "time", "noise"];
     if study.counting == Counting::Instructions {
         columns.push("instructions");
     }
-    columns.extend(["seconds", "steps"]);
+    columns.extend(["us/s", "steps"]);
     columns.into_iter().map(str::to_owned).collect()
 }
 
 fn row(study: &Study, entry: &Entry, measured: &Measured) -> Vec<String> {
     let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
     let errors = &measured.errors;
+    let [millimetres, degrees] = study.errors_in_units(entry, errors);
     let mut cells = vec![
         if measured.on_front { "*" } else { "" }.to_owned(),
         entry.candidate.series.clone(),
         entry.candidate.rung.clone(),
         at_most(errors.headline(), floor),
-        short(errors.position),
-        short(errors.attitude),
+        short(millimetres),
+        short(degrees),
         short(errors.final_velocity),
         short(measured.energy_error),
         ratio(measured.timing.ratio),
+        noise(measured),
     ];
     cells.extend(measured.instructions.map(|count| count.to_string()));
-    cells.extend([format!("{:.2e}", measured.timing.seconds), measured.steps.to_string()]);
+    cells.extend([ratio(study.microseconds(measured)), measured.steps.to_string()]);
     cells
 }
 
@@ -145,17 +149,40 @@ pub(super) fn ratio(ratio: f64) -> String {
     }
 }
 
-/// Which candidate reaches a target, at what cost.
+/// Half of the range that holds the middle half of the rounds, relative.
+fn noise(measured: &Measured) -> String {
+    let [low, high] = measured.timing.spread;
+    format!("{:.0} %", 50.0 * (high - low) / measured.timing.ratio)
+}
+
+/// A length in few digits.
+pub(super) fn short_length(length_m: f64) -> String {
+    number(format!("{length_m:.2e}").parse().unwrap_or(length_m))
+}
+
+/// Which candidate reaches a target, at what cost, and which others are as cheap within the noise of timing.
 pub(super) fn reached(study: &Study, entry: &Entry, target: f64) -> String {
     let Ok(measured) = &entry.outcome else { return String::new() };
     let error = study.known_error(entry).unwrap_or(f64::NAN);
-    format!(
-        "cheapest method with an error of at most {target:e}: {}, error {error:.1e}, {} of the time of {}",
+    let mut text = format!(
+        "cheapest method with an error of at most {target:e}: {}, error {error:.1e}, {} of the time of {}, {} us for each \
+         simulated second",
         entry.candidate.name(),
         ratio(measured.timing.ratio),
-        study.base_name()
-    )
+        study.base_name(),
+        ratio(study.microseconds(measured))
+    );
+    let ties = study.ties(target);
+    if !ties.is_empty() {
+        let names: Vec<String> = ties.iter().take(MOST_TIES).map(|entry| entry.candidate.name()).collect();
+        let more = if ties.len() > MOST_TIES { format!(" and {} more", ties.len() - MOST_TIES) } else { String::new() };
+        let _ = write!(text, "\nties with it, as cheap within the noise of timing: {}{more}", names.join(", "));
+    }
+    text
 }
+
+/// Ties that are named at the most.
+const MOST_TIES: usize = 6;
 
 /// That no candidate reaches a target, and what can be done.
 pub(super) fn not_reached(study: &Study, target: f64) -> String {

@@ -1,7 +1,8 @@
 //! Time as a ratio: every candidate in turn, round after round, and the median over the rounds.
 //!
 //! What slows a machine down (another program, heat, a changing clock) slows all candidates of a round alike, so the
-//! ratio to a candidate of the same round repeats where seconds do not.
+//! ratio to a candidate of the same round repeats where seconds do not. What is left is the noise of timing: it is
+//! given as the range that holds the middle half of a candidate's ratios.
 
 use super::source::Source;
 use polhode::{Scene, Unobserved};
@@ -18,11 +19,20 @@ pub(crate) struct Effort {
     pub(crate) enough_s: f64,
 }
 
+/// Rounds from which on the spread of the ratios says how noisy they are.
+const FEWEST_FOR_NOISE: usize = 3;
+
+/// Noise that is taken for fewer rounds, relative: what times differ by from run to run on a machine that does nothing
+/// else.
+const UNMEASURED_NOISE: f64 = 0.1;
+
 /// What a candidate takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Timing {
     /// Of the time of the base candidate: median over the rounds.
     pub(crate) ratio: f64,
+    /// The ratios between which the middle half of the rounds is; 10 % each way where there are fewer than three.
+    pub(crate) spread: [f64; 2],
     /// Median, s.
     pub(crate) seconds: f64,
     /// Rounds.
@@ -71,9 +81,27 @@ fn seconds(took: Duration) -> f64 {
 fn timing(times: &[f64], base: &[f64]) -> Result<Timing, String> {
     let ratios: Vec<f64> = times.iter().zip(base).map(|(time, base)| time / base).collect();
     match (median(&ratios), median(times)) {
-        (Some(ratio), Some(seconds)) => Ok(Timing { ratio, seconds, rounds: times.len() }),
+        (Some(ratio), Some(seconds)) => {
+            Ok(Timing { ratio, spread: spread(&ratios, ratio), seconds, rounds: times.len() })
+        }
         _ => Err("it was not timed: the candidate that ratios are relative to failed".to_owned()),
     }
+}
+
+/// The quartiles of the ratios, whose median is known.
+fn spread(ratios: &[f64], median: f64) -> [f64; 2] {
+    if ratios.len() < FEWEST_FOR_NOISE {
+        return [median * (1.0 - UNMEASURED_NOISE), median * (1.0 + UNMEASURED_NOISE)];
+    }
+    let mut sorted = ratios.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    // Between neighbours a quartile is interpolated (Hyndman and Fan 1996, definition 7).
+    [0.25, 0.75].map(|part| {
+        let place = part * (sorted.len() - 1) as f64;
+        let below = place.floor() as usize;
+        let above = (below + 1).min(sorted.len() - 1);
+        sorted[below] + (place - place.floor()) * (sorted[above] - sorted[below])
+    })
 }
 
 /// The middle of the sorted numbers; the mean of the two middle ones of an even count.
@@ -94,7 +122,8 @@ mod tests {
     fn a_machine_that_slows_down_changes_no_ratio() {
         let base = [1.0, 2.0, 8.0];
         let slower = [3.0, 6.0, 24.0];
-        assert_eq!(timing(&slower, &base), Ok(Timing { ratio: 3.0, seconds: 6.0, rounds: 3 }));
+        let three = Timing { ratio: 3.0, spread: [3.0, 3.0], seconds: 6.0, rounds: 3 };
+        assert_eq!(timing(&slower, &base), Ok(three));
         assert_eq!(timing(&base, &base).unwrap().ratio, 1.0);
         assert!(timing(&slower, &[]).is_err());
     }
@@ -104,6 +133,14 @@ mod tests {
         assert_eq!(median(&[]), None);
         assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
         assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), Some(2.5));
+    }
+
+    #[test]
+    fn the_noise_is_the_middle_half_of_the_rounds() {
+        let base = [1.0; 5];
+        assert_eq!(timing(&[5.0, 1.0, 2.0, 100.0, 3.0], &base).unwrap().spread, [2.0, 5.0]);
+        assert_eq!(timing(&[1.0, 2.0, 4.0], &base).unwrap().spread, [1.5, 3.0]);
+        assert_eq!(timing(&[2.0, 2.0], &base).unwrap().spread, [1.8, 2.2], "two rounds say nothing about noise");
     }
 
     #[test]

@@ -47,7 +47,9 @@ fn a_flight() {
     assert_eq!(csv.lines().count(), 5);
     assert!(csv.lines().all(|line| line.split(',').count() == header.len()), "{csv}");
     let svg = place.read("a.svg");
-    assert!(svg.starts_with("<svg") && svg.contains("thesis") && svg.contains("Pareto front"));
+    for part in ["<svg", "thesis", "Pareto front", "microseconds for each simulated second", ">mm<", ">degrees<"] {
+        assert!(svg.contains(part), "{part}");
+    }
     let html = place.read("a.html");
     assert!(html.contains(svg.trim_end()) && html.contains("<script>") && html.matches("<tr").count() == 5);
 }
@@ -56,12 +58,39 @@ fn a_flight() {
 #[test]
 fn target() {
     let place = Place::with_scene(FLIGHT);
-    let run = place.expect(0, &varied(&["--target", "1e-10"]));
+    let run = place.expect(0, &varied(&["--target", "1e-10", "--svg", "target.svg"]));
+    let svg = place.read("target.svg");
+    assert!(svg.contains(">target 1e-10<") && svg.contains("cheapest for target"), "{svg}");
     for part in ["reference", "exact", "cheapest method", "[method]", "tier = \"", "Pareto front"] {
         assert!(run.stdout.contains(part), "{part}\n{}", run.stdout);
     }
     let run = place.expect(1, &varied(&["--target", "1e-30"]));
     assert!(run.stderr.contains("no method reaches an error of 1e-30"), "{}", run.stderr);
+}
+
+/// Errors stand in the table in millimetres and degrees too, times in microseconds; two rounds say nothing about noise, so
+/// that methods within a fifth of each other are ties, here one method twice.
+#[test]
+fn units_and_ties() {
+    let place = Place::with_scene(FLIGHT);
+    let args = ["cost", "scene.toml", "--vary", "output.interval=0.125,0.25", "--rounds", "2", "--target", "1e-3"];
+    let json = place.expect(0, &[&args[..], &["--json"]].concat()).json();
+    let candidates = json["candidates"].as_array().unwrap();
+    let length_m = json["references"][0]["length_m"].as_f64().unwrap();
+    for candidate in candidates {
+        let number = |key: &str| candidate[key].as_f64().unwrap();
+        assert!((number("position_error_mm") - 1e3 * length_m * number("position_error")).abs() < 1e-15);
+        assert!((number("attitude_error_deg") - number("attitude_error_rad").to_degrees()).abs() < 1e-15);
+        let [low, high] = [0, 1].map(|end| candidate["time_ratio_spread"][end].as_f64().unwrap());
+        assert!(low <= number("time_ratio") && number("time_ratio") <= high && number("us_per_simulated_s") > 0.0);
+    }
+    assert!(json["target"]["ties"].is_array());
+    let text = place.expect(0, &args).stdout;
+    for part in ["mm", "degrees", "noise", "us/s", "us for each simulated second"] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let help = place.expect(0, &["cost", "--help"]).stdout;
+    assert!(help.contains("middle half") && help.contains("overlap"), "{help}");
 }
 
 /// Without `--vary` every integrator is there: those that run in the table, the others with the reason.

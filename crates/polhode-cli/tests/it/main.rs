@@ -7,10 +7,12 @@ mod compare;
 mod cost;
 mod mesh;
 mod plan;
+mod plots;
 mod resume;
 mod run;
 mod usage;
 mod view;
+mod view_bad_input;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::{FLIGHT, Place};
 
 /// A ball that falls onto a floor.
-const DROP: &str = r#"
+pub(crate) const DROP: &str = r#"
 format = 1
 name = "drop"
 duration = 0.5
@@ -76,54 +76,20 @@ fn a_trajectory_with_the_shapes_of_its_scene() {
     assert!(page.contains("\"contacts\":false") && page.contains("\"count\":51"));
 }
 
-/// What cannot be shown is said in words, and no page appears or is replaced.
+/// Whatever kind of trajectory `run` writes, its page is the same; so is that of what an interrupted run has kept.
 #[test]
-fn trajectories_that_are_refused() {
+fn every_kind_of_trajectory() {
     let place = Place::with_scene(DROP);
-    place.expect(0, &["run", "scene.toml", "-o", "a.csv"]);
-    let text = place.read("a.csv");
-    place.write("page.html", "what stood here");
-    let lines: Vec<&str> = text.lines().collect();
-    let cases = [
-        (lines[..lines.len() - 1].join("\n") + "\n", "cut off: t = 0.5 s has 1 of 2 bodies; `ball` is missing"),
-        (text[..text.len() - 40].to_owned(), "columns, 15 are needed"),
-        (text.replace(",ball,", ",bell,"), "has no body `bell`; its bodies are `floor`, `ball`"),
-        (text.replacen("ball,0.0,0.0,0.5", "ball,NaN,0.0,0.5", 1), "must be finite"),
-        (lines[0].to_owned() + "\n", "it has no samples"),
-        ("x\n".to_owned(), "the first line must be"),
-        (format!("{text}{}\n", lines[1..].join("\n")), "does not follow the time before it"),
-    ];
-    for (content, message) in cases {
-        place.write("bad.csv", &content);
-        let run = place.expect(2, &["view", "scene.toml", "bad.csv", "-o", "page.html"]);
-        assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
-        assert_eq!(place.read("page.html"), "what stood here");
+    place.expect(0, &["run", "scene.toml", "-o", "a.csv", "-o", "a.json", "-o", "a.npy"]);
+    std::fs::copy(place.path("a.csv"), place.path("a.csv.partial")).unwrap();
+    let page = |trajectory: &str| {
+        place.expect(0, &["view", "scene.toml", trajectory, "-o", "page.html"]);
+        place.read("page.html").replace(&format!("\"name\":\"{}\"", trajectory.rsplit_once('.').unwrap().0), "")
+    };
+    let expected = page("a.csv");
+    for trajectory in ["a.json", "a.npy", "a.csv.partial"] {
+        assert!(page(trajectory) == expected, "{trajectory}");
     }
-    place.expect(3, &["view", "scene.toml", "missing.csv"]);
-    let alone = place.expect(2, &["view", "a.csv"]);
-    assert!(alone.stderr.contains("name its scene too"), "{}", alone.stderr);
-    assert_eq!(place.list(), ["a.csv", "bad.csv", "page.html", "scene.toml"]);
-}
-
-#[test]
-fn mistakes() {
-    let place = Place::with_scene(DROP);
-    place.write("empty.toml", "format = 1\n");
-    for (code, args, message) in [
-        (2, &["empty.toml"][..], "no bodies"),
-        (2, &["scene.toml", "-o", "a.txt"], "unknown ending"),
-        (3, &["scene.toml", "-o", "missing/a.html"], "cannot write"),
-        (2, &["scene.toml", "-o", "a.html", "-o", "a.html"], "named twice"),
-        (2, &["scene.toml", "--fps", "0"], "positive"),
-        (2, &["scene.toml", "--fps", "NaN"], "positive"),
-        (2, &["scene.toml", "scene.toml", "scene.toml"], "two runs at the most"),
-        (2, &["scene.toml", "a.npy"], "from a .csv file"),
-        (2, &["scene.toml", "--beside", "nothing"], "KEY=VALUE"),
-    ] {
-        let run = place.expect(code, &[&["view"], args].concat());
-        assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
-    }
-    assert_eq!(place.list(), ["empty.toml", "scene.toml"]);
 }
 
 /// A picture of any time of a scene or a trajectory, without what comes after it.
@@ -155,6 +121,48 @@ fn stills() {
         let run = place.expect(2, &[&["view"], args].concat());
         assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
     }
+}
+
+/// A picture is taken from a view by name, or from any place at any place.
+#[test]
+fn cameras() {
+    let place = Place::with_scene(DROP);
+    let small = ["view", "scene.toml", "--size", "64x48", "--still", "t=0.25", "-o", "a.png"];
+    let picture = |args: &[&str]| {
+        place.expect(0, &[&small[..], args].concat());
+        std::fs::read(place.path("a.png")).unwrap()
+    };
+    let mut pictures = vec![
+        picture(&[]),
+        picture(&["--camera", "front"]),
+        picture(&["--camera", "side"]),
+        picture(&["--camera", "top"]),
+        picture(&["--camera", "iso"]),
+        picture(&["--camera", "0,-2,0.2"]),
+        picture(&["--camera", "-1,-2,0.2", "--look-at", "0,0,0.1"]),
+        picture(&["--look-at", "0,0,0.1"]),
+    ];
+    let count = pictures.len();
+    pictures.sort();
+    pictures.dedup();
+    assert_eq!(pictures.len(), count);
+    let moving = ["view", "scene.toml", "--size", "32x24", "--duration", "0.1", "-o", "a.gif"];
+    place.expect(0, &[&moving[..], &["--camera", "top"]].concat());
+    for (args, message) in [
+        (
+            &["--camera", "above"][..],
+            "not of the form X,Y,Z with finite numbers, such as --camera 3,-4,2, nor one of front",
+        ),
+        (&["--camera", "1,2"], "not of the form X,Y,Z"),
+        (&["--camera", "1,2,inf"], "finite"),
+        (&["--look-at", "ball"], "such as --look-at 3,-4,2"),
+        (&["--camera", "1,2,3", "--look-at", "1,2,3"], "two different places"),
+    ] {
+        let run = place.expect(2, &[&small[..], args].concat());
+        assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
+    }
+    let page = place.expect(2, &["view", "scene.toml", "--camera", "top"]);
+    assert!(page.stderr.contains("a camera of its own"), "{}", page.stderr);
 }
 
 #[test]

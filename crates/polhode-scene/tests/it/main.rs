@@ -16,6 +16,7 @@ mod pivots;
 mod refusals;
 mod robustness;
 mod schema;
+mod trajectories;
 
 use polhode::Scene;
 use polhode_scene::{Refused, SceneFileError, load_text};

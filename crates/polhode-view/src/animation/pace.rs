@@ -1,6 +1,6 @@
 //! Which frames a moving picture has, and how long each is shown.
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Viewpoint};
 use crate::error::ViewError;
 use crate::raster::{Picture, PictureSize};
 use crate::recording::Recording;
@@ -32,6 +32,15 @@ impl<'a> Pace<'a> {
         }
         let bounds = recording.bounds();
         Ok(Self { recording, bounds, camera: Camera::for_box(bounds, size.aspect()), size })
+    }
+
+    /// Seen from a viewpoint.
+    ///
+    /// # Errors
+    /// When the viewpoint looks nowhere.
+    pub fn seen_from(mut self, viewpoint: &Viewpoint) -> Result<Self, ViewError> {
+        self.camera = viewpoint.camera(self.bounds, self.size.aspect())?;
+        Ok(self)
     }
 
     /// Width and height.

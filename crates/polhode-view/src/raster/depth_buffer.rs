@@ -39,6 +39,19 @@ pub struct FlatSegment {
     pub color: u16,
 }
 
+/// A disc that faces the camera and takes light as a ball does.
+#[derive(Debug, Clone, Copy)]
+pub struct FlatDisc {
+    /// Middle.
+    pub center: Projected,
+    /// Radius, samples.
+    pub radius: f64,
+    /// Unit vectors to the right, up, and forwards.
+    pub axes: [DVec3; 3],
+    /// Number of the colour.
+    pub color: u16,
+}
+
 /// A band of rows.
 #[derive(Debug)]
 pub struct DepthBuffer {
@@ -90,6 +103,23 @@ impl DepthBuffer {
                 let seen = &mut self.samples[(y - self.rows[0]) * self.width + x];
                 if nearness > seen.nearness {
                     *seen = Seen { nearness, normal: na * wa + nb * wb + nc * wc, color: triangle.color };
+                }
+            }
+        }
+    }
+
+    /// Draws a disc.
+    pub fn draw_disc(&mut self, disc: &FlatDisc) {
+        let FlatDisc { center, radius, axes: [right, up, forwards], color } = *disc;
+        for y in Self::covered(center.y - radius, center.y + radius, self.rows) {
+            let down = (y as f64 + 0.5 - center.y) / radius;
+            for x in Self::covered(center.x - radius, center.x + radius, [0, self.width]) {
+                let across = (x as f64 + 0.5 - center.x) / radius;
+                let square = across * across + down * down;
+                let seen = &mut self.samples[(y - self.rows[0]) * self.width + x];
+                if square <= 1.0 && center.nearness > seen.nearness {
+                    let normal = right * across - up * down - forwards * (1.0 - square).sqrt();
+                    *seen = Seen { nearness: center.nearness, normal, color };
                 }
             }
         }

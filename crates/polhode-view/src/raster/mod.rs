@@ -8,15 +8,18 @@
 //! | [`projection`] | from the world to samples, with what is too near cut off |
 //! | [`depth_buffer`] | what is nearest at each sample of a band |
 //! | [`shadow_map`] | what the lamp sees |
+//! | [`marks`] | bodies too small to be seen, and the paths that they have come |
 //! | [`ground`] | planes with a grid |
 //! | [`picture`] | the picture, and how it is made |
 
 pub mod depth_buffer;
 pub mod ground;
+pub mod marks;
 pub mod picture;
 pub mod projection;
 pub mod scene_triangles;
 pub mod shadow_map;
 
+pub use marks::Marks;
 pub use picture::{Picture, PictureSize, draw};
 pub use scene_triangles::SceneTriangles;

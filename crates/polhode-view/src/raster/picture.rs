@@ -1,8 +1,9 @@
 //! Pictures, and how they are made.
 
-use super::depth_buffer::{DepthBuffer, FlatSegment, FlatTriangle, Seen};
+use super::depth_buffer::{DepthBuffer, FlatDisc, FlatSegment, FlatTriangle, Seen};
 use super::ground::Ground;
-use super::projection::Projection;
+use super::marks::Marks;
+use super::projection::{Projected, Projection};
 use super::scene_triangles::SceneTriangles;
 use super::shadow_map::ShadowMap;
 use crate::camera::Camera;
@@ -71,9 +72,17 @@ pub struct Picture {
 }
 
 /// Draws what a camera sees; `bounds` are corners of the box that the camera is about, which gives the ground its scale.
-pub fn draw(scene: &SceneTriangles, camera: Camera, light: &Light, bounds: [DVec3; 2], size: PictureSize) -> Picture {
+pub fn draw(
+    scene: &SceneTriangles,
+    marks: &Marks,
+    camera: Camera,
+    light: &Light,
+    bounds: [DVec3; 2],
+    size: PictureSize,
+) -> Picture {
     let projection = Projection::new(camera, [size.width * SAMPLES, size.height * SAMPLES]);
-    let flat = Flattened::new(scene, &projection);
+    let mut flat = Flattened::new(scene, &projection);
+    flat.add_marks(marks, &projection);
     let view = View {
         scene,
         light,
@@ -98,16 +107,17 @@ pub fn draw(scene: &SceneTriangles, camera: Camera, light: &Light, bounds: [DVec
     Picture { size, rgb }
 }
 
-/// Triangles and lines in samples, with the rows that they are on.
+/// Triangles, lines and discs in samples, with the rows that they are on.
 struct Flattened {
     triangles: Vec<([f64; 2], FlatTriangle)>,
     segments: Vec<([f64; 2], FlatSegment)>,
+    discs: Vec<([f64; 2], FlatDisc)>,
 }
 
 impl Flattened {
     fn new(scene: &SceneTriangles, projection: &Projection) -> Self {
         let camera = &projection.camera;
-        let mut flat = Self { triangles: Vec::new(), segments: Vec::new() };
+        let mut flat = Self { triangles: Vec::new(), segments: Vec::new(), discs: Vec::new() };
         for triangle in &scene.triangles {
             for corners in projection.cut(triangle.corners.map(|corner| camera.seen(corner))) {
                 let normal = |weights: DVec3| {
@@ -121,12 +131,35 @@ impl Flattened {
             }
         }
         for segment in &scene.segments {
-            let Some(ends) = projection.cut_segment(segment.ends.map(|end| camera.seen(end))) else { continue };
-            let ends = ends.map(|end| projection.project(end));
-            let rows = [ends[0].y.min(ends[1].y), ends[0].y.max(ends[1].y)];
-            flat.segments.push((rows, FlatSegment { ends, color: segment.color }));
+            flat.add_segment(segment.ends, segment.color, projection);
         }
         flat
+    }
+
+    fn add_segment(&mut self, ends: [DVec3; 2], color: u16, projection: &Projection) {
+        let Some(ends) = projection.cut_segment(ends.map(|end| projection.camera.seen(end))) else { return };
+        let ends = ends.map(|end| projection.project(end));
+        let rows = [ends[0].y.min(ends[1].y), ends[0].y.max(ends[1].y)];
+        self.segments.push((rows, FlatSegment { ends, color }));
+    }
+
+    fn add_marks(&mut self, marks: &Marks, projection: &Projection) {
+        for path in &marks.paths {
+            for ends in path.places.windows(2) {
+                self.add_segment([ends[0], ends[1]], path.color, projection);
+            }
+        }
+        let camera = &projection.camera;
+        let focal = camera.focal_length_px(f64::from(projection.samples[1]));
+        for disc in &marks.discs {
+            let radius = disc.radius_px * f64::from(SAMPLES);
+            let seen = camera.seen(disc.place);
+            // As near as the front of a ball of that radius, but never behind the camera.
+            let nearness = (1.0 + radius / focal) / seen.z;
+            let center = Projected { nearness, ..projection.project(seen) };
+            let rows = [center.y - radius, center.y + radius];
+            self.discs.push((rows, FlatDisc { center, radius, axes: camera.axes, color: disc.color }));
+        }
     }
 
     fn draw(&self, buffer: &mut DepthBuffer, rows: [usize; 2]) {
@@ -136,6 +169,7 @@ impl Flattened {
         for (_, segment) in self.segments.iter().filter(|(rows, _)| meets(*rows)) {
             buffer.draw_segment(segment, width);
         }
+        self.discs.iter().filter(|(rows, _)| meets(*rows)).for_each(|(_, disc)| buffer.draw_disc(disc));
     }
 }
 

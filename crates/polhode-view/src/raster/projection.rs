@@ -30,8 +30,7 @@ pub struct Projection {
 impl Projection {
     /// Onto so many samples across and down.
     pub fn new(camera: Camera, samples: [u32; 2]) -> Self {
-        let focal = 0.5 * f64::from(samples[1]) / libm::tan(0.5 * camera.field_of_view_rad);
-        Self { camera, samples, focal }
+        Self { camera, samples, focal: camera.focal_length_px(f64::from(samples[1])) }
     }
 
     /// Of a point as the camera sees it, which must lie ahead.

@@ -24,4 +24,4 @@ pub mod triangles;
 
 pub use detail::Detail;
 pub use part::Part;
-pub use parts::{Parts, parts_of};
+pub use parts::{Parts, ShownPoint, parts_of};

@@ -19,6 +19,17 @@ pub struct Parts {
     pub parts: Vec<Part>,
     /// Half-spaces, which have no mesh: their plane is drawn as a grid.
     pub half_spaces: Vec<HalfSpace>,
+    /// Points of point sets. Their balls are a part too; in pictures that part may be too small to be seen.
+    pub points: Vec<ShownPoint>,
+}
+
+/// A point of a point set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShownPoint {
+    /// Where, in the body's frame, m.
+    pub place: DVec3,
+    /// Radius of the ball that is drawn about it, m.
+    pub radius_m: f64,
 }
 
 /// The parts of a shape.
@@ -77,6 +88,8 @@ impl Builder<'_> {
             }
             Shape::HalfSpace(half_space) => self.parts.half_spaces.push(half_space.clone()),
             Shape::Points(cloud) => {
+                let radius_m = points::radius(cloud.points());
+                self.parts.points.extend(cloud.points().iter().map(|&place| ShownPoint { place, radius_m }));
                 let key = MeshKey::new("points", coordinates(cloud.points()));
                 let mesh = self.library.number_of(key, || points::surface(cloud.points()));
                 self.add(mesh, DVec3::ZERO, Rotation::IDENTITY, DVec3::ONE);

@@ -1,4 +1,4 @@
-//! Sets of points: a small ball, or for many points a small octahedron, at each.
+//! Sets of points: a small ball at each and lines that join them, or for many points a small octahedron at each.
 
 use super::detail::Detail;
 use super::round;
@@ -13,19 +13,37 @@ const RADIUS_ALONE_M: f64 = 0.01;
 /// Points up to which balls are drawn.
 const MOST_BALLS: usize = 64;
 
+/// Radius of the balls about the points, m.
+pub fn radius(points: &[DVec3]) -> f64 {
+    let Some(&first) = points.first() else { return RADIUS_ALONE_M };
+    let [low, high] = points.iter().fold([first; 2], |[low, high], &p| [low.min(p), high.max(p)]);
+    let diagonal = (high - low).length();
+    if diagonal > 0.0 { RADIUS_RELATIVE * diagonal } else { RADIUS_ALONE_M }
+}
+
 /// The surface of balls about the points.
 pub fn surface(points: &[DVec3]) -> SurfaceMesh {
     let mut mesh = SurfaceMesh::default();
-    let Some(&first) = points.first() else { return mesh };
-    let [low, high] = points.iter().fold([first; 2], |[low, high], &p| [low.min(p), high.max(p)]);
-    let diagonal = (high - low).length();
-    let radius = if diagonal > 0.0 { RADIUS_RELATIVE * diagonal } else { RADIUS_ALONE_M };
+    let radius = radius(points);
     let ball = if points.len() <= MOST_BALLS { round::unit_sphere(Detail::new(12)) } else { octahedron() };
     for &point in points {
         mesh.add_moved(&ball, point, radius);
     }
     mesh.lines.clear();
+    if points.len() <= MOST_BALLS {
+        add_spokes(&mut mesh, points);
+    }
     mesh
+}
+
+/// Lines from the mean of the points to each: they move as one body.
+fn add_spokes(mesh: &mut SurfaceMesh, points: &[DVec3]) {
+    let mean = points.iter().sum::<DVec3>() / points.len().max(1) as f64;
+    let hub = mesh.add_vertex(mean, DVec3::Z);
+    for &point in points {
+        let end = mesh.add_vertex(point, DVec3::Z);
+        mesh.lines.push([hub, end]);
+    }
 }
 
 fn octahedron() -> SurfaceMesh {

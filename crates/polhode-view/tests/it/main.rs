@@ -6,5 +6,6 @@ mod animations;
 mod chunks;
 mod models;
 mod page;
+mod plots;
 mod stills;
 mod tessellation;

@@ -2,11 +2,12 @@
 
 use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
+use polhode::scene::Force;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Scene};
+use polhode::{Body, BodySample, Effects, Scene, Simulation};
 use polhode_view::Recording;
-use polhode_view::camera::Camera;
-use polhode_view::raster::{Picture, PictureSize};
+use polhode_view::camera::{Camera, PRESETS, Standpoint, Viewpoint};
+use polhode_view::raster::{Marks, Picture, PictureSize};
 use polhode_view::still::{frame_from, still, write_png};
 use std::f64::consts::PI;
 
@@ -142,4 +143,106 @@ fn sizes() {
     // One pixel, and a body of no size far away.
     let dot = recording(vec![ball("ball", DVec3::new(1e9, -1e9, 1e9))]);
     assert_eq!(still(&dot, 0, PictureSize::new(1, 1).unwrap()).rgb.len(), 3);
+}
+
+/// Where a place is in a picture of that size.
+fn at(camera: &Camera, place: DVec3) -> [u32; 2] {
+    let (width, height) = (f64::from(size().width()), f64::from(size().height()));
+    let (seen, focal) = (camera.seen(place), camera.focal_length_px(height));
+    [0.5 * width + focal * seen.x / seen.z, 0.5 * height - focal * seen.y / seen.z].map(|pixel| pixel as u32)
+}
+
+/// A camera at a place looks at a place: that is in the middle, and what lies to its right is on the right.
+#[test]
+fn a_camera_that_is_put_somewhere() {
+    let (eye, target) = (DVec3::new(3.0, -4.0, 2.0), DVec3::new(0.5, 0.5, 0.25));
+    let viewpoint = Viewpoint { standpoint: Standpoint::Eye(eye), target: Some(target) };
+    let camera = viewpoint.camera(BOUNDS, size().aspect()).unwrap();
+    assert_eq!(at(&camera, target), [240, 180]);
+    let right = (target - eye).cross(DVec3::Z).normalize();
+    assert!(at(&camera, target + 0.1 * right)[0] > 245 && at(&camera, target + 0.1 * DVec3::Z)[1] < 175);
+    // Without a target it looks at the middle of the box; from a direction it sees all of the box.
+    let viewpoint = Viewpoint { target: None, ..viewpoint };
+    assert_eq!(at(&viewpoint.camera(BOUNDS, size().aspect()).unwrap(), DVec3::ZERO), [240, 180]);
+    for (name, from) in PRESETS {
+        let viewpoint = Viewpoint { standpoint: Standpoint::Direction(from), target: None };
+        let camera = viewpoint.camera(BOUNDS, size().aspect()).unwrap();
+        for corner in 0..8 {
+            let corner = DVec3::from_array([0, 1, 2].map(|axis| BOUNDS[corner >> axis & 1][axis]));
+            let [x, y] = at(&camera, corner);
+            assert!((1..480).contains(&x) && (1..360).contains(&y), "{name}: {corner} at {x} {y}");
+        }
+    }
+    // The viewpoint that is taken when none is asked for is that of every other still, to the last bit.
+    assert_eq!(Viewpoint::default().camera(BOUNDS, 1.5).unwrap(), Camera::for_box(BOUNDS, 1.5));
+    for (eye, target) in [(target, target), (DVec3::NAN, target), (DVec3::INFINITY, target)] {
+        let viewpoint = Viewpoint { standpoint: Standpoint::Eye(eye), target: Some(target) };
+        assert!(viewpoint.camera(BOUNDS, 1.0).is_err());
+    }
+}
+
+/// A ball of 2 m on an orbit of 7000 km: a mark stands where it is, its path behind it, the centre of attraction in the
+/// picture; none of it in a picture in which it is large.
+#[test]
+fn a_body_that_is_lost_on_its_path() {
+    let mu = 3.986e14;
+    let (radius, speed) = (7.0e6, (3.986e14_f64 / 7.0e6).sqrt());
+    let satellite =
+        ball("satellite", DVec3::X * radius).velocity(Velocity { linear: DVec3::Y * speed, angular: DVec3::ZERO });
+    let scene = Scene::builder("orbit")
+        .gravity(DVec3::ZERO)
+        .body(satellite)
+        .force(Force::PointGravity { center: DVec3::ZERO, mu })
+        .duration_s(3000.0)
+        .output_interval_s(10.0)
+        .build()
+        .unwrap();
+    let mut recording = Recording::for_still(&scene).unwrap();
+    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    simulation.advance_to(2000.0, &mut recording).unwrap();
+    recording.end_at(2000.0, &simulation.bodies()).unwrap();
+    assert_eq!(recording.times().last(), Some(&2000.0));
+    let last = recording.times().len() - 1;
+    let bounds = recording.bounds_at(last);
+    let camera = Camera::for_box(bounds, size().aspect());
+    let picture = still(&recording, last, size());
+    let place = recording.moving_poses(last)[0].translation;
+    let seen = |place: DVec3| {
+        let [x, y] = at(&camera, place);
+        pixel(&picture, x, y)
+    };
+    // Blue is the satellite, dark its path, and grey the centre.
+    let sky = pixel(&picture, 2, 2);
+    assert!(strongest(seen(place)) == 2 && brightness(seen(place)) + 100 < brightness(sky));
+    assert!(brightness(seen(recording.moving_poses(last / 2)[0].translation)) + 100 < brightness(sky));
+    let [r, g, b] = seen(DVec3::ZERO);
+    assert!(r == g && g == b && brightness([r, g, b]) + 50 < brightness(sky), "{r} {g} {b}");
+    // At the start it fills the picture, and nothing is marked.
+    let near = recording.bounds_at(0);
+    assert!((near[1] - near[0]).length() < 4.0 * RADIUS);
+    let camera = Camera::for_box(near, size().aspect());
+    assert_eq!(Marks::of_frame(&recording, 0, &camera, size().height()), Marks::default());
+}
+
+/// Two points 10 m apart are seen, although the balls about them are smaller than a pixel; of thousands of bodies none is
+/// marked.
+#[test]
+fn points_and_crowds() {
+    let cloud = |name: &str| {
+        let points = vec![DVec3::ZERO, DVec3::X * 1e-3, DVec3::Y * 1e-3, DVec3::Z * 1e-3];
+        Body::movable(name, solid_sphere(0.1, Mass::new(1.0).unwrap()).unwrap())
+            .geometry(Shape::points(points).unwrap().into())
+    };
+    let two = recording(vec![cloud("a"), cloud("b").pose(Pose::from_translation(DVec3::X * 10.0))]);
+    let camera = Camera::for_box(two.bounds_at(0), size().aspect());
+    let marks = Marks::of_frame(&two, 0, &camera, size().height());
+    assert_eq!((marks.discs.len(), marks.paths.len()), (2, 2));
+    // Close to the first, with the second behind the camera: each point has a mark of its own.
+    let close = Camera::at_box([DVec3::splat(-4e-3), DVec3::splat(4e-3)], DVec3::new(1.0, -1.0, 1.0), size().aspect());
+    let marks = Marks::of_frame(&two, 0, &close, size().height());
+    assert_eq!((marks.discs.len(), marks.paths.len()), (4, 0));
+    let many = (0..100).map(|i| ball(&format!("ball {i}"), DVec3::X * 1000.0 * f64::from(i))).collect();
+    let many = recording(many);
+    let camera = Camera::for_box(many.bounds_at(0), size().aspect());
+    assert_eq!(Marks::of_frame(&many, 0, &camera, size().height()), Marks::default());
 }

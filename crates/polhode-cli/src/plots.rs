@@ -1,0 +1,121 @@
+//! Plots of a run over time: the SVG files of `polhode run` and `polhode resume`.
+
+use crate::args::RunPlotArg;
+use crate::failure::Failure;
+use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, Plan, RunReport, Simulation};
+use polhode_scene::{AtomicFile, names};
+use polhode_view::plot::{RunPlot, RunPlots};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+/// The files, and what is drawn in them; nothing where none are asked for.
+pub(crate) struct Plots {
+    files: Vec<AtomicFile>,
+    asked: Vec<RunPlot>,
+    drawn: Option<RunPlots>,
+}
+
+/// Whether a file holds plots, by its ending.
+pub(crate) fn is_plot(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
+}
+
+impl Plots {
+    /// Opens the files.
+    ///
+    /// # Errors
+    /// When plots are asked for and no file is, or a file cannot be opened.
+    pub(crate) fn create(paths: &[PathBuf], asked: &[RunPlotArg]) -> Result<Self, Failure> {
+        if let (Some(_), []) = (asked.first(), paths) {
+            let what = "error: --plot: no file is named for the plots: add -o FILE.svg".to_owned();
+            return Err(Failure::Usage(what));
+        }
+        let open = |path: &PathBuf| AtomicFile::create(path).map_err(|error| cannot_write(path, &error));
+        let files = paths.iter().map(open).collect::<Result<_, _>>()?;
+        let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked.iter().copied().map(plot).collect() };
+        Ok(Self { files, asked, drawn: None })
+    }
+
+    /// Begins at the present time of a simulation.
+    pub(crate) fn begin(&mut self, scene: &polhode::Scene, simulation: &Simulation) {
+        if !self.files.is_empty() {
+            self.drawn = Some(RunPlots::new(scene, simulation.time(), &self.asked));
+        }
+    }
+
+    /// Draws the plots of a run that has ended, and moves the files to their names.
+    ///
+    /// # Errors
+    /// When something cannot be written.
+    pub(crate) fn finish(self, report: &RunReport) -> Result<(), Failure> {
+        let degraded = if report.outcome == Outcome::Degraded { "; degraded, see the report" } else { "" };
+        self.write(&format!("{}{degraded}", methods(&report.plan)), None)
+    }
+
+    /// Draws the plots of a run that ended before its time, up to there, with the reason.
+    ///
+    /// # Errors
+    /// When something cannot be written.
+    pub(crate) fn finish_stopped(self, plan: &Plan, reason: &str) -> Result<(), Failure> {
+        self.write(&methods(plan), Some(reason.trim_start_matches("error: ")))
+    }
+
+    fn write(self, subtitle: &str, stopped: Option<&str>) -> Result<(), Failure> {
+        let Some(drawn) = self.drawn else { return Ok(()) };
+        let svg = drawn.svg(subtitle, stopped);
+        for mut file in self.files {
+            let written = file.write_all(svg.as_bytes()).and_then(|()| file.commit());
+            written.map_err(|error| cannot_write(file.target(), &error))?;
+        }
+        Ok(())
+    }
+}
+
+const fn plot(asked: RunPlotArg) -> RunPlot {
+    match asked {
+        RunPlotArg::Energy => RunPlot::Energy,
+        RunPlotArg::Ledger => RunPlot::Ledger,
+        RunPlotArg::Penetration => RunPlot::Penetration,
+        RunPlotArg::Contacts => RunPlot::Contacts,
+        RunPlotArg::Steps => RunPlot::Steps,
+    }
+}
+
+/// The methods of a run, in a line.
+fn methods(plan: &Plan) -> String {
+    let (tier, integrator) = (names::tier(plan.tier), names::integrator(plan.integrator));
+    format!(
+        "tier {tier}, integrator {integrator}, impact {}, tolerance {:e}",
+        names::impact(plan.impact),
+        plan.tolerance
+    )
+}
+
+/// That a file of plots cannot be written.
+pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Failure {
+    Failure::InputOutput(format!("error: cannot write {}: {error}", path.display()))
+}
+
+impl Observer for Plots {
+    fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+
+    fn event(&mut self, event: &Event) {
+        if let Some(drawn) = &mut self.drawn {
+            drawn.event(event);
+        }
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.drawn.as_ref().is_some_and(Observer::wants_frames)
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        if let Some(drawn) = &mut self.drawn {
+            drawn.frame(frame);
+        }
+    }
+
+    fn progress(&mut self, t: f64) -> Flow {
+        self.drawn.as_mut().map_or(Flow::Continue, |drawn| drawn.progress(t))
+    }
+}

@@ -1,0 +1,205 @@
+//! Plots of a run over time: energy, ledger, penetration, contacts and steps.
+//!
+//! An [`Observer`] keeps what is asked for while the run goes on, in memory that does not grow with it. A run that
+//! stops early is drawn up to where it stopped.
+
+use super::axes;
+use super::event_times::EventTimes;
+use super::ink::Ink;
+use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
+use super::trace::Trace;
+use polhode::{BodySample, Event, Frame, MotionKind, Observer, Scene};
+
+/// What can be plotted of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunPlot {
+    /// Kinetic, potential and total energy.
+    Energy,
+    /// Where the energy went: the terms of the ledger.
+    Ledger,
+    /// How deep bodies overlap.
+    Penetration,
+    /// How many contacts touch and bear a load, and how many bodies rest.
+    Contacts,
+    /// How long the steps are.
+    Steps,
+}
+
+impl RunPlot {
+    /// All, in the order in which they are drawn.
+    pub const ALL: [Self; 5] = [Self::Energy, Self::Ledger, Self::Penetration, Self::Contacts, Self::Steps];
+}
+
+/// The quantities, in the order of [`values`].
+const QUANTITIES: [Quantity; 15] = [
+    Quantity::new(RunPlot::Energy, "kinetic", Ink::Blue),
+    Quantity::new(RunPlot::Energy, "potential", Ink::Vermilion),
+    Quantity::new(RunPlot::Energy, "total", Ink::Text),
+    Quantity::new(RunPlot::Ledger, "impact", Ink::Vermilion),
+    Quantity::new(RunPlot::Ledger, "friction", Ink::Gold),
+    Quantity::new(RunPlot::Ledger, "rest", Ink::Purple),
+    Quantity::new(RunPlot::Ledger, "damping", Ink::Green),
+    Quantity::new(RunPlot::Ledger, "external work", Ink::Teal),
+    Quantity::new(RunPlot::Ledger, "projection", Ink::Grey),
+    Quantity::new(RunPlot::Ledger, "numerical", Ink::Blue),
+    Quantity::new(RunPlot::Penetration, "largest so far", Ink::Grey),
+    Quantity::new(RunPlot::Penetration, "now", Ink::Vermilion),
+    Quantity::new(RunPlot::Contacts, "touching", Ink::Blue),
+    Quantity::new(RunPlot::Contacts, "bearing a load", Ink::Vermilion),
+    Quantity::new(RunPlot::Contacts, "bodies at rest", Ink::Green),
+];
+
+/// A quantity that every frame has.
+#[derive(Debug, Clone, Copy)]
+struct Quantity {
+    plot: RunPlot,
+    name: &'static str,
+    ink: Ink,
+}
+
+impl Quantity {
+    const fn new(plot: RunPlot, name: &'static str, ink: Ink) -> Self {
+        Self { plot, name, ink }
+    }
+}
+
+/// Keeps what is plotted of a run.
+#[derive(Debug, Clone)]
+pub struct RunPlots {
+    title: String,
+    asked: Vec<RunPlot>,
+    traces: Vec<Trace>,
+    steps: Trace,
+    /// Steps made, and the time that the last of them reached, s.
+    made: u64,
+    reached_s: Option<f64>,
+    events: EventTimes,
+}
+
+impl RunPlots {
+    /// Of a scene from a time on, s; what is asked for twice is drawn once, in the order of [`RunPlot::ALL`].
+    pub fn new(scene: &Scene, from_s: f64, asked: &[RunPlot]) -> Self {
+        Self {
+            title: scene.name().to_owned(),
+            asked: RunPlot::ALL.into_iter().filter(|plot| asked.contains(plot)).collect(),
+            traces: vec![Trace::default(); QUANTITIES.len()],
+            steps: Trace::default(),
+            made: 0,
+            reached_s: Some(from_s),
+            events: EventTimes::new(scene.duration_s()),
+        }
+    }
+
+    /// The figure as SVG; `subtitle` says by which methods, `stopped` why a run ended before its time.
+    pub fn svg(&self, subtitle: &str, stopped: Option<&str>) -> String {
+        let stop = stopped.map(|reason| Stop { t_s: self.reached_s.unwrap_or_default(), reason: reason.to_owned() });
+        let panels = self.asked.iter().map(|&plot| self.panel(plot)).collect();
+        let (title, subtitle) = (self.title.clone(), subtitle.to_owned());
+        TimeChart { title, subtitle, events: self.events.rows(), panels, stop }.svg()
+    }
+
+    fn panel(&self, plot: RunPlot) -> Panel {
+        let (title, note, axis) = match plot {
+            RunPlot::Energy => ("energy, J", "", AxisKind::Linear),
+            RunPlot::Ledger => {
+                let note = "magnitudes; a label has the last value, which is positive for what was lost";
+                ("ledger: where energy went, J", note, AxisKind::Logarithmic)
+            }
+            RunPlot::Penetration => ("penetration, m", "", AxisKind::Logarithmic),
+            RunPlot::Contacts => ("contacts and bodies, number", "", AxisKind::Count),
+            RunPlot::Steps => ("length of the steps, s", "", AxisKind::Logarithmic),
+        };
+        let lines = if plot == RunPlot::Steps { vec![self.steps_line()] } else { self.lines(plot) };
+        Panel { title: title.to_owned(), note: note.to_owned(), axis, lines }
+    }
+
+    fn lines(&self, plot: RunPlot) -> Vec<Line> {
+        let unit = match plot {
+            RunPlot::Energy | RunPlot::Ledger => "J",
+            RunPlot::Penetration => "m",
+            RunPlot::Contacts | RunPlot::Steps => "",
+        };
+        let own = QUANTITIES.iter().zip(&self.traces).filter(|(quantity, _)| quantity.plot == plot);
+        // A term of the ledger that this run has none of says nothing; what the numbers lost is said when it is
+        // nothing.
+        let is_shown = |quantity: &Quantity, trace: &Trace| {
+            plot != RunPlot::Ledger || quantity.name == "numerical" || trace.is_anything()
+        };
+        let shown = own.filter(|(quantity, trace)| is_shown(quantity, trace));
+        shown
+            .map(|(quantity, trace)| Line {
+                label: labelled(quantity.name, trace, unit),
+                ink: quantity.ink,
+                course: match (plot, quantity.name) {
+                    (RunPlot::Contacts, _) => Course::Steps,
+                    (RunPlot::Penetration, "largest so far") => Course::Dashed,
+                    _ => Course::Straight,
+                },
+                trace: trace.clone(),
+            })
+            .collect()
+    }
+
+    fn steps_line(&self) -> Line {
+        let label = labelled(&format!("{} steps, last", self.made), &self.steps, "s");
+        Line { label, ink: Ink::Blue, course: Course::Straight, trace: self.steps.clone() }
+    }
+}
+
+/// A name and the last value.
+fn labelled(name: &str, trace: &Trace, unit: &str) -> String {
+    trace.last().map_or_else(|| format!("{name}: none"), |[_, last]| format!("{name} {}", axes::value(last, unit)))
+}
+
+impl Observer for RunPlots {
+    fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+
+    fn event(&mut self, event: &Event) {
+        self.events.push(event);
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.asked.iter().any(|plot| *plot != RunPlot::Steps)
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        for (trace, value) in self.traces.iter_mut().zip(values(frame)) {
+            trace.push(frame.t_s, value);
+        }
+    }
+
+    fn progress(&mut self, t: f64) -> polhode::Flow {
+        let before = self.reached_s.replace(t).unwrap_or_default();
+        if t > before {
+            // A step has its length from its beginning to its end.
+            self.steps.push(before, t - before);
+            self.steps.push(t, t - before);
+            self.made += 1;
+        }
+        polhode::Flow::Continue
+    }
+}
+
+fn values(frame: &Frame) -> [f64; QUANTITIES.len()] {
+    let (energy, ledger) = (&frame.energy, &frame.ledger);
+    let depth = frame.contacts.iter().map(|contact| -contact.separation_m).fold(0.0, f64::max);
+    let bearing = frame.contacts.iter().filter(|contact| contact.normal_force_n > 0.0).count();
+    let at_rest = frame.motions.iter().filter(|motion| **motion == MotionKind::Rest).count();
+    [
+        energy.kinetic_j,
+        energy.potential_j,
+        energy.final_j,
+        ledger.impact.value(),
+        ledger.friction.value(),
+        ledger.rest.value(),
+        ledger.damping.value(),
+        ledger.external.value(),
+        ledger.projection.value(),
+        ledger.numerical.value(),
+        frame.certificate.max_penetration_m,
+        depth,
+        frame.contacts.len() as f64,
+        bearing as f64,
+        at_rest as f64,
+    ]
+}
