@@ -12,7 +12,9 @@
 use crate::dense::kernels::largest;
 use crate::problem::ContactProblem;
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, ZeroConeT,
+};
 
 /// Gap and feasibility tolerance, relative to data of unit size (no unit); below 1e-12 there is no gain.
 const TOLERANCE: f64 = 1e-12;
@@ -150,6 +152,84 @@ pub(crate) fn least_sum(variables: usize, equal: (&[f64], &[f64]), at_least: (&[
         }
     }
     LinearProgramme::Failed
+}
+
+/// What some rows of a cone programme ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ConeRows {
+    /// All zero.
+    Zero(usize),
+    /// None negative.
+    Nonnegative(usize),
+    /// The first at least as large as the length of the others.
+    SecondOrder(usize),
+}
+
+/// Answer of a cone programme.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum ConeProgramme {
+    /// A minimum: the multipliers.
+    Solved {
+        /// One for each row.
+        multipliers: Vec<f64>,
+        /// Iterations.
+        iterations: usize,
+    },
+    /// No point satisfies the constraints: multipliers `z` in the dual cones with `B^T z = 0` and `q.z < 0`.
+    Infeasible {
+        /// One for each row.
+        multipliers: Vec<f64>,
+        /// Iterations.
+        iterations: usize,
+    },
+    /// The solver gave up.
+    Failed,
+}
+
+/// `min 1/2 |y|^2` subject to `B y + q` in cones; `rows` of `B` are given by their entries `(row, column, value)`.
+pub(crate) fn least_motion(
+    variables: usize,
+    entries: &[(usize, usize, f64)],
+    constant: &[f64],
+    cones: &[ConeRows],
+) -> ConeProgramme {
+    let size = largest(constant);
+    if !(size > 0.0 && size.is_finite()) {
+        return ConeProgramme::Failed;
+    }
+    let right: Vec<f64> = constant.iter().map(|value| value / size).collect();
+    let identity = CscMatrix::identity(variables);
+    let rows = entries.iter().map(|entry| entry.0).collect();
+    let columns = entries.iter().map(|entry| entry.1).collect();
+    let values = entries.iter().map(|entry| -entry.2).collect();
+    let constraints = CscMatrix::new_from_triplets(constant.len(), variables, rows, columns, values);
+    let cones: Vec<_> = cones
+        .iter()
+        .map(|cone| match *cone {
+            ConeRows::Zero(rows) => ZeroConeT(rows),
+            ConeRows::Nonnegative(rows) => NonnegativeConeT(rows),
+            ConeRows::SecondOrder(rows) => SecondOrderConeT(rows),
+        })
+        .collect();
+    let gradient = vec![0.0; variables];
+    for tolerance in PROGRAMME_TOLERANCES {
+        let Ok(mut solver) =
+            DefaultSolver::new(&identity, &gradient, &constraints, &right, &cones, settings(tolerance))
+        else {
+            return ConeProgramme::Failed;
+        };
+        solver.solve();
+        let iterations = solver.solution.iterations as usize;
+        let multipliers = || solver.solution.z.iter().map(|z| z * size).collect();
+        match solver.solution.status {
+            SolverStatus::Solved => return ConeProgramme::Solved { multipliers: multipliers(), iterations },
+            SolverStatus::PrimalInfeasible => {
+                return ConeProgramme::Infeasible { multipliers: multipliers(), iterations };
+            }
+            _ => {}
+        }
+    }
+    ConeProgramme::Failed
 }
 
 fn settings(tolerance: f64) -> DefaultSettings<f64> {

@@ -14,6 +14,8 @@ pub(crate) struct EliminationOrder {
     pub(crate) nodes: Vec<Vec<usize>>,
     /// The node of each block.
     pub(crate) node_of: Vec<usize>,
+    /// Later nodes that each is coupled with when its turn comes, ascending.
+    pub(crate) later: Vec<Vec<usize>>,
 }
 
 impl EliminationOrder {
@@ -36,7 +38,17 @@ impl EliminationOrder {
             beside.retain(|&other| other != group);
             beside
         };
-        let sequence = minimum_degree((0..groups.len()).map(beside).collect(), &weights);
+        let (sequence, cliques) = minimum_degree((0..groups.len()).map(beside).collect(), &weights);
+        let mut turn = vec![0; groups.len()];
+        for (node, &group) in sequence.iter().enumerate() {
+            turn[group] = node;
+        }
+        let in_turn = |clique: Vec<usize>| {
+            let mut later: Vec<usize> = clique.into_iter().map(|group| turn[group]).collect();
+            later.sort_unstable();
+            later
+        };
+        let later = cliques.into_iter().map(in_turn).collect();
         let nodes: Vec<Vec<usize>> = sequence.iter().map(|&group| groups[group].clone()).collect();
         let mut node_of = vec![0; matrix.len()];
         for (node, blocks) in nodes.iter().enumerate() {
@@ -44,7 +56,7 @@ impl EliminationOrder {
                 node_of[block] = node;
             }
         }
-        Self { nodes, node_of }
+        Self { nodes, node_of, later }
     }
 }
 
@@ -62,12 +74,13 @@ fn groups(matrix: &BlockMatrix) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Nodes by minimum degree; `beside` are the neighbours of each, ascending.
-fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> Vec<usize> {
+/// Nodes by minimum degree, and the neighbours that each has left in its turn; `beside` are those of each at first, ascending.
+fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let degree = |neighbours: &[usize]| neighbours.iter().map(|&other| weights[other]).sum::<usize>();
     let mut degrees: Vec<usize> = beside.iter().map(|neighbours| degree(neighbours)).collect();
     let mut waiting: BTreeSet<(usize, usize)> = degrees.iter().enumerate().map(|(node, &d)| (d, node)).collect();
     let mut sequence = Vec::with_capacity(beside.len());
+    let mut cliques = Vec::with_capacity(beside.len());
     let mut merged = Vec::new();
     while let Some((_, node)) = waiting.pop_first() {
         sequence.push(node);
@@ -80,12 +93,13 @@ fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> Vec<usize> 
             degrees[other] = degree(&beside[other]);
             waiting.insert((degrees[other], other));
         }
+        cliques.push(clique);
     }
-    sequence
+    (sequence, cliques)
 }
 
 /// The union of two ascending lists.
-pub(crate) fn merge(a: &[usize], b: &[usize], union: &mut Vec<usize>) {
+fn merge(a: &[usize], b: &[usize], union: &mut Vec<usize>) {
     union.clear();
     let (mut i, mut j) = (0, 0);
     while i < a.len() && j < b.len() {

@@ -15,11 +15,13 @@
 //! | `linearisation` | Coulomb's law, linearised; [`ContactStatus`] |
 //! | `elimination_order`, `multifrontal` | sparse elimination |
 //! | `newton` | the semismooth Newton method |
+//! | `cone_programme` | the convex relative, and the proof that there is no solution |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`FrictionSolution`] |
 
 pub(crate) mod block;
 pub(crate) mod block_matrix;
+mod cone_programme;
 mod coulomb_cone;
 mod elimination_order;
 mod gauss_seidel;

@@ -6,33 +6,38 @@
 //! Liu 1990 (elimination tree).
 
 use crate::dense::kernels::{axpy, dot};
-use crate::friction::elimination_order::{EliminationOrder, merge};
+use crate::friction::elimination_order::EliminationOrder;
 
 /// A pivot that vanishes is replaced by this (in units of the matrix, whose rows are scaled to about 1): its unknown stays where
 /// it was. Regularisation keeps pivots far above.
 const SMALLEST_PIVOT: f64 = 1e-300;
 
-/// The factors.
+/// The factors, with the memory of one factorisation for the next.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Multifrontal {
-    fronts: Vec<Front>,
     /// First unknown of each node; one more entry than nodes.
     starts: Vec<usize>,
+    /// First factor of each node: its own rows, `own x size`, and then the rows below, `(size - own) x own`.
+    factors_at: Vec<usize>,
+    factors: Vec<f64>,
+    /// Which row the pivot of each unknown was taken from, within its node.
+    pivots: Vec<usize>,
+    /// Rows of the front of each node.
+    sizes: Vec<usize>,
+    /// What each node has left for its parent.
+    rests: Vec<Vec<f64>>,
+    /// Memory of rests that were taken.
+    spare: Vec<Vec<f64>>,
+    front: Vec<f64>,
+    rows: Vec<f64>,
+    places: Places,
 }
 
-/// The factors of one node.
+/// First row of each node and of each block in the front at hand.
 #[derive(Debug, Clone, Default)]
-struct Front {
-    /// Unknowns of the node.
-    own: usize,
-    /// Later nodes that it is coupled with, ascending.
-    later: Vec<usize>,
-    /// Which row each pivot was taken from.
-    pivots: Vec<usize>,
-    /// All rows of the front, row-major: `L` and `U` where they belong, and what is left for the parent at the end.
-    values: Vec<f64>,
-    /// Rows of the front.
-    size: usize,
+struct Places {
+    node: Vec<usize>,
+    block: Vec<usize>,
 }
 
 /// What a matrix shows of itself to be eliminated.
@@ -49,35 +54,45 @@ pub(crate) trait BlockSystem {
 
 impl Multifrontal {
     /// Factorises.
-    pub(crate) fn factor(order: &EliminationOrder, system: &impl BlockSystem) -> Self {
+    pub(crate) fn factor(&mut self, order: &EliminationOrder, system: &impl BlockSystem) {
         let count = order.nodes.len();
-        let unknowns_of = |node: usize| order.nodes[node].iter().map(|&block| system.unknowns(block)).sum::<usize>();
-        let mut starts = vec![0; count + 1];
-        for node in 0..count {
-            starts[node + 1] = starts[node] + unknowns_of(node);
+        self.starts.clear();
+        self.starts.push(0);
+        let mut unknowns = 0;
+        for blocks in &order.nodes {
+            unknowns += blocks.iter().map(|&block| system.unknowns(block)).sum::<usize>();
+            self.starts.push(unknowns);
         }
-        let mut factors = Self { fronts: vec![Front::default(); count], starts };
+        self.factors.clear();
+        self.factors_at.clear();
+        self.pivots.clear();
+        self.sizes.clear();
+        self.rests.resize(count, Vec::new());
+        self.places.node.resize(count, 0);
+        self.places.block.resize(order.node_of.len(), 0);
+        // The parent of a node is the first later node that has unknowns.
         let mut children: Vec<Vec<usize>> = vec![Vec::new(); count];
-        let mut places = Places { node: vec![0; count], block: vec![0; order.node_of.len()] };
         for node in 0..count {
-            let own = factors.starts[node + 1] - factors.starts[node];
-            let later = factors.later_nodes(node, &children[node], order, system);
-            let mut front = Front { own, later, ..Front::default() };
-            front.size = places.set(node, &front.later, order, system);
-            front.values = vec![0.0; front.size * front.size];
-            front.assemble(node, order, system, &places);
-            for &child in &children[node] {
-                let child_front = &mut factors.fronts[child];
-                front.add_child(child_front, &factors.starts, &places);
-                child_front.forget_rest();
+            self.factors_at.push(self.factors.len());
+            let own = self.own(node);
+            if own == 0 {
+                self.sizes.push(0);
+                continue;
             }
-            front.eliminate();
-            if let Some(&parent) = front.later.first() {
+            let size = self.place(node, order, system);
+            self.sizes.push(size);
+            self.front.clear();
+            self.front.resize(size * size, 0.0);
+            self.assemble(node, size, order, system);
+            for &child in &children[node] {
+                self.add_child(child, size, order);
+            }
+            eliminate(&mut self.front, size, own, &mut self.pivots);
+            self.store(node, size, own);
+            if let Some(&parent) = order.later[node].iter().find(|&&later| self.own(later) > 0) {
                 children[parent].push(node);
             }
-            factors.fronts[node] = front;
         }
-        factors
     }
 
     /// Number of unknowns.
@@ -91,90 +106,56 @@ impl Multifrontal {
     }
 
     /// `A^-1 b`, in place; unknowns by node, in the order of elimination.
-    pub(crate) fn solve(&self, b: &mut [f64]) {
-        let mut rows = Vec::new();
-        for (node, front) in self.fronts.iter().enumerate() {
-            self.gather(node, front, b, &mut rows);
-            front.forward(&mut rows);
-            self.scatter(node, front, &rows, b);
+    pub(crate) fn solve(&mut self, order: &EliminationOrder, b: &mut [f64]) {
+        let mut rows = std::mem::take(&mut self.rows);
+        for node in 0..order.nodes.len() {
+            let (size, own) = (self.sizes[node], self.own(node));
+            self.gather(node, order, b, &mut rows);
+            let factors = &self.factors[self.factors_at[node]..];
+            for k in 0..own {
+                rows.swap(k, self.pivots[self.starts[node] + k]);
+            }
+            for k in 0..own {
+                rows[k] -= dot(&factors[k * size..k * size + k], &rows[..k]);
+            }
+            let (known, below) = rows.split_at_mut(own);
+            for (target, line) in below.iter_mut().zip(factors[own * size..].chunks_exact(own.max(1))) {
+                *target -= dot(line, known);
+            }
+            self.scatter(node, order, &rows, b);
         }
-        for (node, front) in self.fronts.iter().enumerate().rev() {
-            self.gather(node, front, b, &mut rows);
-            front.backward(&mut rows);
-            b[self.starts[node]..self.starts[node + 1]].copy_from_slice(&rows[..front.own]);
+        for node in (0..order.nodes.len()).rev() {
+            let (size, own) = (self.sizes[node], self.own(node));
+            self.gather(node, order, b, &mut rows);
+            let factors = &self.factors[self.factors_at[node]..];
+            for k in (0..own).rev() {
+                let line = &factors[k * size..(k + 1) * size];
+                rows[k] = (rows[k] - dot(&line[k + 1..], &rows[k + 1..size])) / line[k];
+            }
+            b[self.starts[node]..self.starts[node + 1]].copy_from_slice(&rows[..own]);
         }
+        self.rows = rows;
     }
 
-    /// Later nodes with unknowns that a node is coupled with, at first or by its children.
-    fn later_nodes(
-        &self,
-        node: usize,
-        children: &[usize],
-        order: &EliminationOrder,
-        system: &impl BlockSystem,
-    ) -> Vec<usize> {
-        let own = self.starts[node + 1] - self.starts[node];
-        if own == 0 {
-            return Vec::new();
-        }
-        let first = order.nodes[node].first().map_or(&[][..], |&block| system.neighbours(block));
-        let is_later = |other: &usize| *other > node && self.starts[*other + 1] > self.starts[*other];
-        let mut later: Vec<usize> = first.iter().map(|&block| order.node_of[block]).filter(is_later).collect();
-        later.sort_unstable();
-        later.dedup();
-        let mut union = Vec::new();
-        for &child in children {
-            merge(&later, &self.fronts[child].later, &mut union);
-            std::mem::swap(&mut later, &mut union);
-        }
-        later.retain(|&other| other > node);
-        later
+    fn own(&self, node: usize) -> usize {
+        self.starts[node + 1] - self.starts[node]
     }
 
-    fn gather(&self, node: usize, front: &Front, b: &[f64], rows: &mut Vec<f64>) {
-        rows.clear();
-        for &member in std::iter::once(&node).chain(&front.later) {
-            rows.extend_from_slice(&b[self.starts[member]..self.starts[member + 1]]);
-        }
-    }
-
-    fn scatter(&self, node: usize, front: &Front, rows: &[f64], b: &mut [f64]) {
+    /// Sets the places of the front of a node; returns its rows.
+    fn place(&mut self, node: usize, order: &EliminationOrder, system: &impl BlockSystem) -> usize {
         let mut at = 0;
-        for &member in std::iter::once(&node).chain(&front.later) {
-            let range = self.starts[member]..self.starts[member + 1];
-            let count = range.len();
-            b[range].copy_from_slice(&rows[at..at + count]);
-            at += count;
-        }
-    }
-}
-
-/// First row of each node and of each block in the front at hand.
-#[derive(Debug)]
-struct Places {
-    node: Vec<usize>,
-    block: Vec<usize>,
-}
-
-impl Places {
-    /// For the front of a node and of later ones; returns its rows.
-    fn set(&mut self, node: usize, later: &[usize], order: &EliminationOrder, system: &impl BlockSystem) -> usize {
-        let mut at = 0;
-        for &member in std::iter::once(&node).chain(later) {
-            self.node[member] = at;
+        for &member in std::iter::once(&node).chain(&order.later[node]) {
+            self.places.node[member] = at;
             for &block in &order.nodes[member] {
-                self.block[block] = at;
+                self.places.block[block] = at;
                 at += system.unknowns(block);
             }
         }
         at
     }
-}
 
-impl Front {
-    /// Writes the entries of the matrix in the rows and columns of the node.
-    fn assemble(&mut self, node: usize, order: &EliminationOrder, system: &impl BlockSystem, places: &Places) {
-        let size = self.size;
+    /// Writes the entries of the matrix in the rows and columns of a node.
+    fn assemble(&mut self, node: usize, size: usize, order: &EliminationOrder, system: &impl BlockSystem) {
         for &block in &order.nodes[node] {
             if system.unknowns(block) == 0 {
                 continue;
@@ -184,108 +165,105 @@ impl Front {
                 if other_node < node || system.unknowns(other) == 0 {
                     continue;
                 }
-                let (row, column) = (places.block[block], places.block[other]);
-                system.write(block, other, size, &mut self.values[row * size + column..]);
+                let (row, column) = (self.places.block[block], self.places.block[other]);
+                system.write(block, other, size, &mut self.front[row * size + column..]);
                 if other_node > node {
-                    system.write(other, block, size, &mut self.values[column * size + row..]);
+                    system.write(other, block, size, &mut self.front[column * size + row..]);
                 }
             }
         }
     }
 
     /// Adds what a child has left.
-    fn add_child(&mut self, child: &Self, starts: &[usize], places: &Places) {
-        let size = self.size;
-        let mut row = child.own;
-        for &row_node in &child.later {
-            for k in 0..starts[row_node + 1] - starts[row_node] {
-                let target = (places.node[row_node] + k) * size;
-                let source = &child.values[(row + k) * child.size..(row + k + 1) * child.size];
-                let mut column = child.own;
-                for &column_node in &child.later {
-                    let count = starts[column_node + 1] - starts[column_node];
-                    let start = target + places.node[column_node];
-                    axpy(1.0, &source[column..column + count], &mut self.values[start..start + count]);
+    fn add_child(&mut self, child: usize, size: usize, order: &EliminationOrder) {
+        let rest = std::mem::take(&mut self.rests[child]);
+        let width = self.sizes[child] - self.own(child);
+        let mut row = 0;
+        for &row_node in &order.later[child] {
+            for k in 0..self.own(row_node) {
+                let target = (self.places.node[row_node] + k) * size;
+                let mut column = (row + k) * width;
+                for &column_node in &order.later[child] {
+                    let count = self.own(column_node);
+                    if count == 0 {
+                        // A node without unknowns has no place.
+                        continue;
+                    }
+                    let start = target + self.places.node[column_node];
+                    axpy(1.0, &rest[column..column + count], &mut self.front[start..start + count]);
                     column += count;
                 }
             }
-            row += starts[row_node + 1] - starts[row_node];
+            row += self.own(row_node);
+        }
+        self.spare.push(rest);
+    }
+
+    /// Keeps the factors of a node, and what is left for its parent.
+    fn store(&mut self, node: usize, size: usize, own: usize) {
+        self.factors.extend_from_slice(&self.front[..own * size]);
+        let mut rest = self.spare.pop().unwrap_or_default();
+        rest.clear();
+        for row in self.front.chunks_exact(size).skip(own) {
+            self.factors.extend_from_slice(&row[..own]);
+            rest.extend_from_slice(&row[own..]);
+        }
+        self.rests[node] = rest;
+    }
+
+    fn gather(&self, node: usize, order: &EliminationOrder, b: &[f64], rows: &mut Vec<f64>) {
+        rows.clear();
+        if self.own(node) > 0 {
+            for &member in std::iter::once(&node).chain(&order.later[node]) {
+                rows.extend_from_slice(&b[self.starts[member]..self.starts[member + 1]]);
+            }
         }
     }
 
-    /// Eliminates the unknowns of the node, pivoting among its own rows.
-    fn eliminate(&mut self) {
-        let (size, own) = (self.size, self.own);
-        self.pivots.clear();
-        if size == 0 {
+    fn scatter(&self, node: usize, order: &EliminationOrder, rows: &[f64], b: &mut [f64]) {
+        let mut at = 0;
+        if rows.is_empty() {
             return;
         }
-        for k in 0..own {
-            let size_at = |row: usize, values: &[f64]| values[row * size + k].abs();
-            let best = (k..own)
-                .fold(k, |best, row| if size_at(row, &self.values) > size_at(best, &self.values) { row } else { best });
-            self.pivots.push(best);
-            if best != k {
-                let (above, below) = self.values.split_at_mut(best * size);
-                above[k * size..(k + 1) * size].swap_with_slice(&mut below[..size]);
-            }
-            if self.values[k * size + k].abs() < SMALLEST_PIVOT {
-                self.values[k * size + k] = SMALLEST_PIVOT.recip();
-            }
-            let (above, below) = self.values.split_at_mut((k + 1) * size);
-            let pivot_row = &above[k * size..];
-            let over = 1.0 / pivot_row[k];
-            // Own rows are updated at once, so that the next pivot is known.
-            for row in below.chunks_exact_mut(size).take(own - k - 1) {
-                let factor = row[k] * over;
-                row[k] = factor;
-                axpy(-factor, &pivot_row[k + 1..], &mut row[k + 1..]);
+        for &member in std::iter::once(&node).chain(&order.later[node]) {
+            let range = self.starts[member]..self.starts[member + 1];
+            let count = range.len();
+            b[range].copy_from_slice(&rows[at..at + count]);
+            at += count;
+        }
+    }
+}
+
+/// Eliminates the first `own` unknowns of a front, pivoting among its own rows.
+fn eliminate(front: &mut [f64], size: usize, own: usize, pivots: &mut Vec<usize>) {
+    for k in 0..own {
+        let mut best = k;
+        for row in k + 1..own {
+            if front[row * size + k].abs() > front[best * size + k].abs() {
+                best = row;
             }
         }
-        let (above, below) = self.values.split_at_mut(own * size);
-        for row in below.chunks_exact_mut(size) {
-            update_row(above, row, size, own);
+        pivots.push(best);
+        if best != k {
+            let (above, below) = front.split_at_mut(best * size);
+            above[k * size..(k + 1) * size].swap_with_slice(&mut below[..size]);
+        }
+        if front[k * size + k].abs() < SMALLEST_PIVOT {
+            front[k * size + k] = SMALLEST_PIVOT.recip();
+        }
+        let (above, below) = front.split_at_mut((k + 1) * size);
+        let pivot_row = &above[k * size..];
+        let over = 1.0 / pivot_row[k];
+        // Own rows are updated at once, so that the next pivot is known.
+        for row in below.chunks_exact_mut(size).take(own - k - 1) {
+            let factor = row[k] * over;
+            row[k] = factor;
+            axpy(-factor, &pivot_row[k + 1..], &mut row[k + 1..]);
         }
     }
-
-    /// Drops what the parent has taken.
-    fn forget_rest(&mut self) {
-        let (size, own) = (self.size, self.own);
-        for row in own..size {
-            self.values.copy_within(row * size..row * size + own, own * size + (row - own) * own);
-        }
-        self.values.truncate(own * size + (size - own) * own);
-        self.values.shrink_to_fit();
-    }
-
-    /// Distance between the rows below the own ones.
-    fn stride_below(&self) -> usize {
-        if self.values.len() == self.size * self.size { self.size } else { self.own }
-    }
-
-    fn forward(&self, b: &mut [f64]) {
-        let (size, own) = (self.size, self.own);
-        for k in 0..own {
-            b.swap(k, self.pivots[k]);
-        }
-        for k in 0..own {
-            let known = dot(&self.values[k * size..k * size + k], &b[..k]);
-            b[k] -= known;
-        }
-        let (start, stride) = (own * size, self.stride_below());
-        for row in 0..size - own {
-            let line = &self.values[start + row * stride..][..own];
-            let known = dot(line, &b[..own]);
-            b[own + row] -= known;
-        }
-    }
-
-    fn backward(&self, b: &mut [f64]) {
-        let (size, own) = (self.size, self.own);
-        for k in (0..own).rev() {
-            let line = &self.values[k * size..(k + 1) * size];
-            b[k] = (b[k] - dot(&line[k + 1..], &b[k + 1..size])) / line[k];
-        }
+    let (above, below) = front.split_at_mut(own * size);
+    for row in below.chunks_exact_mut(size) {
+        update_row(above, row, size, own);
     }
 }
 

@@ -1,7 +1,7 @@
 //! A semismooth Newton method for contacts with friction.
 //!
 //! Each step linearises the law of every block ([`linearise`]), eliminates what is known of open and sliding contacts, and
-//! solves the rest, `S (G + D) T y = right`, by sparse elimination. As in Levenberg's and Marquardt's method a multiple of its
+//! solves the rest, `S (G + D) T y = right`, by sparse elimination. As in the method of Levenberg and Marquardt 1963 a multiple of its
 //! diagonal is added to `G`, in proportion to the residual: far from the solution, where contacts still change their status, it
 //! keeps reactions from running away along directions that move nothing (redundant contacts make `G` singular), and with the
 //! residual it vanishes, so that convergence is fast at the end. Reactions change as little as they can along such directions.
@@ -23,13 +23,41 @@ use crate::friction::problem::FrictionProblem;
 /// direction that moves something.
 const LEAST_DAMPING: f64 = 1e-10;
 
-/// The share relative to the residual, at first and at the least (no unit). Measured on problems of other programs: with 1 and
-/// less some cycle, with 10 simple ones take twice the steps.
-const DAMPING: [f64; 2] = [3.0, 1e-3];
-
-/// What the share is multiplied by after a step that went well, which left less than this of the function's square (no unit).
-const RELAXATION: f64 = 0.4;
+/// What a step leaves of the function's square when it went well (no unit).
 const WELL: f64 = 0.25;
+
+/// How the share of the diagonal, relative to the residual, changes from step to step (no units).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Damping {
+    /// At first, and at the most.
+    first: f64,
+    /// At the least.
+    least: f64,
+    /// What it is multiplied by after a whole step that went well.
+    well: f64,
+    /// After any other whole step.
+    whole: f64,
+    /// After a step that was cut short.
+    cut: f64,
+}
+
+impl Damping {
+    /// Changes little: measured on problems of other programs, where others cycle or take twice the steps.
+    pub(crate) const STEADY: Self = Self { first: 3.0, least: 1e-3, well: 0.4, whole: 1.0, cut: 1.0 };
+
+    /// Gives way quickly: at large mass ratios the steady one holds the heavy bodies back.
+    pub(crate) const YIELDING: Self = Self { first: 3.0, least: 1e-6, well: 0.4, whole: 0.4, cut: 4.0 };
+
+    /// The share after a step.
+    fn next(self, share: f64, is_whole: bool, went_well: bool) -> f64 {
+        let factor = match (is_whole, went_well) {
+            (_, true) => self.well,
+            (true, false) => self.whole,
+            (false, false) => self.cut,
+        };
+        (factor * share).clamp(self.least, self.first)
+    }
+}
 
 /// Steps whose largest function the next one may reach.
 const MEMORY: usize = 6;
@@ -58,6 +86,8 @@ pub(crate) struct NewtonLimits {
     pub(crate) steps: usize,
     /// The residual to reach.
     pub(crate) tolerance: f64,
+    /// The damping of the steps.
+    pub(crate) damping: Damping,
 }
 
 /// The method for one problem.
@@ -68,6 +98,7 @@ pub(crate) struct Newton<'a> {
     /// `1 / rho` along normal and tangents of each block.
     inverse_masses: Vec<[f64; 2]>,
     laws: Vec<Linearised>,
+    factors: Multifrontal,
     /// Share of the diagonal that is added.
     damping: f64,
 }
@@ -82,7 +113,7 @@ impl<'a> Newton<'a> {
             [normal, if tangential > 0.0 { tangential } else { normal }]
         };
         let inverse_masses = (0..matrix.len()).map(inverse_masses).collect();
-        Self { problem, order, inverse_masses, laws: Vec::new(), damping: 0.0 }
+        Self { problem, order, inverse_masses, laws: Vec::new(), factors: Multifrontal::default(), damping: 0.0 }
     }
 
     /// Goes on from `iterate` until the tolerance is reached, steps lead nowhere or their number is used up; `iterate` is then the
@@ -91,7 +122,7 @@ impl<'a> Newton<'a> {
         let (mut reactions, mut velocities) = (iterate.reactions.clone(), iterate.velocities.clone());
         let (mut trial, mut trial_velocities) = (Vec::new(), Vec::new());
         let mut squares = vec![self.linearise(&reactions, &velocities)];
-        let mut share = DAMPING[0];
+        let mut share = limits.damping.first;
         let mut current = iterate.residual;
         for step in 0..limits.steps {
             if iterate.residual <= limits.tolerance {
@@ -115,9 +146,8 @@ impl<'a> Newton<'a> {
             if !square.is_finite() {
                 return step + 1;
             }
-            if squares.last().is_some_and(|last| square < WELL * last) {
-                share = (RELAXATION * share).max(DAMPING[1]);
-            }
+            let went_well = squares.last().is_some_and(|last| square < WELL * last);
+            share = limits.damping.next(share, length == 1.0, went_well);
             std::mem::swap(&mut reactions, &mut trial);
             std::mem::swap(&mut velocities, &mut trial_velocities);
             squares.push(square);
@@ -151,7 +181,7 @@ impl<'a> Newton<'a> {
     }
 
     /// The step `dr` of the linearised law.
-    fn step(&self, velocities: &[f64]) -> Vec<f64> {
+    fn step(&mut self, velocities: &[f64]) -> Vec<f64> {
         let matrix = self.problem.matrix();
         let mut change = vec![0.0; velocities.len()];
         for (block, law) in self.laws.iter().enumerate() {
@@ -161,8 +191,8 @@ impl<'a> Newton<'a> {
         // What the shifts do to the velocities is known beforehand.
         let mut known = Vec::new();
         matrix.times_plus(&change, &vec![0.0; velocities.len()], &mut known);
-        let system = NewtonSystem { newton: self };
-        let factors = Multifrontal::factor(self.order, &system);
+        let mut factors = std::mem::take(&mut self.factors);
+        factors.factor(self.order, &NewtonSystem { newton: self });
         let mut unknowns = vec![0.0; factors.unknowns()];
         let mut places = vec![0; matrix.len()];
         for (node, blocks) in self.order.nodes.iter().enumerate() {
@@ -178,13 +208,14 @@ impl<'a> Newton<'a> {
                 unknowns[places[block] + k] = law.right[k] - inner(law.rows[k], shifted);
             }
         }
-        factors.solve(&mut unknowns);
+        factors.solve(self.order, &mut unknowns);
         for (block, law) in self.laws.iter().enumerate() {
             let range = matrix.range(block);
             for (row, target) in change[range].iter_mut().enumerate() {
                 *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
             }
         }
+        self.factors = factors;
         if largest(&change).is_finite() { change } else { vec![0.0; velocities.len()] }
     }
 }

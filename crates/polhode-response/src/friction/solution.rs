@@ -13,6 +13,8 @@ pub enum FrictionMethod {
     WarmNewton,
     /// Newton's method from some sweeps of block Gauss-Seidel.
     Newton,
+    /// Newton's method once more, with damping that gives way: large mass ratios.
+    YieldingNewton,
     /// Newton's method from a convex cone programme.
     ConeProgrammeNewton,
     /// The last resort: many sweeps of block Gauss-Seidel, then Newton's method.
@@ -26,6 +28,7 @@ impl FrictionMethod {
             Self::GaussSeidel => "gauss-seidel",
             Self::WarmNewton => "warm-newton",
             Self::Newton => "newton",
+            Self::YieldingNewton => "yielding-newton",
             Self::ConeProgrammeNewton => "cone-programme-newton",
             Self::GaussSeidelNewton => "gauss-seidel-newton",
         }
@@ -33,7 +36,7 @@ impl FrictionMethod {
 
     /// Whether the first methods tried did not succeed.
     pub const fn is_fallback(self) -> bool {
-        matches!(self, Self::ConeProgrammeNewton | Self::GaussSeidelNewton)
+        matches!(self, Self::YieldingNewton | Self::ConeProgrammeNewton | Self::GaussSeidelNewton)
     }
 }
 

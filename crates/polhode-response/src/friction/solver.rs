@@ -5,14 +5,16 @@
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::FrictionBlock;
+use crate::friction::cone_programme::LiftedForm;
 use crate::friction::coulomb_cone::{project, rows_of};
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::gauss_seidel::GaussSeidel;
-use crate::friction::newton::{Iterate, Newton, NewtonLimits};
+use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits};
 use crate::friction::problem::FrictionProblem;
 use crate::friction::settings::FrictionSettings;
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::report::SolverStatus;
+use crate::settings::FallbackPolicy;
 
 /// Sweeps after which it shows whether more of them lead anywhere.
 const FEW_SWEEPS: u32 = 4;
@@ -20,6 +22,9 @@ const FEW_SWEEPS: u32 = 4;
 /// The residual that is promising by then, and the one from which Newton's method needs a step or two (no unit).
 const PROMISING: f64 = 1e-2;
 const NEARLY_SOLVED: f64 = 1e-4;
+
+/// Convex programmes, each with the correction of the last: more of them lead on slowly.
+const CORRECTIONS: usize = 4;
 
 /// Sweeps between two runs of Newton's method as the last resort.
 const SWEEPS_BETWEEN: u32 = 50;
@@ -62,6 +67,7 @@ pub fn solve_friction(
         newton: Newton::new(problem, &order),
         gauss_seidel: GaussSeidel::new(problem),
         best: Iterate::default(),
+        squeeze: Vec::new(),
         report: FrictionReport::default(),
     };
     solver.run(start);
@@ -76,6 +82,7 @@ struct Solver<'a> {
     newton: Newton<'a>,
     gauss_seidel: GaussSeidel,
     best: Iterate,
+    squeeze: Vec<f64>,
     report: FrictionReport,
 }
 
@@ -83,6 +90,10 @@ impl Solver<'_> {
     fn run(&mut self, start: Option<&[f64]>) {
         self.best = self.iterate(vec![0.0; self.problem.rows()]);
         if let Some(start) = start {
+            let iterate = self.iterate(start.to_vec());
+            if self.keep(iterate, FrictionMethod::WarmNewton) {
+                return;
+            }
             let reactions = self.within_cones(start);
             if self.newton_from(reactions, FrictionMethod::WarmNewton) {
                 return;
@@ -90,6 +101,13 @@ impl Solver<'_> {
         }
         let zero = vec![0.0; self.problem.rows()];
         if self.first_sweeps(zero.clone()) || self.newton_from(zero, FrictionMethod::Newton) {
+            return;
+        }
+        if self.settings.fallback == FallbackPolicy::Refuse {
+            return;
+        }
+        let zero = vec![0.0; self.problem.rows()];
+        if self.newton_from(zero, FrictionMethod::YieldingNewton) || self.cone_programme() {
             return;
         }
         let mut reactions = self.best.reactions.clone();
@@ -122,6 +140,28 @@ impl Solver<'_> {
         self.newton_from(reactions, FrictionMethod::Newton)
     }
 
+    /// The convex programme with the correction of its last answer, and Newton's method from each. Whether the tolerance is
+    /// reached, or it is proven that there is no solution.
+    fn cone_programme(&mut self) -> bool {
+        let Some(lifted) = LiftedForm::of(self.problem) else { return false };
+        if self.best.residual > self.settings.acceptance
+            && let Some(squeeze) = lifted.squeeze()
+        {
+            self.squeeze = squeeze;
+            return true;
+        }
+        let mut velocities = vec![0.0; self.problem.rows()];
+        for _ in 0..CORRECTIONS {
+            let Some((reactions, iterations)) = lifted.reactions(&velocities) else { return false };
+            self.report.cone_iterations += iterations;
+            self.problem.matrix().times_plus(&reactions, self.problem.constant(), &mut velocities);
+            if self.newton_from(reactions, FrictionMethod::ConeProgrammeNewton) {
+                return true;
+            }
+        }
+        false
+    }
+
     fn sweep(&mut self, reactions: &mut [f64], count: u32) {
         for _ in 0..count {
             self.gauss_seidel.sweep(self.problem, reactions);
@@ -132,7 +172,9 @@ impl Solver<'_> {
     /// Newton's method; whether the tolerance is reached.
     fn newton_from(&mut self, reactions: Vec<f64>, method: FrictionMethod) -> bool {
         let mut iterate = self.iterate(reactions);
-        let limits = NewtonLimits { steps: self.settings.newton_steps as usize, tolerance: self.settings.tolerance };
+        let damping = if method.is_fallback() { Damping::YIELDING } else { Damping::STEADY };
+        let steps = self.settings.newton_steps as usize;
+        let limits = NewtonLimits { steps, tolerance: self.settings.tolerance, damping };
         self.report.newton_steps += self.newton.run(&mut iterate, limits);
         self.keep(iterate, method)
     }
@@ -174,12 +216,16 @@ impl Solver<'_> {
         self.newton.linearise(&self.best.reactions, &self.best.velocities);
         self.report.residual = self.best.residual;
         let is_solved = self.best.residual <= self.settings.acceptance;
-        self.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+        self.report.status = match (is_solved, self.squeeze.is_empty()) {
+            (true, _) => SolverStatus::Solved,
+            (false, true) => SolverStatus::Inaccurate,
+            (false, false) => SolverStatus::Infeasible,
+        };
         FrictionSolution {
             statuses: self.newton.statuses(),
             reactions: self.best.reactions,
             velocities: self.best.velocities,
-            squeeze: Vec::new(),
+            squeeze: self.squeeze,
             report: self.report,
         }
     }
