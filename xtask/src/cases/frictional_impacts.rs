@@ -4,7 +4,7 @@
 use super::random_impacts::{RandomImpact, Rise};
 use super::{CaseResult, Context};
 use crate::random::Random;
-use crate::row::Row;
+use crate::row::{Row, Tolerance};
 use polhode::response::FrictionalImpactLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
 use polhode::response::{
     CollisionMatrix, ContactProblem, FrictionalImpact, MultipleImpactStatus, SingleFrictionalImpact, SlidingContact,
@@ -143,6 +143,9 @@ fn sign_change(
     Ok(high)
 }
 
+/// Rounding of the impulse of a jam, relative: as the catalogue has it for the other quantities of the rod.
+const JAM_ROUNDING: f64 = 1e-12;
+
 /// Painleve's rod: when no finite force exists, and how an impulse without a collision resolves it.
 pub(super) fn im_09(context: &Context) -> CaseResult {
     let reference = |quantity: &str, found: &[f64]| context.reference.row("IM-09", quantity, found.to_vec());
@@ -184,8 +187,8 @@ pub(super) fn im_09(context: &Context) -> CaseResult {
     let [[nn, nt, _], [_, tt, _], _] = rod.collision()?.entries();
     let (first, stick) = (1.0 / (1.5 * tt + nt), nn - nt * nt / tt);
     let impulse = first - (nn + 1.5 * nt) * first / stick;
-    let tolerance = crate::row::Tolerance::Relative(1e-12);
-    rows.push(Row::compared("IM-09", "impulse of the jam at theta=60deg, N s", impulse, outcome.impulse[0], tolerance));
+    let (quantity, tolerance) = ("impulse of the jam at theta=60deg, N s", Tolerance::Relative(JAM_ROUNDING));
+    rows.push(Row::compared("IM-09", quantity, impulse, outcome.impulse[0], tolerance));
     rows.push(Row::at_most("IM-09", "slip and rebound after the jam, m/s", 0.0, outcome.velocity_after[1]));
     Ok(rows)
 }

@@ -440,63 +440,63 @@ const LEANING: [[f64; 3]; 3] = [[3.1, 0.8, 0.5], [0.8, 2.4, -2.0], [0.5, -2.0, 5
 /// 1 kg, (1/4, 1/2, 1/2) kg m^2, (-1, 3/4, -1/2) m.
 const SLENDER: [[f64; 3]; 3] = [[2.625, 1.5, -1.0], [1.5, 4.0, 1.5], [-1.0, 1.5, 5.25]];
 
+const REFERENCES: [Reference; 5] = [
+    Reference {
+        matrix: TILTED,
+        before: [-1.0, 0.5, 0.25],
+        friction: 0.3,
+        restitution: 0.5,
+        after: [0.498_514_861_806_854_7, 0.288_780_515_655_573_94, 0.393_472_077_233_755_16],
+        impulse: [0.601_965_448_868_332_9, -0.132_698_998_912_577_1, -0.119_925_518_716_799_74],
+        normal_work: -0.150_216_871_970_348_1,
+        phases: &[PhaseKind::Slip],
+    },
+    Reference {
+        matrix: TILTED,
+        before: [-1.0, 0.125, -0.5],
+        friction: 0.75,
+        restitution: 0.5,
+        after: [0.467_078_176_875_612_7, 0.0, 0.0],
+        impulse: [0.541_371_789_748_259_8, 0.003_761_945_122_702_975_4, 0.204_192_430_656_810_34],
+        normal_work: -0.132_644_289_428_970_9,
+        phases: &[PhaseKind::Slip, PhaseKind::Stick],
+    },
+    Reference {
+        matrix: LEANING,
+        before: [-1.0, -0.25, -0.03125],
+        friction: 0.125,
+        restitution: 0.75,
+        after: [0.726_614_398_995_075, 0.229_056_826_283_295_9, 0.130_582_522_348_248_66],
+        impulse: [0.563_369_059_046_043_6, -0.009_099_492_347_175_104, -0.025_100_180_339_840_614],
+        normal_work: -0.068_849_606_841_465_88,
+        phases: &[PhaseKind::Slip],
+    },
+    Reference {
+        matrix: SLENDER,
+        before: [-0.5, 1.0, -0.5],
+        friction: 2.5,
+        restitution: 0.5,
+        after: [0.538_569_133_335_185_7, 0.0, 0.0],
+        impulse: [1.106_098_897_298_498_9, -0.873_049_448_649_249_4, 0.555_366_299_099_499_6],
+        normal_work: -0.282_217_340_803_537,
+        phases: &[PhaseKind::Jam, PhaseKind::Stick],
+    },
+    Reference {
+        matrix: SLENDER,
+        before: [0.0, 0.5, -1.0],
+        friction: 2.5,
+        restitution: 0.5,
+        after: [0.209_508_570_045_261_63, 0.0, 0.0],
+        impulse: [0.514_275_829_218_548_1, -0.477_137_914_609_274_07, 0.424_758_609_739_516],
+        normal_work: -0.042_707_520_897_480_3,
+        phases: &[PhaseKind::Jam, PhaseKind::Stick],
+    },
+];
+
 /// Slip that turns, that stops, that turns right round, that jams, and a jam without a collision: to 1e-13.
 #[test]
 fn paths_in_space() {
-    use PhaseKind::{Jam, Slip, Stick};
-    let references = [
-        Reference {
-            matrix: TILTED,
-            before: [-1.0, 0.5, 0.25],
-            friction: 0.3,
-            restitution: 0.5,
-            after: [0.498_514_861_806_854_7, 0.288_780_515_655_573_94, 0.393_472_077_233_755_16],
-            impulse: [0.601_965_448_868_332_9, -0.132_698_998_912_577_1, -0.119_925_518_716_799_74],
-            normal_work: -0.150_216_871_970_348_1,
-            phases: &[Slip],
-        },
-        Reference {
-            matrix: TILTED,
-            before: [-1.0, 0.125, -0.5],
-            friction: 0.75,
-            restitution: 0.5,
-            after: [0.467_078_176_875_612_7, 0.0, 0.0],
-            impulse: [0.541_371_789_748_259_8, 0.003_761_945_122_702_975_4, 0.204_192_430_656_810_34],
-            normal_work: -0.132_644_289_428_970_9,
-            phases: &[Slip, Stick],
-        },
-        Reference {
-            matrix: LEANING,
-            before: [-1.0, -0.25, -0.03125],
-            friction: 0.125,
-            restitution: 0.75,
-            after: [0.726_614_398_995_075, 0.229_056_826_283_295_9, 0.130_582_522_348_248_66],
-            impulse: [0.563_369_059_046_043_6, -0.009_099_492_347_175_104, -0.025_100_180_339_840_614],
-            normal_work: -0.068_849_606_841_465_88,
-            phases: &[Slip],
-        },
-        Reference {
-            matrix: SLENDER,
-            before: [-0.5, 1.0, -0.5],
-            friction: 2.5,
-            restitution: 0.5,
-            after: [0.538_569_133_335_185_7, 0.0, 0.0],
-            impulse: [1.106_098_897_298_498_9, -0.873_049_448_649_249_4, 0.555_366_299_099_499_6],
-            normal_work: -0.282_217_340_803_537,
-            phases: &[Jam, Stick],
-        },
-        Reference {
-            matrix: SLENDER,
-            before: [0.0, 0.5, -1.0],
-            friction: 2.5,
-            restitution: 0.5,
-            after: [0.209_508_570_045_261_63, 0.0, 0.0],
-            impulse: [0.514_275_829_218_548_1, -0.477_137_914_609_274_07, 0.424_758_609_739_516],
-            normal_work: -0.042_707_520_897_480_3,
-            phases: &[Jam, Stick],
-        },
-    ];
-    for reference in references {
+    for reference in REFERENCES {
         let impact = SingleFrictionalImpact {
             collision: CollisionMatrix::new(reference.matrix).unwrap(),
             velocity_before: reference.before,
