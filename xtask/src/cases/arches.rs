@@ -1,7 +1,7 @@
 //! FC-13: semicircular arches of stones with radial joints that do not slip, at their least thickness.
 //!
-//! A stone is a sector of the ring of mean radius 1 m and thickness t, as heavy as its area. An arch cut at its crown, at
-//! its springings and at an angle `b` on both sides of the crown falls on five hinges; the angle at which it must be
+//! A stone is a sector of the ring of mean radius 1 m and thickness t, as heavy as its area. An arch cut at its crown,
+//! at its springings and at an angle `b` on both sides of the crown falls on five hinges; the angle at which it must be
 //! thickest is that at which an arch of one piece breaks (Milankovitch 1907).
 
 use super::bodies::half_space;

@@ -84,7 +84,7 @@ pub(super) fn fc_09(context: &Context) -> CaseResult {
 enum Card {
     /// A rod with round ends, its centre of mass so placed that it stands for a card without thickness.
     Rod,
-    /// A box of this thickness, m. Its lower inner edge stands on the floor, and its upper inner edge touches the other.
+    /// A box of this thickness, m. Its lower inner edge stands on the floor, its upper inner edge touches the other.
     Box(f64),
 }
 

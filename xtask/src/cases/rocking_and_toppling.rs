@@ -1,7 +1,7 @@
 //! FC-12, FC-18: blocks that rock or topple about an edge on ground so rough that it does not slip.
 //!
-//! Energy gives the rates: `w^2 = w0^2 + 2 m g (z0 - z)/I`, `I` about the edge. An impact of the other edge that does not
-//! bounce keeps the angular momentum about that edge (Housner 1963).
+//! Energy gives the rates: `w^2 = w0^2 + 2 m g (z0 - z)/I`, `I` about the edge. An impact of the other edge that does
+//! not bounce keeps the angular momentum about that edge (Housner 1963).
 
 use super::bodies::{GRAVITY, cuboid};
 use super::motion::zero;
@@ -17,8 +17,8 @@ use std::error::Error;
 /// Friction that never lets an edge slip.
 const ROUGH: f64 = 3.0;
 
-/// A box of 1 kg tipped about its lower edge towards +x by an angle (rad), turning on at a rate (rad/s). The edge is the
-/// origin.
+/// A box of 1 kg tipped about its lower edge towards +x by an angle (rad), turning on at a rate (rad/s). The edge is
+/// the origin.
 fn tipped(name: &str, size: DVec3, angle: f64, rate: f64) -> Result<Body, Box<dyn Error>> {
     let turn = Rotation::from_rotation_vector(DVec3::Y * angle);
     // From the edge to the centre.
@@ -63,9 +63,8 @@ fn other_blocks() -> CaseResult {
         let tip = part * critical;
         let run = Run::of(&rocking(half, tip, 3.0)?, Effects::Planned)?;
         let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
-        let rate =
-            |t: f64| -> Result<f64, Box<dyn Error>> { Ok(end_of(&rocking(half, tip, t)?)?.velocity.angular.length()) };
-        let (before, after) = (rate(impact * (1.0 - 1e-13))?, rate(impact * (1.0 + 1e-13))?);
+        let [before, after] = around(impact, |t| Ok(end_of(&rocking(half, tip, t)?)?.velocity))?;
+        let (before, after) = (before.angular.length(), after.angular.length());
         let fallen = (critical - tip).cos() - critical.cos();
         let expected = (1.5 * GRAVITY / width.hypot(height) * fallen).sqrt();
         let kept = 1.0 - 1.5 * critical.sin().powi(2);
@@ -90,17 +89,16 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
     let scene = rocking_block(0.5 * critical, 2.0)?;
     let run = Run::of(&scene, Effects::Planned)?;
     let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
-    // Up to the impact the motion is that of a run which ends just before it.
-    let before = end_of(&rocking_block(0.5 * critical, impact * (1.0 - 1e-13))?)?;
-    let after = end_of(&rocking_block(0.5 * critical, impact * (1.0 + 1e-13))?)?;
-    let (fast, slow) = (before.velocity.angular.length(), after.velocity.angular.length());
+    let [before, after] = around(impact, |t| Ok(end_of(&rocking_block(0.5 * critical, t)?)?.velocity))?;
+    let (fast, slow) = (before.angular.length(), after.angular.length());
     let ratio = slow / fast;
     // It tips on until it stands still for an instant: about as long after the impact as before, or less.
     let still =
         zero([impact * 1.1, impact * 2.0], |t| Ok(end_of(&rocking_block(0.5 * critical, t)?)?.velocity.angular.y))?;
     let highest = tip_of(&end_of(&rocking_block(0.5 * critical, still)?)?).abs();
     let start = reference.row("FC-12", "alpha, p", [critical, rate])?;
-    let impulse = impulse_ratio(&run, impact);
+    let change = after.linear - before.linear;
+    let impulse = change.x.abs() / change.z.abs();
     let mut rows = vec![
         start,
         Row::compared(
@@ -115,7 +113,8 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
         reference.row("FC-12", "next maximum angle", highest)?,
         reference.row(
             "FC-12",
-            "ratio horizontal/vertical impulse at the corner impact = (3/4) sin 2al/(2-(3/2) sin^2 al): smallest mu for no slip at impact",
+            "ratio horizontal/vertical impulse at the corner impact = (3/4) sin 2al/(2-(3/2) sin^2 al): smallest mu \
+             for no slip at impact",
             impulse,
         )?,
     ];
@@ -123,17 +122,16 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Horizontal over vertical impulse of the first impact: the change of momentum.
-fn impulse_ratio(run: &Run, impact: f64) -> f64 {
-    let scene = |t: f64| run.scene.clone().with_duration(t).map_err(|error| error.to_string());
-    let velocity = |t: f64| -> Option<DVec3> { Some(end_of(&scene(t).ok()?).ok()?.velocity.linear) };
-    match (velocity(impact * (1.0 - 1e-13)), velocity(impact * (1.0 + 1e-13))) {
-        (Some(before), Some(after)) => {
-            let change = after - before;
-            change.x.abs() / change.z.abs()
-        }
-        _ => f64::NAN,
-    }
+/// The velocities just before and just after an impact at `t` (s): on straight lines through those of runs that end
+/// near it.
+fn around(t: f64, velocity: impl Fn(f64) -> Result<Velocity, Box<dyn Error>>) -> Result<[Velocity; 2], Box<dyn Error>> {
+    /// Distance of the times of these runs, s: its square is lost in rounding.
+    const SPACING: f64 = 1e-7;
+    let limit = |spacing: f64| -> Result<Velocity, Box<dyn Error>> {
+        let (near, far) = (velocity(t + spacing)?, velocity(t + 2.0 * spacing)?);
+        Ok(Velocity::new(near.linear * 2.0 - far.linear, near.angular * 2.0 - far.angular))
+    };
+    Ok([limit(-SPACING)?, limit(SPACING)?])
 }
 
 /// A domino: thickness, height, and the gap to the next, m.

@@ -2,7 +2,8 @@
 //!
 //! Euler's disc: a thin disc of radius r whose centre of mass rests rolls without slip on its rim at the rate
 //! `Omega^2 sin(alpha) = 4 g/r`, turning about the diameter through its contact. Rolling upright, or spinning about a
-//! vertical diameter, a disc or hoop is stable above a critical speed: below it a small lean grows, above it oscillates.
+//! vertical diameter, a disc or hoop is stable above a critical speed: below it a small lean
+//! grows, above it oscillates.
 
 use super::bodies::GRAVITY;
 use super::rough_plane::{Plane, rough};
@@ -64,8 +65,8 @@ const TUBE: f64 = 1e-6;
 /// Lean at the start of the search for critical speeds, rad.
 const LEAN: f64 = 1e-5;
 
-/// A ring that stands upright, leaning by `LEAN` towards +y, rolls along x at `speed` (m/s) and spins about the vertical
-/// at `spin` (rad/s).
+/// A ring that stands upright, leaning by `LEAN` towards +y, rolls along x at `speed` (m/s) and spins about the
+/// vertical at `spin` (rad/s).
 fn upright(axial: f64, speed: f64, spin: f64, duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     // The ring's axis, its z, points to -y when it stands; the lean turns it about x.
     let lean = Rotation::from_rotation_vector(DVec3::X * -LEAN);
@@ -80,8 +81,8 @@ fn upright(axial: f64, speed: f64, spin: f64, duration_s: f64) -> Result<Scene, 
     Ok(Plane::LEVEL.with(body, ROUGH)?.method(method).duration_s(duration_s).output_interval_s(0.02).build()?)
 }
 
-/// The square of the angular frequency of the lean, from its course: `l'' = -k (l - c)`, by its second differences. Negative
-/// where the lean grows.
+/// The square of the angular frequency of the lean, from its course: `l'' = -k (l - c)`, by its second differences.
+/// Negative where the lean grows.
 fn stiffness(scene: &Scene) -> Result<f64, Box<dyn Error>> {
     let run = Run::of(scene, Effects::Planned)?;
     let leans: Vec<f64> = run.record.samples.iter().filter_map(|row| row.first()).map(lean_of).collect();

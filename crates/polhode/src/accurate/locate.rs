@@ -478,6 +478,11 @@ fn breaking(
         return Ok(change);
     }
     let back = first * (late - violated) / (second - first);
+    // Where kinetic friction is below static friction, slips do not grow from zero: they have begun at `violated`.
+    let begins_at_once = change.departing.is_empty() && back > LONGEST_EXTRAPOLATION * (late - violated);
+    if begins_at_once {
+        return Ok(change);
+    }
     let t = (violated - back.min(LONGEST_EXTRAPOLATION * (late - violated))).max(step.t);
     Ok(ContactChange { t, ..change })
 }

@@ -1,5 +1,6 @@
-//! Friction in the tier `accurate`, against closed forms of Coulomb's law: boxes that slide, stop and stick, forces that
-//! exceed static friction, balls that come to roll; what friction takes is booked, and directions of axes do not matter.
+//! Friction in the tier `accurate`, against closed forms of Coulomb's law: boxes that slide, stop and stick, forces
+//! that exceed static friction, balls that come to roll; what friction takes is booked, and directions of axes do not
+//! matter.
 
 use crate::checks::{assert_closes, heavy_brick, max_position_error};
 use crate::snapshots;
@@ -179,8 +180,8 @@ fn box_rests_on_a_slope_for_ten_hours() {
     assert_closes(&report);
 }
 
-/// A force that grows evenly moves a box when it exceeds static friction, and then `x = b (t - t0)^3/(6 m)`, faster at once
-/// where kinetic friction is less.
+/// A force that grows evenly moves a box when it exceeds static friction, and then `x = b (t - t0)^3/(6 m)`, faster at
+/// once where kinetic friction is less.
 #[test]
 fn growing_force_moves_a_box_when_it_exceeds_static_friction() {
     let (mass, growth) = (2.0, 5.0);
@@ -208,8 +209,8 @@ fn growing_force_moves_a_box_when_it_exceeds_static_friction() {
     }
 }
 
-/// With static friction above kinetic friction a box sticks until the larger is exceeded, slides by the smaller one, and
-/// once it has stopped it sticks again by the larger.
+/// With static friction above kinetic friction a box sticks until the larger is exceeded, slides by the smaller one,
+/// and once it has stopped it sticks again by the larger.
 #[test]
 fn box_that_has_stopped_sticks_by_static_friction_again() {
     let (at_rest, sliding) = (0.5, 0.2);
@@ -295,8 +296,8 @@ fn balls_roll_or_slip_down_a_slope() {
     }
 }
 
-/// A billiard ball with draw and side spin moves on a parabola until it rolls, then straight on; spin about the vertical
-/// does not matter.
+/// A billiard ball with draw and side spin moves on a parabola until it rolls, then straight on; spin about the
+/// vertical does not matter.
 #[test]
 fn billiard_ball_moves_on_a_parabola() {
     let (radius, friction) = (0.0286, 0.2);
