@@ -39,6 +39,10 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
         let (r, u) = (&reactions[problem.range(block)], &u[problem.range(block)]);
         worst = worst.max(match *kind {
             FrictionBlock::Bilateral { .. } => length(u),
+            FrictionBlock::Sliding { friction } => {
+                assert!((r[1] + friction * r[0]).abs() <= 1e-12 * size, "{r:?}");
+                if r[0] == 0.0 { (-u[0]).max(0.0) } else { u[0].abs() }
+            }
             FrictionBlock::Contact { friction, .. } => {
                 assert!(length(&r[1..]) <= friction * r[0] * (1.0 + 1e-9) + 1e-12 * size, "{r:?}");
                 if length(r) == 0.0 {
