@@ -263,9 +263,9 @@ pub(super) fn fc_15(context: &Context) -> CaseResult {
     let locks =
         |is_wedge: bool| threshold(0.5, 0.01, |friction| is_in_equilibrium(&squeezed(half, friction, is_wedge)?));
     let mut roller = context.reference.row("FC-15", "tan(10deg)", locks(false)?)?;
-    roller.quantity = "least friction that nips a ball between plates".to_owned();
+    "least friction that nips a ball between plates".clone_into(&mut roller.quantity);
     let mut wedge = context.reference.row("FC-15", "tan(10deg)", locks(true)?)?;
-    wedge.quantity = "least friction that locks a wedge".to_owned();
+    "least friction that locks a wedge".clone_into(&mut wedge.quantity);
     let mut simulation = Simulation::new(&driven_wedge(half, 0.1, 1.0)?, Effects::Planned)?;
     simulation.advance_to(0.05, &mut polhode::Unobserved)?;
     let at_left = simulation.contacts().into_iter().filter(|contact| contact.normal.x > 0.0);

@@ -147,13 +147,12 @@ impl FrictionalAccelerations {
         } else {
             all_stick(&assembly, &delassus, &constants, frictional)?
         };
-        let solved = match holding {
-            Some(holding) => holding,
-            None => {
-                let solved = blocks.solve(&delassus, &constants, None)?;
-                let of = (world, states, contacts);
-                if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
-            }
+        let solved = if let Some(holding) = holding {
+            holding
+        } else {
+            let solved = blocks.solve(&delassus, &constants, None)?;
+            let of = (world, states, contacts);
+            if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
         };
         let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
@@ -236,7 +235,7 @@ fn all_hold(
         first += rows;
     }
     let report = SolverReport { method: Method::ActiveSet, ..SolverReport::default() };
-    Ok(Some(RowSolution { velocities, reactions, report }))
+    Ok(Some(RowSolution { reactions, velocities, report }))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
