@@ -112,7 +112,7 @@ impl Forces {
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
-                let ContactTangent { force, slip_acceleration, sliding, slides } = contact;
+                let ContactTangent { force, slip_acceleration, sliding, slides, .. } = contact;
                 let begins = slides && slip_acceleration.length() > opening;
                 let begins_along = if begins { contact.begins_along() } else { None };
                 ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along) }

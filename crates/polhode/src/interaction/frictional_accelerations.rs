@@ -16,6 +16,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionBlock};
 use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
@@ -24,6 +25,10 @@ const STICKING_RELATIVE: f64 = 1e-11;
 /// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10 to
 /// 1e4).
 const SLIDING_ROUNDING: f64 = 1e3;
+
+/// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
+/// friction, by 1e-9 of it, forces may point apart by the square root of that.
+const SAME_DIRECTION: f64 = 1e-4;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 16.0;
@@ -47,6 +52,8 @@ pub(crate) struct FrictionalAccelerations {
 pub(crate) struct ContactTangent {
     /// Force on A in the tangent plane, N.
     pub(crate) force: DVec3,
+    /// The sum of the forces on A in the tangent planes of all contacts of the pair, N.
+    pub(crate) force_of_pair: DVec3,
     /// `u_T'`, m/s^2.
     pub(crate) slip_acceleration: DVec3,
     /// The direction in which it slides already.
@@ -57,9 +64,13 @@ pub(crate) struct ContactTangent {
 
 impl ContactTangent {
     /// The direction in which the slip of a contact begins to grow: against its force. The slip acceleration has the same
-    /// direction, but just beyond what static friction bears it is small, and its direction rounding.
+    /// direction, but just beyond what static friction bears it is small, and its direction rounding. There the forces of
+    /// several contacts of one pair may point a little apart without a difference to the motion; a slip that begins in
+    /// such directions would turn at once. Where they nearly agree, that of their sum is taken for all.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
-        (-self.force).try_normalize().or_else(|| self.slip_acceleration.try_normalize())
+        let own = (-self.force).try_normalize().or_else(|| self.slip_acceleration.try_normalize())?;
+        let together = (-self.force_of_pair).try_normalize();
+        Some(together.filter(|together| (*together - own).length() < SAME_DIRECTION).unwrap_or(own))
     }
 }
 
@@ -169,7 +180,8 @@ impl FrictionalAccelerations {
             first += friction.tangents().len();
             Some(found)
         });
-        let tangential = tangential.collect();
+        let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
+        add_up_pairs(contacts, &mut tangential);
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
@@ -303,9 +315,25 @@ fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), fricti
     };
     ContactTangent {
         force: sum(&solved.reactions),
+        force_of_pair: DVec3::ZERO,
         slip_acceleration: sum(&solved.velocities),
         sliding: friction.sliding.map(|(direction, _)| direction),
         slides: solved.statuses.get(normal) == Some(&ContactStatus::Slide),
+    }
+}
+
+/// Gives each contact the sum of the forces of its pair.
+fn add_up_pairs(contacts: &[Touch], tangential: &mut [Option<ContactTangent>]) {
+    let mut sums: BTreeMap<(usize, usize), DVec3> = BTreeMap::new();
+    for (touch, tangent) in contacts.iter().zip(tangential.iter()) {
+        if let Some(tangent) = tangent {
+            *sums.entry((touch.id.a, touch.id.b)).or_default() += tangent.force;
+        }
+    }
+    for (touch, tangent) in contacts.iter().zip(tangential) {
+        if let (Some(tangent), Some(&sum)) = (tangent, sums.get(&(touch.id.a, touch.id.b))) {
+            tangent.force_of_pair = sum;
+        }
     }
 }
 
