@@ -12,6 +12,12 @@ use polhode::Scene;
 use polhode::spatial::Rotation;
 use std::error::Error;
 
+/// A scene of millimetres in the place of metres.
+const SMALL_LENGTH: f64 = 1e-3;
+
+/// Masses of micrograms in the place of kilograms.
+const SMALL_MASS: f64 = 1e-9;
+
 /// The same motion to rounding; far from the origin to what poses there can hold.
 pub(super) fn settings(_: &Context) -> CaseResult {
     /// Distance allowed near the origin, m and rad, of scenes that move by some 0.1 to 1.
@@ -21,9 +27,9 @@ pub(super) fn settings(_: &Context) -> CaseResult {
     let turn = Rotation::from_wxyz([1.0, 2.0, 3.0, 4.0].map(|c: f64| c / 30.0f64.sqrt()))?;
     let here = Setting::default();
     let settings = [
-        ("lengths x 1e-3", Setting { length: 1e-3, ..here }, NEAR),
+        ("lengths x SMALL_LENGTH", Setting { length: SMALL_LENGTH, ..here }, NEAR),
         ("lengths x 1e3", Setting { length: 1e3, ..here }, NEAR),
-        ("masses x 1e-9", Setting { mass: 1e-9, ..here }, NEAR),
+        ("masses x SMALL_MASS", Setting { mass: SMALL_MASS, ..here }, NEAR),
         ("masses x 1e9", Setting { mass: 1e9, ..here }, NEAR),
         ("turned by (1, 2, 3, 4)", Setting { turn, ..here }, NEAR),
         ("moved by 1e6 m", Setting { offset: DVec3::new(1e6, -1e6, 1e6), ..here }, FAR),

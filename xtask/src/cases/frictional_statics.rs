@@ -15,6 +15,15 @@ use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector
 use polhode::{Body, Effects, Scene, Simulation};
 use std::error::Error;
 
+/// Tolerance of thresholds, as in the catalogue of cases.
+const THRESHOLD: f64 = 1e-6;
+
+/// Moment of inertia of a bar about itself, kg m^2.
+const THIN_MOMENT: f64 = 1e-5;
+
+/// Moment of inertia of a bar across itself, kg m^2.
+const THICK_MOMENT: f64 = 7e-4;
+
 /// A rule for two materials named after bodies.
 fn pair(a: &str, b: &str, friction: f64) -> Result<PairRule, Box<dyn Error>> {
     Ok(PairRule::new([a.to_owned(), b.to_owned()], Some(friction), None)?)
@@ -75,7 +84,7 @@ pub(super) fn fc_09(context: &Context) -> CaseResult {
         let found = limit_angle(random.between(0.1, 10.0), floor, at_wall)?;
         worst = worst.max((found - ((1.0 - floor * at_wall) / (2.0 * floor)).atan()).abs());
     }
-    rows.push(Row::at_most("FC-09", &format!("{count} ladders: error of the limit angle, rad"), 1e-6, worst));
+    rows.push(Row::at_most("FC-09", &format!("{count} ladders: error of the limit angle, rad"), THRESHOLD, worst));
     Ok(rows)
 }
 
@@ -103,7 +112,7 @@ impl Card {
                 let radius = 0.001;
                 // The moment of the weight about the lower contact is that of the push at the height of the upper one.
                 let raised = DVec3::Z * (0.5 * radius / lean.cos());
-                let moments = Inertia::from_diagonal(DVec3::new(7e-4, 7e-4, 1e-5))?;
+                let moments = Inertia::from_diagonal(DVec3::new(THICK_MOMENT, THICK_MOMENT, THIN_MOMENT))?;
                 let properties = MassProperties::new(mass, raised, moments);
                 let upper = top + DVec3::new(side * radius, 0.0, radius);
                 (Shape::capsule(radius, CARD_HEIGHT)?, properties, upper - turn.rotate(half))
@@ -157,7 +166,7 @@ pub(super) fn fc_14(context: &Context) -> CaseResult {
         let quantity = format!("cards 2 mm thick: mu_min at {degrees}deg");
         let expected = card.least_friction(degrees.to_radians());
         rows.push(match least(card, degrees) {
-            Ok(found) => Row::compared("FC-14", &quantity, expected, found, crate::row::Tolerance::Relative(1e-6)),
+            Ok(found) => Row::compared("FC-14", &quantity, expected, found, crate::row::Tolerance::Relative(THRESHOLD)),
             Err(error) => Row::broken("FC-14", &quantity, error.to_string()),
         });
     }
@@ -286,7 +295,7 @@ pub(super) fn fc_15(context: &Context) -> CaseResult {
             "angle at which a wedge with friction 0.3 locks, rad",
             0.3f64.atan(),
             zero_of_lock(0.3)?,
-            crate::row::Tolerance::Relative(1e-6),
+            crate::row::Tolerance::Relative(THRESHOLD),
         ),
     ])
 }

@@ -14,6 +14,15 @@ use polhode::spatial::{Pose, Rotation, Velocity};
 use polhode::{Body, BodySample, Effects, EventKind, Scene};
 use std::error::Error;
 
+/// Tolerance of rates, relative.
+const RATE: f64 = 1e-10;
+
+/// Tolerance of the ratio of two rates, and how much earlier than a contact a state is taken, relative.
+const RATIO: f64 = 1e-9;
+
+/// How much earlier than an impact a state is taken, relative: before it by more than the rounding of its time.
+const JUST_BEFORE: f64 = 1e-13;
+
 /// Friction that never lets an edge slip.
 const ROUGH: f64 = 3.0;
 
@@ -69,9 +78,9 @@ fn other_blocks() -> CaseResult {
         let expected = (1.5 * GRAVITY / width.hypot(height) * fallen).sqrt();
         let kept = 1.0 - 1.5 * critical.sin().powi(2);
         let block = format!("block {} x {} m", 2.0 * width, 2.0 * height);
-        let rate = Tolerance::Relative(1e-10);
+        let rate = Tolerance::Relative(RATE);
         rows.push(Row::compared("FC-12", &format!("{block}: w- at impact"), expected, before, rate));
-        rows.push(Row::compared("FC-12", &format!("{block}: w+/w-"), kept, after / before, Tolerance::Relative(1e-9)));
+        rows.push(Row::compared("FC-12", &format!("{block}: w+/w-"), kept, after / before, Tolerance::Relative(RATIO)));
     }
     Ok(rows)
 }
@@ -165,7 +174,7 @@ pub(super) fn fc_18(context: &Context) -> CaseResult {
     let reference = &context.reference;
     let balance = zero([0.1, 0.2], |tip| Ok(first_acceleration(&dominoes(tip, 0.0, 1.0)?)?.angular.y))?;
     let t = strike_of(&dominoes(balance, 1.0, 0.2)?)?;
-    let before = end_of(&dominoes(balance, 1.0, t * (1.0 - 1e-13))?)?;
+    let before = end_of(&dominoes(balance, 1.0, t * (1.0 - JUST_BEFORE))?)?;
     let angles = [balance.to_degrees(), tip_of(&before).to_degrees()];
     let mut rows = vec![
         reference.row("FC-18", "tip angle, contact angle (deg)", angles)?,
@@ -178,12 +187,12 @@ pub(super) fn fc_18(context: &Context) -> CaseResult {
     // Other rates, by energy.
     for rate in [0.5, 2.0, 7.0] {
         let t = strike_of(&dominoes(balance, rate, 0.5)?)?;
-        let end = end_of(&dominoes(balance, rate, t * (1.0 - 1e-9))?)?;
+        let end = end_of(&dominoes(balance, rate, t * (1.0 - RATIO))?)?;
         let [d, h, _] = DOMINO;
         let fallen = 0.5 * (d.hypot(h) - (d * tip_of(&end).sin() + h * tip_of(&end).cos()));
         let expected = (rate * rate + 6.0 * GRAVITY * fallen / (d * d + h * h)).sqrt();
         let quantity = format!("w at first contact if released with {rate} rad/s");
-        rows.push(Row::compared("FC-18", &quantity, expected, end.velocity.angular.y, Tolerance::Relative(1e-10)));
+        rows.push(Row::compared("FC-18", &quantity, expected, end.velocity.angular.y, Tolerance::Relative(RATE)));
     }
     Ok(rows)
 }

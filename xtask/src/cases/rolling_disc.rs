@@ -18,6 +18,12 @@ use polhode::{Body, BodySample, Effects, Scene};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+/// Local error of a step, near the rounding unit: the precession is compared to 1e-9 over many turns.
+const STEP_TOLERANCE: f64 = 1e-13;
+
+/// Tolerance of the rate of precession, as in the catalogue of cases, relative.
+const PRECESSION: f64 = 1e-9;
+
 /// Friction that lets nothing slip.
 const ROUGH: f64 = 5.0;
 
@@ -77,7 +83,7 @@ fn upright(axial: f64, speed: f64, spin: f64, duration_s: f64) -> Result<Scene, 
     let angular = axis * -speed + lean.rotate(DVec3::Z) * spin;
     let linear = angular.cross(center);
     let body = ring(axial, Pose::new(turn, center), Velocity::new(linear, angular))?;
-    let method = Method { tolerance: Some(1e-13), ..Method::default() };
+    let method = Method { tolerance: Some(STEP_TOLERANCE), ..Method::default() };
     Ok(Plane::LEVEL.with(body, ROUGH)?.method(method).duration_s(duration_s).output_interval_s(0.02).build()?)
 }
 
@@ -121,7 +127,7 @@ pub(super) fn fc_16(context: &Context) -> CaseResult {
         let expected = (4.0 * GRAVITY / degrees.to_radians().sin()).sqrt();
         let found = precession(degrees.to_radians(), 2.0)?;
         let quantity = format!("Omega at alpha={degrees}deg");
-        rows.push(Row::compared("FC-16", &quantity, expected, found, crate::row::Tolerance::Relative(1e-9)));
+        rows.push(Row::compared("FC-16", &quantity, expected, found, crate::row::Tolerance::Relative(PRECESSION)));
     }
     let rolling = |axial: f64| critical(|speed| upright(axial, speed, 0.0, 2.0), 1.3, 2.3);
     rows.push(reference.row("FC-16", "critical rolling speed disc", rolling(0.5)?)?);

@@ -14,6 +14,21 @@ use polhode::{Body, BodySample, Effects, Scene};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+/// Tolerance of distances, speeds and times, as in the catalogue of cases, relative.
+const DISTANCE: f64 = 1e-10;
+
+/// Tolerance of the deviation from a straight line, of the distance.
+const STRAIGHT: f64 = 1e-11;
+
+/// A body slower than this fraction of its first speed stands.
+const STANDS: f64 = 1e-6;
+
+/// Two bodies move together when their speeds differ by less than this fraction of the first.
+const TOGETHER: f64 = 1e-9;
+
+/// Tolerance of the difference of two speeds, m/s.
+const APART_M_S: f64 = 1e-13;
+
 /// Length, depth and height of the boxes, m.
 const SIZE: DVec3 = DVec3::new(0.4, 0.3, 0.2);
 
@@ -51,8 +66,8 @@ fn random_directions(context: &Context) -> CaseResult {
         deviation = deviation.max(stop.deviation / distance);
     }
     Ok(vec![
-        Row::at_most("FC-03", &format!("{count} boxes: error of distance and time, relative"), 1e-10, worst),
-        Row::at_most("FC-03", "deviation from the straight line, of the distance", 1e-11, deviation),
+        Row::at_most("FC-03", &format!("{count} boxes: error of distance and time, relative"), DISTANCE, worst),
+        Row::at_most("FC-03", "deviation from the straight line, of the distance", STRAIGHT, deviation),
     ])
 }
 
@@ -70,7 +85,7 @@ fn stop_of(size: DVec3, speed: f64, direction: f64, heading: f64, friction: f64)
     let sliding = Plane::LEVEL.lying_box(size, heading, along * speed)?;
     let duration_s = 1.5 * speed / (friction * GRAVITY);
     let scene = Plane::LEVEL.with(sliding, friction)?.duration_s(duration_s).build()?;
-    let (t, _) = first_event(&scene, |sample| sample.velocity.linear.length() < 1e-6 * speed)?;
+    let (t, _) = first_event(&scene, |sample| sample.velocity.linear.length() < STANDS * speed)?;
     let end = end_of(&scene)?.pose.translation;
     Ok(Stop { t, distance: end.dot(along), deviation: along.cross(end - DVec3::Z * end.z).length() })
 }
@@ -186,7 +201,7 @@ fn slide_on_plank(light: f64, heavy: f64, friction: f64, speed: f64) -> Result<(
     let scene = block_on_plank(light, heavy, friction, speed, 1.5 * expected_s)?;
     let run = Run::of(&scene, Effects::Planned)?;
     let (block, plank) = (run.last("block")?, run.last("plank")?);
-    let (t, _) = first_event(&scene, |sample| (sample.velocity.linear.x - common).abs() < 1e-9 * speed)?;
+    let (t, _) = first_event(&scene, |sample| (sample.velocity.linear.x - common).abs() < TOGETHER * speed)?;
     let slip = block.pose.translation.x - plank.pose.translation.x;
     let apart = (block.velocity.linear - plank.velocity.linear).length();
     Ok(([block.velocity.linear.x, slip, t], apart))
@@ -212,7 +227,7 @@ pub(super) fn fc_20(context: &Context) -> CaseResult {
     }
     Ok(vec![
         context.reference.row("FC-20", "common speed, slip length, time", found)?,
-        Row::compared("FC-20", "difference of the speeds at the end, m/s", 0.0, apart, Tolerance::Absolute(1e-13)),
-        Row::at_most("FC-20", &format!("{count} planks: error of speed, slip and time, relative"), 1e-10, worst),
+        Row::compared("FC-20", "difference of the speeds at the end, m/s", 0.0, apart, Tolerance::Absolute(APART_M_S)),
+        Row::at_most("FC-20", &format!("{count} planks: error of speed, slip and time, relative"), DISTANCE, worst),
     ])
 }

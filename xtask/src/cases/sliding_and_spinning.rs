@@ -13,6 +13,18 @@ use polhode::{Body, Scene};
 use std::error::Error;
 use std::f64::consts::TAU;
 
+/// A body slower than this stands, m/s.
+const STANDS_M_S: f64 = 1e-6;
+
+/// How long before the stop the ratio of speeds is taken, s.
+const BEFORE_STOP_S: f64 = 1e-4;
+
+/// Tolerance of forces and torques, relative.
+const FORCES: f64 = 1e-12;
+
+/// Tolerance of positions and velocities, as in the catalogue of cases.
+const STATES: f64 = 1e-9;
+
 /// A flat body of 1 kg on point feet, with this moment about the vertical, kg m^2.
 fn on_feet(feet: Vec<DVec3>, moment: f64, velocity: Velocity) -> Result<Body, Box<dyn Error>> {
     let moments = Inertia::from_diagonal(DVec3::new(0.5 * moment, 0.5 * moment, moment))?;
@@ -115,19 +127,20 @@ pub(super) fn fc_05(context: &Context) -> CaseResult {
         middle.velocity.angular.z,
     ];
     let events = events_of(&disc(2.0)?)?;
-    let (stop, _) = events.iter().find(|(_, s)| s.velocity.linear.length() < 1e-6).ok_or("the disc does not stop")?;
-    let before = end_of(&disc(stop - 1e-4)?)?.velocity;
+    let (stop, _) =
+        events.iter().find(|(_, s)| s.velocity.linear.length() < STANDS_M_S).ok_or("the disc does not stop")?;
+    let before = end_of(&disc(stop - BEFORE_STOP_S)?)?.velocity;
     let ratio = before.linear.length() / before.angular.length();
     let force = [start.linear.length(), 0.5 * start.angular.length()];
     let of_feet = [x.hypot(y), -0.5 * turning];
     Ok(vec![
-        Row::compared("FC-05", "force and torque of the feet at eps=1", of_feet, force, Tolerance::Relative(1e-12)),
+        Row::compared("FC-05", "force and torque of the feet at eps=1", of_feet, force, Tolerance::Relative(FORCES)),
         Row::compared(
             "FC-05",
             "angle, velocity, spin of the feet at t=1",
             disc_by_classical_steps(),
             measured,
-            Tolerance::Absolute(1e-9),
+            Tolerance::Absolute(STATES),
         ),
         reference.row("FC-05", "eps0 = v/(R w) at stop, disc I=mR^2/2", ratio)?,
         reference.row("FC-05", "F/(mu m g), T/(mu m g R) at eps=1", force)?,

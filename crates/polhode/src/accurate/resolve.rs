@@ -12,6 +12,7 @@ use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
+use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
 use crate::interaction::overlap::is_excess;
@@ -44,6 +45,9 @@ const SLIP_NOISE: f64 = 1e-13;
 /// when it falls by its own size (1e-13 to 1e-11). Rounding of forces that cancel gathers it in slips of long duration,
 /// however slow they are, and friction would resist it at the rate `mu g / |u_T|`, which no step could follow.
 const GATHERED_SLIP: f64 = 1e-12;
+
+/// What is counted where friction lowers the restitution of an impact.
+const LOWERED: &str = "restitution of impacts with friction was lowered: the full one would give back too much work";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -161,6 +165,9 @@ impl Engine {
             );
         }
         core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
+        if struck.restitution == Restitution::Lowered {
+            core.accounts.tolerate(instant.t, LOWERED);
+        }
         if outcome.status == ImpactStatus::LimitReached {
             let names = core.world.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());

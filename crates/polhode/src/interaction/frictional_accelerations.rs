@@ -200,7 +200,7 @@ fn all_stick(
     let mut tangents = forces.iter().skip(assembly.first_tangent());
     for (&normal, friction) in forces.iter().zip(frictional) {
         let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
-        let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| sum.hypot(*force));
+        let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| libm::hypot(sum, *force));
         let limit = friction.as_ref().map_or(0.0, |friction| friction.coefficients.at_rest) * normal;
         if normal < 0.0 || tangential > limit {
             return Ok(None);

@@ -29,6 +29,18 @@ pub(crate) struct FrictionalImpact {
     pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Work of the impulses along tangents, J; negative when energy is lost.
     pub(crate) friction_work_j: f64,
+    /// The law of restitution that was kept.
+    pub(crate) restitution: Restitution,
+}
+
+/// Whether an impact gave the restitution asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Restitution {
+    /// It did.
+    #[default]
+    Full,
+    /// Less: with friction the full one would have given back more than `e^2` of the work of compression, or energy.
+    Lowered,
 }
 
 /// Whether one of some contacts has friction.
@@ -97,8 +109,9 @@ pub(crate) fn solve(
         velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
         status: match struck.status {
             MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
-            MultipleImpactStatus::Separated | MultipleImpactStatus::StruckInOrder => ImpactStatus::Separated,
-            MultipleImpactStatus::RestitutionLowered => ImpactStatus::RestitutionLowered,
+            MultipleImpactStatus::Separated
+            | MultipleImpactStatus::StruckInOrder
+            | MultipleImpactStatus::RestitutionLowered => ImpactStatus::Separated,
             MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
             MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,
         },
@@ -107,5 +120,7 @@ pub(crate) fn solve(
         residual: struck.residual,
         impulses: impulses.into_iter().take(first).collect(),
     };
-    Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j })
+    let is_lowered = struck.status == MultipleImpactStatus::RestitutionLowered;
+    let restitution = if is_lowered { Restitution::Lowered } else { Restitution::Full };
+    Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution })
 }

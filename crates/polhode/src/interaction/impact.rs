@@ -4,7 +4,7 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::constraint::ConstraintId;
-use crate::interaction::frictional_impact::{self, FrictionalImpact};
+use crate::interaction::frictional_impact::{self, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
@@ -59,6 +59,8 @@ pub(crate) struct Struck {
     pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Energy lost to friction, J.
     pub(crate) friction_j: f64,
+    /// Whether it gave the restitution asked for; without friction the status says so.
+    pub(crate) restitution: Restitution,
 }
 
 impl Struck {
@@ -179,7 +181,8 @@ pub(crate) fn strike(
     }
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0 })
+    let restitution = Restitution::Full;
+    Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0, restitution })
 }
 
 /// [`strike`] where contacts have friction.
@@ -190,11 +193,11 @@ fn strike_with_friction(
     members: &[Touch],
     law: ImpactLaw,
 ) -> Result<Struck, ResponseError> {
-    let FrictionalImpact { assembly, outcome, tangential, friction_work_j } =
+    let FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution } =
         frictional_impact::solve(world, states, bodies, members, law)?;
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    let mut struck = Struck { outcome, constraints, pivots, tangential, friction_j: -friction_work_j };
+    let mut struck = Struck { outcome, constraints, pivots, tangential, friction_j: -friction_work_j, restitution };
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
         let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));

@@ -83,7 +83,7 @@ pub(crate) fn least_sliding_forces(
     let forces = least_norm_sliding_forces(&delassus, &held_constants, &sliding)?;
     let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
     let slips = sticks.iter().any(|(normal, rows, coefficient)| {
-        let tangential = forces[rows.clone()].iter().fold(0.0, |sum: f64, force| sum.hypot(*force));
+        let tangential = forces[rows.clone()].iter().fold(0.0, |sum: f64, force| libm::hypot(sum, *force));
         tangential > coefficient * forces[*normal]
     });
     let accelerations = delassus.times(&forces)?;

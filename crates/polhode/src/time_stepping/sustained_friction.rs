@@ -55,7 +55,7 @@ impl TangentialRow {
     /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s).
     pub(super) fn with_rates(self, rates: [f64; 2], h: f64) -> Self {
         let change = rates.map(|rate| 0.5 * h * rate);
-        let (before, length) = (self.slip[0].hypot(self.slip[1]), change[0].hypot(change[1]));
+        let (before, length) = (libm::hypot(self.slip[0], self.slip[1]), libm::hypot(change[0], change[1]));
         let share = if length > before { before / length } else { 1.0 };
         Self { half_change: change.map(|change| share * change), ..self }
     }
