@@ -91,7 +91,8 @@ impl Setting {
         if let Some(pivot) = body.pivot_point() {
             set = set.pivot(self.point(pivot));
         }
-        match body.shape() {
+        // The shape of a body that meets no other is for pictures alone.
+        match body.shape().filter(|_| partner.is_some()) {
             None => {}
             Some(Geometry::Shape(shape)) => set = set.geometry(self.shape(shape)?.into()),
             Some(Geometry::Mesh(_)) => return Err("meshes are not set elsewhere".into()),
