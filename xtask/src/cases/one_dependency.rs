@@ -36,7 +36,19 @@ pub(super) fn examples(context: &Context) -> CaseResult {
     let manifest = format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n\n{profile}");
     std::fs::write(users.join("Cargo.toml"), manifest)?;
     std::fs::copy(context.root.join("Cargo.lock"), users.join("Cargo.lock"))?;
+    for name in CRATES {
+        build(&users, name)?;
+    }
     programs.iter().map(|(name, example)| run(&users, name, example)).collect()
+}
+
+/// Compiles all programs of a package beside each other. What does not compile is reported where it is run.
+fn build(users: &Path, name: &str) -> Result<(), Box<dyn Error>> {
+    let package = format!("user-of-{name}");
+    let mut command = commands::cargo(users);
+    command.args(["build", "--quiet", "--offline", "--package", &package, "--bins"]);
+    command.stdin(Stdio::null()).stderr(Stdio::null()).status()?;
+    Ok(())
 }
 
 /// The examples of a crate that a user could have written, in order of their names.

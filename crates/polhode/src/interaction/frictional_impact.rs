@@ -107,14 +107,7 @@ pub(crate) fn solve(
         applications,
         finishing: Vec::new(),
         velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
-        status: match struck.status {
-            MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
-            MultipleImpactStatus::Separated
-            | MultipleImpactStatus::StruckInOrder
-            | MultipleImpactStatus::RestitutionLowered => ImpactStatus::Separated,
-            MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
-            MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,
-        },
+        status: status_of(struck.status),
         energy_change: struck.energy_change - friction_work_j,
         solves: struck.solves,
         residual: struck.residual,
@@ -123,4 +116,16 @@ pub(crate) fn solve(
     let is_lowered = struck.status == MultipleImpactStatus::RestitutionLowered;
     let restitution = if is_lowered { Restitution::Lowered } else { Restitution::Full };
     Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution })
+}
+
+/// The status as impacts without friction state it; [`Restitution`] says whether restitution was lowered.
+const fn status_of(status: MultipleImpactStatus) -> ImpactStatus {
+    match status {
+        MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
+        MultipleImpactStatus::Separated
+        | MultipleImpactStatus::StruckInOrder
+        | MultipleImpactStatus::RestitutionLowered => ImpactStatus::Separated,
+        MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
+        MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,
+    }
 }
