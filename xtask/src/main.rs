@@ -4,6 +4,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
@@ -21,10 +22,10 @@
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
-//! | [`readme`] | the example of the README, as a test |
 //! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
 
+mod book;
 mod cases;
 mod commands;
 mod cost;
@@ -38,7 +39,6 @@ mod interpenetration;
 mod known;
 mod narrow_phase;
 mod random;
-mod readme;
 mod reference;
 mod rigid_ipc;
 mod row;
