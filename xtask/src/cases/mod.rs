@@ -73,6 +73,7 @@ mod speed;
 mod stackings;
 mod stacks;
 mod strict_hash;
+mod structures;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;
