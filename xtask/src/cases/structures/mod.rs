@@ -17,7 +17,7 @@ mod generate;
 mod masonry;
 
 use super::{Amount, CaseResult, Context};
-use crate::row::{Row, Tolerance};
+use crate::row::Row;
 use crate::statics::{Verdict, judge};
 use built::Built;
 use fate::{Fate, fate};
@@ -46,7 +46,8 @@ struct Tally {
     /// With friction: stood although no forces balance; fell although less friction would do.
     stood: u64,
     fell: u64,
-    /// Runs that ended with an error.
+    /// Runs that were given up, and those that ended with an error.
+    given_up: u64,
     failed: u64,
 }
 
@@ -57,6 +58,7 @@ impl Tally {
         let with_less = judge(&blocks, structure.friction(LESS_FRICTION))?;
         let fate = fate(&structure.scene()?);
         self.failed += u64::from(matches!(fate, Fate::Fails(_)));
+        self.given_up += u64::from(matches!(fate, Fate::Open(_)));
         let stands = fate.stands();
         match verdict {
             Verdict::Infeasible => self.infeasible += 1,
@@ -81,6 +83,7 @@ impl Tally {
         self.disagree += other.disagree;
         self.stood += other.stood;
         self.fell += other.fell;
+        self.given_up += other.given_up;
         self.failed += other.failed;
     }
 }
@@ -118,6 +121,7 @@ pub(super) fn random(context: &Context) -> CaseResult {
         Row::exact(CASE, &named("with friction, stood although no forces balance"), 0_u64, tally.stood),
         Row::exact(CASE, &named("with friction, fell although 95 % of it would do"), 0_u64, tally.fell),
         Row::exact(CASE, &named("runs that failed"), 0_u64, tally.failed),
+        Row::exact(CASE, &named("runs given up: their events crowd"), 0_u64, tally.given_up),
         Row::info(
             CASE,
             &named("can stand, cannot, left open"),
@@ -147,8 +151,7 @@ const ARCH_FRICTION: f64 = 0.7;
 /// Arches are tried this far below and above their least thickness, relative to it.
 const BESIDE: f64 = 0.01;
 
-/// Whether a built structure stands, and the largest residual of its contact forces relative to the largest
-/// acceleration.
+/// Whether a built structure stands.
 fn stands(built: &Built) -> Result<bool, Box<dyn Error>> {
     match fate(&built.scene()?) {
         Fate::Fails(message) => Err(message.into()),
@@ -166,19 +169,22 @@ fn residual(built: &Built) -> Result<f64, Box<dyn Error>> {
 /// Largest residual of a structure of bodies of nearly equal mass.
 const RESIDUAL: f64 = 1e-12;
 
-/// Arches of 25 and 101 stones fall below their least thickness and stand above it.
-pub(super) fn arches(_context: &Context) -> CaseResult {
+/// Arches of 25 and 101 stones stand above their least thickness and fall below it. The fall of 101 stones takes long and is
+/// left to the full run.
+pub(super) fn arches(context: &Context) -> CaseResult {
     let mut rows = Vec::new();
     for stones in [25, 101] {
         let least = least_thickness(stones)?;
         let at = |part: f64| masonry::arch(stones, part * least, ARCH_FRICTION);
-        let quantity = format!("arch of {stones} stones: stands 1 % below and above the least thickness");
-        let found = vec![stands(&at(1.0 - BESIDE)?)?, stands(&at(1.0 + BESIDE)?)?];
-        rows.push(Row::exact(CASE, &quantity, vec![false, true], found));
-        let quantity = format!("arch of {stones} stones: residual of its forces");
-        rows.push(Row::at_most(CASE, &quantity, RESIDUAL, residual(&at(1.0 + BESIDE)?)?));
-        let quantity = format!("arch of {stones} stones: least thickness by the radius, of one piece 0.1075");
-        rows.push(Row::compared(CASE, &quantity, 0.1075, least, Tolerance::Info));
+        let above = at(1.0 + BESIDE)?;
+        let named = |what: &str| format!("arch of {stones} stones: {what}");
+        rows.push(Row::exact(CASE, &named("stands 1 % above the least thickness"), true, stands(&above)?));
+        if stones == 25 || context.amount == Amount::Full {
+            let below = stands(&at(1.0 - BESIDE)?)?;
+            rows.push(Row::exact(CASE, &named("stands 1 % below the least thickness"), false, below));
+        }
+        rows.push(Row::at_most(CASE, &named("residual of its forces"), RESIDUAL, residual(&above)?));
+        rows.push(Row::info(CASE, &named("least thickness by the radius (of one piece 0.1075)"), 0.1075, least));
     }
     Ok(rows)
 }
