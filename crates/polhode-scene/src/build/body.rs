@@ -62,6 +62,7 @@ fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
         (entry.mass.is_some(), "mass"),
         (entry.density.is_some(), "density"),
         (entry.inertia.is_some(), "inertia"),
+        (entry.center_of_mass.is_some(), "center_of_mass"),
         (entry.hollow, "hollow"),
         (entry.pivot.is_some(), "pivot"),
         (moves(&entry.velocity), "velocity"),

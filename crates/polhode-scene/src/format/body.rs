@@ -24,6 +24,8 @@ pub struct BodyEntry {
     pub density: Option<f64>,
     /// Inertia about the centre of mass in the body's own axes, kg m^2; from the shape when absent.
     pub inertia: Option<InertiaEntry>,
+    /// Centre of mass in the body's own frame, m, with `inertia` about it; from the shape when absent.
+    pub center_of_mass: Option<Vector>,
     /// The mass is spread evenly over the surface of the shape instead of its volume.
     #[serde(default)]
     pub hollow: bool,

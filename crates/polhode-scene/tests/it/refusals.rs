@@ -95,6 +95,20 @@ fn combinations() {
             "velocity",
             "no meaning for a fixed body",
         ),
+        (
+            "mass",
+            "mass = 1\ncenter_of_mass = [0, 0, 0.1]",
+            "bodies.brick.center_of_mass",
+            "center_of_mass",
+            "a body with `center_of_mass` needs `inertia`",
+        ),
+        (
+            "mass",
+            "fixed = true\ncenter_of_mass = [0, 0, 0.1]",
+            "bodies.brick.center_of_mass",
+            "center_of_mass",
+            "no meaning for a fixed body",
+        ),
         ("mass", "fixed = true\nhollow = true", "bodies.brick.hollow", "hollow", "no meaning for a fixed body"),
         (
             "position",
