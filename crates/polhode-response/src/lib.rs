@@ -113,6 +113,6 @@ pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use row_block::{RowBlock, RowEntries};
 pub use settings::{FallbackPolicy, SolverSettings};
-pub use sliding::{SlidingRow, least_norm_sliding_forces};
+pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 
 pub use polhode_spatial as spatial;

@@ -39,7 +39,8 @@ pub use force::{
 };
 pub use integrator::IntegratorName;
 pub use method::{
-    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName,
+    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
+    RotationRateName, TierName,
 };
 pub use motion::{ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile};

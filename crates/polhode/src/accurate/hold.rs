@@ -11,7 +11,7 @@ use crate::interaction::assembly::Assembly;
 use crate::interaction::frictional_accelerations::{ContactTangent, FrictionalAccelerations};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};
+use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -41,6 +41,10 @@ pub(super) struct Forces {
     pub(super) load: f64,
     /// Friction of the contacts, in their order; empty when none has friction.
     friction: Vec<Option<ContactFriction>>,
+    /// Whether other normal forces that hold all contacts as well would move the bodies in another way.
+    pub(super) motion_depends_on_choice: bool,
+    /// Whether contacts slide and no forces were found: they may jam.
+    pub(super) jams: bool,
     /// The modes that the contacts were known to have.
     known_modes: Vec<Option<FrictionMode>>,
 }
@@ -104,7 +108,19 @@ impl Forces {
         let friction = Vec::new();
         let contacts = contacts.len();
         let known_modes = Vec::new();
-        Ok(Self { solution, assembly, contacts, accelerations, t, opening, load, friction, known_modes })
+        Ok(Self {
+            solution,
+            assembly,
+            contacts,
+            accelerations,
+            t,
+            opening,
+            load,
+            friction,
+            known_modes,
+            jams: false,
+            motion_depends_on_choice: false,
+        })
     }
 
     /// The forces of contacts with friction.
@@ -118,7 +134,10 @@ impl Forces {
                 ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along) }
             })
         });
+        let slides = found.contacts.iter().flatten().any(|contact| contact.sliding.is_some());
         Self {
+            motion_depends_on_choice: found.motion_depends_on_choice,
+            jams: slides && found.solution.report.status != SolverStatus::Solved,
             friction: friction.collect(),
             contacts: found.contacts.len(),
             solution: found.solution,

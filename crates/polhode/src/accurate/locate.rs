@@ -423,10 +423,18 @@ fn breaking_contacts(
     tolerated: &BTreeSet<ContactId>,
 ) -> Result<Vec<ContactId>, SimulationError> {
     let forces = forces_of(core, step, t, states, touches)?;
+    if forces.jams {
+        return Ok(sliding(touches).filter(|id| !tolerated.contains(id)).collect());
+    }
     let opens = touches.iter().zip(forces.opening_margins());
     let opens = opens.filter(|&(_, margin)| margin < 0.0).map(|(touch, _)| touch.id);
     let slips = forces.slipping(touches).map(|(id, _)| id);
     Ok(opens.chain(slips).filter(|id| !tolerated.contains(id)).collect())
+}
+
+/// The contacts that slide.
+fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
+    touches.iter().filter(|touch| matches!(touch.friction, Some(FrictionMode::Sliding(_)))).map(|touch| touch.id)
 }
 
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
@@ -463,6 +471,9 @@ fn breaking(
             })
             .collect();
         let forces = forces_of(core, step, t, states, &contacts)?;
+        if forces.jams {
+            return Ok(ContactChange { t: violated, ..ContactChange::default() });
+        }
         let opening = contacts.iter().zip(forces.opening_margins()).filter(|&(_, margin)| margin < 0.0);
         departing.extend(opening.map(|(contact, _)| contact.id));
         slipping.extend(forces.slipping(&contacts));
@@ -496,6 +507,8 @@ fn forces_of(
 ) -> Result<Forces, SimulationError> {
     let forces = Forces::solve(&core.world, t, states, &step.bodies, contacts, &mut core.solver)
         .map_err(|source| Core::response_error(t, source))?;
-    core.accounts.note_solve(t, &forces.solution.report)?;
+    if !forces.jams {
+        core.accounts.note_solve(t, &forces.solution.report)?;
+    }
     Ok(forces)
 }

@@ -46,6 +46,7 @@ mod hold;
 mod impact_search;
 mod instant;
 mod island;
+mod jam;
 mod locate;
 mod near_pairs;
 mod pace;

@@ -14,7 +14,7 @@ use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
+use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike, support};
 use crate::interaction::overlap::is_excess;
 use crate::interaction::projection::{self, Projected, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -48,6 +48,10 @@ const GATHERED_SLIP: f64 = 1e-12;
 
 /// What is counted where friction lowers the restitution of an impact.
 const LOWERED: &str = "restitution of impacts with friction was lowered: the full one would give back too much work";
+
+/// The warning of contacts that slide in different directions with forces that are not unique, before the names.
+const LEAST_NORM: &str =
+    "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -143,7 +147,27 @@ impl Engine {
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
-        let impulses = struck.impulses(group.contacts.iter().map(|&i| &instant.touches[i]));
+        self.book_struck(core, instant, &group.contacts, &struck, EventKind::Impact);
+        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
+        if outcome.status == ImpactStatus::LimitReached {
+            let names = core.world.names_of(&group.bodies);
+            let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
+            core.accounts.note_unsolved(instant.t, what);
+        }
+        Ok(())
+    }
+
+    /// Books the impulses of some contacts of an instant, and reports each as an event of this kind.
+    pub(super) fn book_struck(
+        &self,
+        core: &mut Core,
+        instant: &Instant,
+        contacts: &[usize],
+        struck: &Struck,
+        kind: EventKind,
+    ) {
+        let outcome = &struck.outcome;
+        let impulses = struck.impulses(contacts.iter().map(|&i| &instant.touches[i]));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
         let about = core.accounts.books.ledger.momentum.about;
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
@@ -160,20 +184,18 @@ impl Engine {
             core.accounts.add_contact_event(
                 &core.world,
                 &self.states,
-                impulse_event(instant.t, &touch, application),
+                impulse_event(instant.t, kind, &touch, application),
                 touch.id,
             );
         }
-        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
-        if struck.restitution == Restitution::Lowered {
-            core.accounts.tolerate(instant.t, LOWERED);
+        match struck.restitution {
+            Restitution::Full => {}
+            Restitution::Lowered => core.accounts.tolerate(instant.t, LOWERED),
+            Restitution::RaisesEnergy => {
+                let law = core.world.scene.method().restitution_law.unwrap_or_default().name();
+                core.accounts.warn(instant.t, raised_energy(law));
+            }
         }
-        if outcome.status == ImpactStatus::LimitReached {
-            let names = core.world.names_of(&group.bodies);
-            let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
-            core.accounts.note_unsolved(instant.t, what);
-        }
-        Ok(())
     }
 
     /// Groups with a body that is not at rest or that touches a moving kinematic body.
@@ -189,7 +211,7 @@ impl Engine {
 
     /// Determines the active contacts of a group until the next event, and whether its bodies rest.
     fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
-        let (mut candidates, mut forces, mut has_ended) = self.candidates(core, instant, group)?;
+        let (mut candidates, mut forces, mut has_ended) = self.candidates_after_jams(core, instant, group)?;
         let mut impacts = 0;
         // Ending the bounces of one contact may make other contacts approach.
         while has_ended && group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
@@ -200,7 +222,7 @@ impl Engine {
             impacts += 1;
             self.strike_group(core, instant, group)?;
             self.refresh_kinematics(core, instant);
-            (candidates, forces, has_ended) = self.candidates(core, instant, group)?;
+            (candidates, forces, has_ended) = self.candidates_after_jams(core, instant, group)?;
         }
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
@@ -215,7 +237,7 @@ impl Engine {
     }
 
     /// Contacts of a group that may hold, their forces, and whether bounces have been ended.
-    fn candidates(
+    pub(super) fn candidates(
         &mut self,
         core: &mut Core,
         instant: &mut Instant,
@@ -257,13 +279,20 @@ impl Engine {
         let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
         let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
+        if forces.jams {
+            return Err(SimulationError::ContactSolve { t: instant.t, residual: forces.solution.report.residual });
+        }
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
+        if forces.motion_depends_on_choice {
+            let names = core.world.names_of(&group.bodies);
+            core.accounts.warn(instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
+        }
         Ok(forces)
     }
 
     /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its
     /// forces decide.
-    fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
+    pub(super) fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
         let change = &instant.change;
         let noise = slip_noise(core, instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
@@ -575,7 +604,7 @@ impl Engine {
     }
 
     /// Evaluates every contact of the instant at the current states and drops those that no longer exist.
-    fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
+    pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
         instant.touches.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
             Some(kinematics) => {
                 touch.kinematics = kinematics;

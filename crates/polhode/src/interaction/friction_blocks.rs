@@ -70,6 +70,11 @@ impl FrictionBlocks {
         of_rows
     }
 
+    /// Numbers of the rows of the assembly, put into the order of the blocks.
+    pub(crate) fn of_rows(&self, of_rows: &[f64]) -> Vec<f64> {
+        self.rows.iter().map(|&row| of_rows[row]).collect()
+    }
+
     /// Solves for the reactions; `start` are reactions of a similar problem, in the order of the assembly.
     ///
     /// # Errors

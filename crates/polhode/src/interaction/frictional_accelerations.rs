@@ -43,6 +43,8 @@ pub(crate) struct FrictionalAccelerations {
     pub(crate) accelerations: Vec<f64>,
     /// The largest relative acceleration without contact forces, m/s^2.
     pub(crate) scale: f64,
+    /// Whether contacts slide and other forces that hold all contacts as well would move the bodies in another way.
+    pub(crate) motion_depends_on_choice: bool,
     /// In the order of the contacts; none for a contact without friction.
     pub(crate) contacts: Vec<Option<ContactTangent>>,
 }
@@ -157,8 +159,13 @@ impl FrictionalAccelerations {
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
         let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+        let mut motion_depends_on_choice = false;
         let holding = if any_slides {
-            all_hold((world, states, contacts), &assembly, &constants, frictional)?
+            let held = all_hold((world, states, contacts), &assembly, &constants, frictional)?;
+            held.map(|(solution, depends)| {
+                motion_depends_on_choice = depends;
+                solution
+            })
         } else {
             all_stick(&assembly, &delassus, &constants, frictional)?
         };
@@ -184,7 +191,7 @@ impl FrictionalAccelerations {
         add_up_pairs(contacts, &mut tangential);
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let solution = contact_solution(&solved, assembly.first_tangent());
-        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
+        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly, motion_depends_on_choice })
     }
 }
 
@@ -221,13 +228,14 @@ fn all_stick(
     Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
 }
 
-/// The same where some contacts slide: the least forces with which every contact holds.
+/// The same where some contacts slide: the least forces with which every contact holds, and whether the motion depends on
+/// that choice.
 fn all_hold(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     constants: &[f64],
     frictional: &[Option<Frictional>],
-) -> Result<Option<RowSolution>, ResponseError> {
+) -> Result<Option<(RowSolution, bool)>, ResponseError> {
     let friction = frictional.iter().map(|friction| match friction {
         None => RowFriction::Frictionless,
         Some(Frictional { sliding: Some((_, coefficient)), .. }) => RowFriction::Slides(*coefficient),
@@ -236,7 +244,8 @@ fn all_hold(
     let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_RELATIVE * scale + rounding_of(delassus, forces);
     let friction: Vec<RowFriction> = friction.collect();
-    let Some(reactions) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
+    let Some(least) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
+    let reactions = least.forces;
     let mut velocities = assembly.problem.delassus().times(&reactions)?;
     for (velocity, constant) in velocities.iter_mut().zip(constants) {
         *velocity += constant;
@@ -255,7 +264,7 @@ fn all_hold(
     let slides = |friction: &Option<Frictional>| friction.as_ref().is_some_and(|friction| friction.sliding.is_some());
     let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
     let statuses = frictional.iter().map(status).collect();
-    Ok(Some(RowSolution { reactions, velocities, statuses, report }))
+    Ok(Some((RowSolution { reactions, velocities, statuses, report }, least.motion_depends_on_choice)))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.

@@ -4,7 +4,7 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::constraint::ConstraintId;
-use crate::interaction::frictional_impact::{self, FrictionalImpact, Restitution};
+use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
@@ -133,7 +133,7 @@ pub(crate) fn strike(
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     if frictional_impact::have_friction(world, &members) {
-        return strike_with_friction(world, states, &group.bodies, &members, law);
+        return strike_with_friction(world, states, &group.bodies, &members, (law, Cause::Collision));
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
@@ -185,13 +185,13 @@ pub(crate) fn strike(
     Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0, restitution })
 }
 
-/// [`strike`] where contacts have friction.
-fn strike_with_friction(
+/// [`strike`] where contacts have friction; also where they jam.
+pub(crate) fn strike_with_friction(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
     members: &[Touch],
-    law: ImpactLaw,
+    law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
     let FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution } =
         frictional_impact::solve(world, states, bodies, members, law)?;
@@ -201,6 +201,11 @@ fn strike_with_friction(
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
         let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));
+        if restitution == Restitution::RaisesEnergy {
+            apply_impulses(world, states, impulses);
+            apply_pivot_impulses(world, states, pivots);
+            return Ok(struck);
+        }
         if apply_without_gain(world, states, bodies, (impulses, pivots)) {
             return Ok(struck);
         }
@@ -209,12 +214,20 @@ fn strike_with_friction(
     Ok(struck)
 }
 
+/// The warning of an impact whose energy its law of restitution has raised.
+pub(crate) fn raised_energy(law: &str) -> String {
+    format!(
+        "the restitution law {law} has raised the energy of an impact with friction, as it may where slip stops or \
+         reverses: stronge never does"
+    )
+}
+
 /// The event of one impulse at one contact point.
-pub(crate) fn impulse_event(t: f64, touch: &Touch, application: &Application) -> Event {
+pub(crate) fn impulse_event(t: f64, kind: EventKind, touch: &Touch, application: &Application) -> Event {
     let geometry = touch.kinematics.geometry;
     Event {
         t,
-        kind: EventKind::Impact,
+        kind,
         body_a: touch.id.a,
         body_b: Some(touch.id.b),
         point: geometry.point,

@@ -185,6 +185,7 @@ pub(crate) enum EventKind {
     Detach,
     Stick,
     Slide,
+    Jam,
 }
 
 /// The data from which the tier continues.

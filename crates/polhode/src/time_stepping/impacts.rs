@@ -11,6 +11,7 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
+use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike, support};
 use crate::world::World;
@@ -102,6 +103,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     let outcome = &struck.outcome;
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
+    report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let impulses = struck.impulses(touches.iter());
     let given = support(world, report.books.ledger.momentum.about, impulses.clone());
     let work = world.prescribed_work(states, impulses);

@@ -189,8 +189,11 @@ fn rows(
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
     let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
     let mut slip_rates = accelerations[assembly.first_tangent()..].as_chunks::<2>().0.iter();
-    let mut with_rates = |row: TangentialRow| slip_rates.next().map(|&rates| row.with_rates(rates, h));
-    let friction: Vec<_> = friction.into_iter().map(|row| row.and_then(&mut with_rates)).collect();
+    let mut with_rates = |row: TangentialRow, acceleration: f64| {
+        slip_rates.next().map(|&rates| row.with_rates(rates, h, 0.5 * h * acceleration))
+    };
+    let friction = friction.into_iter().zip(&accelerations);
+    let friction: Vec<_> = friction.map(|(row, &acceleration)| with_rates(row?, acceleration)).collect();
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;

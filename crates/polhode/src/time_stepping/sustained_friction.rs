@@ -7,23 +7,34 @@
 //! `u+ = -r`, and the ways of both halves of the step cancel.
 //!
 //! Impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained, `r` is shortened to
-//! the length of `u-` where it is longer. Static and kinetic friction are not distinguished: the kinetic coefficient acts.
+//! the length of `u-` where it is longer.
+//!
+//! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
+//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and sticks
+//! from the next step on.
 
 use crate::collision::contact_set::ContactId;
+use crate::collision::friction_mode::FrictionCoefficients;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::friction_blocks::FrictionBlocks;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::FrictionBlock;
+use polhode_response::friction::{ContactStatus, FrictionBlock};
 use polhode_response::{Delassus, ResponseError, SolverReport};
 use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// A slip below this fraction of what a step may change it by is none (1e-9 to 1e-4): contacts that stick are left with
+/// the residual of the solver.
+const STICKING_RELATIVE: f64 = 1e-6;
 
 /// Friction of a contact in the middle of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialRow {
-    /// Coefficient of kinetic friction.
-    coefficient: f64,
+    coefficients: FrictionCoefficients,
+    /// Whether it has no slip at the start of the step.
+    sticks: bool,
     /// Rows along both tangents.
     along: [TangentRow; 2],
     /// `u-` along the tangents, m/s.
@@ -40,11 +51,11 @@ impl TangentialRow {
         id: ContactId,
         kinematics: &ContactKinematics,
     ) -> Option<Self> {
-        let coefficient = world.friction_of(id.a, id.b)?.sliding;
+        let coefficients = world.friction_of(id.a, id.b)?;
         let terms = world.tangential_kinematics(states, id)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
-        Some(Self { coefficient, along, slip, half_change: [0.0; 2] })
+        Some(Self { coefficients, sticks: false, along, slip, half_change: [0.0; 2] })
     }
 
     /// The rows along both tangents.
@@ -52,12 +63,26 @@ impl TangentialRow {
         self.along
     }
 
-    /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s).
-    pub(super) fn with_rates(self, rates: [f64; 2], h: f64) -> Self {
+    /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s) in whose first half
+    /// the separation changes its rate by `half_fall` (m/s).
+    pub(super) fn with_rates(self, rates: [f64; 2], h: f64, half_fall: f64) -> Self {
         let change = rates.map(|rate| 0.5 * h * rate);
+        let at_start = libm::hypot(self.slip[0] - change[0], self.slip[1] - change[1]);
+        let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest * half_fall.abs();
+        let sticks = at_start <= STICKING_RELATIVE * given;
         let (before, length) = (libm::hypot(self.slip[0], self.slip[1]), libm::hypot(change[0], change[1]));
         let share = if length > before { before / length } else { 1.0 };
-        Self { half_change: change.map(|change| share * change), ..self }
+        Self { half_change: change.map(|change| share * change), sticks, ..self }
+    }
+
+    /// The coefficient that limits its force at first.
+    fn coefficient(&self) -> f64 {
+        if self.sticks { self.coefficients.at_rest } else { self.coefficients.sliding }
+    }
+
+    /// Whether its kinetic coefficient is another than the one at first.
+    fn is_held_by_static_friction(&self) -> bool {
+        self.sticks && self.coefficients.sliding < self.coefficients.at_rest
     }
 
     fn constants(&self) -> [f64; 2] {
@@ -109,20 +134,51 @@ pub(super) fn solve(
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
 ) -> Result<FrictionalImpulses, ResponseError> {
-    let mut blocks = FrictionBlocks::default();
-    for (normal, friction) in friction.iter().enumerate() {
+    let mut rows = Vec::with_capacity(friction.len());
+    for friction in friction {
         let first = assembly.problem.len();
         assembly.push_tangents(states, friction.iter().flat_map(TangentialRow::along))?;
         constants.extend(friction.iter().flat_map(TangentialRow::constants));
         let tangents = first..assembly.problem.len();
-        let coefficient = friction.map_or(0.0, |friction| friction.coefficient);
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: coefficient };
-        blocks.push(block, std::iter::once(normal).chain(tangents));
+        rows.push(tangents);
     }
     let delassus: Delassus = assembly.problem.delassus();
-    let solved = blocks.solve(&delassus, &constants, None)?;
+    let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
+    let solved = loop {
+        let solved = blocks(&friction, &rows).solve(&delassus, &constants, None)?;
+        if !slide_under_static_friction(&mut friction, &solved.statuses) {
+            break solved;
+        }
+    };
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
     let pairs = friction.iter().flatten().zip(along.as_chunks::<2>().0);
     let tangential = pairs.map(|(&row, &impulse)| TangentialImpulse { row, impulse }).collect();
     Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, report: solved.report })
+}
+
+/// The blocks of contacts with these rows along tangents.
+fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> FrictionBlocks {
+    let mut blocks = FrictionBlocks::default();
+    for (normal, (friction, tangents)) in friction.iter().zip(rows).enumerate() {
+        let coefficient = friction.map_or(0.0, |friction| friction.coefficient());
+        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: coefficient };
+        blocks.push(block, std::iter::once(normal).chain(tangents.clone()));
+    }
+    blocks
+}
+
+/// Gives contacts that slide although static friction holds them their kinetic coefficient. Returns whether there are
+/// any.
+fn slide_under_static_friction(friction: &mut [Option<TangentialRow>], statuses: &[ContactStatus]) -> bool {
+    let mut any = false;
+    for (friction, status) in friction.iter_mut().zip(statuses) {
+        let Some(friction) = friction.as_mut().filter(|friction| friction.is_held_by_static_friction()) else {
+            continue;
+        };
+        if *status == ContactStatus::Slide {
+            friction.sticks = false;
+            any = true;
+        }
+    }
+    any
 }

@@ -19,17 +19,17 @@ pub(crate) fn rough(friction: f64) -> Material {
 }
 
 /// A material of these two coefficients.
-fn sticky(static_friction: f64, kinetic: f64) -> Material {
+pub(crate) fn sticky(static_friction: f64, kinetic: f64) -> Material {
     Material::new("sticky", kinetic, 0.0).unwrap().with_static_friction(static_friction).unwrap()
 }
 
 /// Turns x into downhill, y into level, z into the normal of a slope.
-fn slope(angle: f64, azimuth: f64) -> Rotation {
+pub(crate) fn slope(angle: f64, azimuth: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Z * azimuth) * Rotation::from_rotation_vector(DVec3::Y * angle)
 }
 
 /// One body and the ground: the body's pose and velocity are given in the directions of the slope.
-fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
+pub(crate) fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
     let (pose, velocity) = (*body.initial_pose(), *body.initial_velocity());
     let body = body
         .pose(Pose::new(slope * pose.rotation, slope.rotate(pose.translation)))
@@ -41,7 +41,7 @@ fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
 }
 
 /// A box of 1 kg that lies on the plane z = 0, turned by `heading`, with a velocity.
-fn lying(size: DVec3, heading: f64, velocity: DVec3) -> Body {
+pub(crate) fn lying(size: DVec3, heading: f64, velocity: DVec3) -> Body {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Z * heading), DVec3::Z * (0.5 * size.z));
     brick("box", size, DVec3::ZERO).pose(pose).velocity(Velocity::new(velocity, DVec3::ZERO))
 }
