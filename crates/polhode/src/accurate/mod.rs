@@ -62,5 +62,6 @@ mod start;
 mod state_cache;
 mod system;
 mod tier;
+mod turning;
 
 pub(crate) use engine::Engine;

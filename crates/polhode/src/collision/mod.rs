@@ -13,3 +13,4 @@ pub(crate) mod boxes;
 pub(crate) mod contact_set;
 pub(crate) mod friction_mode;
 pub(crate) mod narrow_phase;
+pub(crate) mod turn;
