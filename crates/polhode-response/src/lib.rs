@@ -116,3 +116,8 @@ pub use settings::{FallbackPolicy, SolverSettings};
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 
 pub use polhode_spatial as spatial;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

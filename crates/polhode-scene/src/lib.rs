@@ -79,3 +79,8 @@ pub use output::{AtomicFile, CsvStream, OutputError, Outputs, Unfinished};
 pub use report::{plan_json, plan_with_accelerations_json, report_json, scene_report_json};
 pub use schema::schema;
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
