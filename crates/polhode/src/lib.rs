@@ -174,6 +174,7 @@ mod settings;
 mod simulation;
 mod singular_force;
 mod snapshot;
+mod start_overlap;
 mod states_of;
 mod stepped;
 mod thesis;

@@ -46,6 +46,19 @@ pub struct SceneFile {
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,
+    /// How the scene starts.
+    #[serde(default)]
+    pub start: StartEntry,
+}
+
+/// How the scene starts.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartEntry {
+    /// Bodies that overlap at t = 0 by at most this, m, are moved apart, and the report says so; 0 when absent: bodies that
+    /// overlap by more than counts as touch (1e-9 of their size) are refused.
+    #[schemars(range(min = 0))]
+    pub separate: Option<f64>,
 }
 
 /// What is written.

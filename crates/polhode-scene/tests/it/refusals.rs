@@ -372,13 +372,13 @@ fn files() {
 #[test]
 fn errors_of_the_engine() {
     let loaded = load_text("test.toml", BASE, &[]).unwrap();
-    let overlap = polhode::SceneError::InitialOverlap {
+    let pair = polhode::scene::OverlapAtStart {
         body_a: "floor".to_owned(),
         body_b: "brick".to_owned(),
         depth_m: 0.1,
         allowed_m: 1e-9,
     };
-    let error = loaded.explain(overlap);
+    let error = loaded.explain(polhode::SceneError::InitialOverlap(vec![pair]));
     assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
-    assert!(error.to_string().contains("overlap by 1e-1 m"), "{error}");
+    assert!(error.to_string().contains("overlap by 1.000e-1 m"), "{error}");
 }
