@@ -21,6 +21,7 @@
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`readme`] | the example of the README, as a test |
 //! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
@@ -43,6 +44,7 @@ mod reference;
 mod rigid_ipc;
 mod row;
 mod schedule;
+mod statics;
 mod table;
 mod verify;
 mod viewer;

@@ -7,7 +7,7 @@ use super::{
     impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers,
     pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact, rigid_ipc,
     rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed,
-    spinning_scenes, stackings, stacks, table_edge, thesis_tier, tunnelling, valleys, videos,
+    spinning_scenes, stackings, stacks, structures, table_edge, thesis_tier, tunnelling, valleys, videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -129,6 +129,9 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "FC-19", rows: slipping_and_rolling::fc_19 },
     Case { name: "FC-20", rows: sliding::fc_20 },
     Case { name: "FC-21", rows: slopes::fc_21 },
+    Case { name: "structures: random", rows: structures::random },
+    Case { name: "structures: arches", rows: structures::arches },
+    Case { name: "structures: card houses", rows: structures::card_houses },
     Case { name: "random slopes", rows: slopes::random_slopes },
     Case { name: "slope of 26.565 degrees", rows: slopes::rigid_ipc_slope },
     Case { name: "ten hours on a slope", rows: slopes::ten_hours_on_a_slope },

@@ -75,6 +75,7 @@ mod spinning_scenes;
 mod stackings;
 mod stacks;
 mod strict_hash;
+mod structures;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;

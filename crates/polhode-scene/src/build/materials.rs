@@ -29,6 +29,10 @@ impl Materials {
                     Some(static_friction) => material.with_static_friction(static_friction),
                     None => Ok(material),
                 })
+                .and_then(|material| {
+                    let [rolling, spinning] = [entry.rolling_friction, entry.spinning_friction];
+                    material.with_rotational_friction(rolling.unwrap_or(0.0), spinning.unwrap_or(0.0))
+                })
                 .map_err(|error| fault(error, &path));
             materials.insert(name.clone(), faults.note(material).unwrap_or_default());
         }
@@ -54,6 +58,7 @@ impl Materials {
                 Some(static_friction) => rule.with_static_friction(static_friction),
                 None => Ok(rule),
             })
+            .and_then(|rule| rule.with_rotational_friction(entry.rolling_friction, entry.spinning_friction))
             .map_err(|error| fault(error, path))
     }
 }
@@ -63,6 +68,8 @@ fn fault(error: SceneError, path: &KeyPath) -> Fault {
     let key = match &error {
         SceneError::Restitution { .. } => "restitution",
         SceneError::StaticFriction { .. } => "static_friction",
+        SceneError::RotationalFriction { kind: "rolling", .. } => "rolling_friction",
+        SceneError::RotationalFriction { .. } => "spinning_friction",
         _ => "friction",
     };
     (path.key(key), error.into())

@@ -134,7 +134,7 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
-        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().largest_friction > 0.0 {
+        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {
             return Err(SceneError::ThesisFriction);
         }
         Ok(scene)

@@ -40,6 +40,16 @@ pub enum SceneError {
         /// The coefficient of kinetic friction.
         kinetic: f64,
     },
+    /// Friction of rolling or spinning is negative or not finite.
+    #[error("{kind}_friction of material {material} is {value}: a finite length of at least 0 m is needed")]
+    RotationalFriction {
+        /// The material.
+        material: String,
+        /// `rolling` or `spinning`.
+        kind: &'static str,
+        /// The value found, m.
+        value: f64,
+    },
     /// Friction in the tier of the thesis, which has none.
     #[error("the tier `thesis` has no friction: use tier `accurate` or `stepped`, or friction 0 in all materials")]
     ThesisFriction,
