@@ -35,6 +35,12 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
+    KnownFailure {
+        case: "structures",
+        quantity: "1000 structures: with friction, fell",
+        reason: "in walls with closed joints (6 structures) a brick that overhangs can be jammed by friction against its neighbour, or tip \
+                 along it: forces that balance and forces that move it both satisfy the laws, and the engine takes those that move",
+    },
 ];
 
 /// Marks those of `rows` that are known to fail.

@@ -43,7 +43,7 @@ impl Block {
         face.iter().filter_map(|&corner| self.corners.get(corner).copied()).collect()
     }
 
-    /// Half the diagonal: the largest distance of a corner from the centre of mass, m.
+    /// The largest distance of a corner from the centre of mass, m.
     pub(super) fn radius(&self) -> f64 {
         self.corners.iter().map(|corner| (*corner - self.center).length()).fold(0.0, f64::max)
     }

@@ -2,7 +2,7 @@
 //!
 //! A face bears a block if all of the block is above its plane and some of it is in the plane: a corner, an edge or a
 //! face. What of this lies over the face is found by cutting it with the planes through the sides of the face
-//! (Sutherland and Hodgman 1974). Where two edges meet, a face of each block bears the other one, so that the forces
+//! one after the other. Where two edges meet, a face of each block bears the other one, so that the forces
 //! between them may have every direction between the two normals. Edges that cross bear nothing here: no structure that
 //! is judged has them.
 
@@ -22,8 +22,8 @@ pub(super) struct ContactPoint {
     pub(super) normal: DVec3,
 }
 
-/// Heights up to this fraction of the size of the blocks are none: above the rounding of the places at which blocks are set
-/// (1e-15), below any gap that is meant (1e-3).
+/// Heights up to this fraction of the size of the blocks are none: above the rounding of the places at which blocks are
+/// set (1e-15), below any gap that is meant (1e-3).
 const TOUCHING: f64 = 1e-9;
 
 /// Normals are opposite when their sum is shorter than this, rad.

@@ -1,4 +1,5 @@
-//! Whether forces at the contact points can balance every block: a programme over second-order cones, solved by clarabel.
+//! Whether forces at the contact points can balance every block: a programme over second-order cones, solved by
+//! clarabel.
 //!
 //! ```text
 //! minimise e   subject to   | sum f + m g | <= e m g,   | sum r x f | <= e m g L   for every block, by components
@@ -6,11 +7,11 @@
 //! ```
 //!
 //! `f` is the force at a point, N, of components `f_n` along the normal and `f_t` across it, `r` the point from the
-//! centre of mass, m, `m g` the weight, N, and `L` the block's half diagonal, m. The shortfall `e` (no unit) is zero if and
-//! only if the structure can stand; `F` bounds forces that brace each other and changes no verdict while forces that
-//! balance are smaller. The programme always has a solution (no forces, e = 1), so that the solver never has to prove
-//! that there is none. Source: Heyman 1966 (limit analysis of masonry); Livesley 1978 (as a programme); Goulart and Chen
-//! 2024 (the solver).
+//! centre of mass, m, `m g` the weight, N, and `L` the distance of the farthest corner from it, m. The shortfall `e`
+//! (no unit) is zero if and only if the structure can stand; `F` bounds forces that brace each other and changes no
+//! verdict while forces that balance are smaller. The programme always has a solution (no forces, e = 1), so that the
+//! solver never has to prove that there is none. Source: Heyman 1966 (limit analysis of masonry); Livesley 1978 (as a
+//! programme); Goulart and Chen 2024 (the solver).
 
 use super::block::Block;
 use super::contact_points::{ContactPoint, contact_points};
@@ -124,8 +125,8 @@ fn directions(normal: DVec3) -> [DVec3; 3] {
     [normal, first, second]
 }
 
-/// Adds the rows of one block: twelve bounds on the components of its force and moment. Forces are in units of the weight
-/// of the structure, `part` is the block's part of it.
+/// Adds the rows of one block: twelve bounds on the components of its force and moment. Forces are in units of the
+/// weight of the structure, `part` is the block's part of it.
 fn balance(
     programme: &mut Programme,
     (number, block, part): (usize, &Block, f64),

@@ -81,12 +81,12 @@ pub struct MaterialEntry {
     /// geometric mean.
     #[schemars(range(min = 0))]
     pub static_friction: Option<f64>,
-    /// Friction of rolling, m: the moment that resists rolling is at most this times the normal force; 0 when absent. Two
-    /// materials: the geometric mean.
+    /// Friction of rolling, m: the moment that resists rolling is at most this times the normal force; 0 when absent.
+    /// Two materials: the geometric mean.
     #[schemars(range(min = 0))]
     pub rolling_friction: Option<f64>,
-    /// Friction of spinning about the normal, m: the moment that resists it is at most this times the normal force; 0 when
-    /// absent. Two materials: the geometric mean.
+    /// Friction of spinning about the normal, m: the moment that resists it is at most this times the normal force; 0
+    /// when absent. Two materials: the geometric mean.
     #[schemars(range(min = 0))]
     pub spinning_friction: Option<f64>,
     /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one.

@@ -3,9 +3,9 @@
 //! Unknown are the normal forces `f_n` of all contacts, two tangential forces of each contact that sticks, and the
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
 //! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
-//! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the forces, those of least norm
-//! are taken (`polhode_response::least_norm_sliding_forces`). Without sliding that does not affect the motion; with
-//! contacts that slide in different directions it does.
+//! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
+//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`). Without sliding that does
+//! not affect the motion; with contacts that slide in different directions it does.
 
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;

@@ -42,7 +42,8 @@ impl ActiveContacts {
         self.rotation.iter().flat_map(of).collect()
     }
 
-    /// Gives contacts that slide or turn the direction and speed of their slips in these states, at the start of a step.
+    /// Gives contacts that slide or turn the direction and speed of their slips in these states, at the start of a
+    /// step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
         for (&id, mode) in &mut self.friction {
             let FrictionMode::Sliding(slide) = mode else { continue };

@@ -45,8 +45,8 @@ impl Turn {
     }
 }
 
-/// Whether the rotations at a contact are held or turn, by kind; none without friction of the kind, and where that is to be
-/// found from its moments. The slip of such a mode is an angular velocity, rad/s.
+/// Whether the rotations at a contact are held or turn, by kind; none without friction of the kind, and where that is
+/// to be found from its moments. The slip of such a mode is an angular velocity, rad/s.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct RotationModes([Option<FrictionMode>; 2]);
 

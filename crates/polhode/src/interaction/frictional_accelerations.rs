@@ -84,8 +84,8 @@ impl ContactTangent {
 /// What friction of rolling or spinning does at a contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactTurn {
-    /// The direction in which the bodies turn, or begin to turn, on each other (unit vector, world); none while friction
-    /// holds them.
+    /// The direction in which the bodies turn, or begin to turn, on each other (unit vector, world); none while
+    /// friction holds them.
     pub(crate) turning: Option<DVec3>,
 }
 
@@ -170,7 +170,7 @@ impl FrictionalAccelerations {
             blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
         }
         blocks.push_held(contacts.len()..assembly.first_tangent());
-        let mut rotations = rotations_of(&mut assembly, world, contacts, frictional)?;
+        let (turns, mut rotations) = rotations_of(&mut assembly, world, contacts, frictional)?;
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
@@ -191,12 +191,7 @@ impl FrictionalAccelerations {
         let solved = if let Some(holding) = holding {
             holding
         } else if !rotations.is_empty() {
-            let mut laws: Vec<ResistedRotation> = rotations.iter().map(|(_, law)| law.clone()).collect();
-            let solved = solve_with_rotations(&blocks, &mut laws, &delassus, &constants)?;
-            for ((_, known), law) in rotations.iter_mut().zip(laws) {
-                *known = law;
-            }
-            solved
+            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         } else {
             let solved = blocks.solve(&delassus, &constants, None)?;
             let of = (world, states, contacts);
@@ -215,8 +210,8 @@ impl FrictionalAccelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
-        let turns =
-            rotations.iter().map(|(key, law)| (*key, ContactTurn { turning: turning(&assembly, law) })).collect();
+        let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law) };
+        let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self { contacts: tangential, solution, accelerations, scale, assembly, motion_depends_on_choice, turns })
@@ -256,8 +251,8 @@ fn all_stick(
     Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
 }
 
-/// The same where some contacts slide: the least forces with which every contact holds, and whether the motion depends on
-/// that choice.
+/// The same where some contacts slide: the least forces with which every contact holds, and whether the motion
+/// depends on that choice.
 fn all_hold(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
@@ -344,16 +339,16 @@ fn refined(
     Ok(solved)
 }
 
-/// Adds the rows of rotations that friction resists.
+/// Adds the rows of rotations that friction resists. Returns the rotations, and what friction asks of each.
 fn rotations_of(
     assembly: &mut Assembly,
     world: &World,
     contacts: &[Touch],
     frictional: &[Option<Frictional>],
-) -> Result<Vec<((ContactId, Turn), ResistedRotation)>, ResponseError> {
-    let mut found = Vec::new();
+) -> Result<(Vec<(ContactId, Turn)>, Vec<ResistedRotation>), ResponseError> {
+    let (mut turns, mut found) = (Vec::new(), Vec::new());
     if !world.has_rotational_friction {
-        return Ok(found);
+        return Ok((turns, found));
     }
     for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
         let Some(frictional) = frictional else { continue };
@@ -361,7 +356,7 @@ fn rotations_of(
             let Some(friction) = turn.friction(world, (touch.id.a, touch.id.b)) else { continue };
             let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
             let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
-            let turns = match touch.rotation.get(turn) {
+            let along = match touch.rotation.get(turn) {
                 Some(FrictionMode::Sliding(slide)) => {
                     let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);
                     let direction = slide.direction_of(rotation);
@@ -370,10 +365,11 @@ fn rotations_of(
                 Some(FrictionMode::Sticking) | None => None,
             };
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id: touch.id, axis }))?;
-            found.push(((touch.id, turn), ResistedRotation { normal, rows, friction, turns }));
+            turns.push((touch.id, turn));
+            found.push(ResistedRotation { normal, rows, friction, turns: along });
         }
     }
-    Ok(found)
+    Ok((turns, found))
 }
 
 /// The direction in which a rotation turns; none while it is held.

@@ -93,8 +93,8 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
-/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the energy increased by no more than the
-/// work of prescribed motions. Otherwise the states are unchanged.
+/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
+/// energy increased by no more than the work of prescribed motions. Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],

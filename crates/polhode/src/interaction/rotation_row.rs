@@ -19,9 +19,9 @@ impl RotationRow {
         self.axis.dot(world.relative_rotation(states, self.id))
     }
 
-    /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, rad/s^2. The turning of the axis itself
-    /// is left out: a rotation that is held is zero, and one that spins about a normal that turns slowly drifts little
-    /// within a step.
+    /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, rad/s^2. The turning of the axis
+    /// itself is left out: a rotation that is held is zero, and one that spins about a normal that turns slowly
+    /// drifts little within a step.
     pub(crate) fn prescribed_acceleration(&self, world: &World, t: f64) -> f64 {
         let of = |body: usize| {
             if world.trajectory(body).is_some() { world.prescribed_acceleration(body, t).1 } else { DVec3::ZERO }

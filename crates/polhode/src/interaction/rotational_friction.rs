@@ -1,19 +1,19 @@
 //! Friction of rolling and of spinning: moments at a contact.
 //!
-//! A contact with the normal force `f_n` resists the angular velocity `w` of A relative to B. With `w_n` its part along the
-//! normal and `w_t` the rest,
+//! A contact with the normal force `f_n` resists the angular velocity `w` of A relative to B. With `w_n` its part
+//! along the normal and `w_t` the rest,
 //!
 //! `M_roll = -c_r f_n w_t / |w_t|`, and `|M_roll| <= c_r f_n` where `w_t = 0`;
 //! `M_spin = -c_s f_n w_n / |w_n|`, and `|M_spin| <= c_s f_n` where `w_n = 0`.
 //!
 //! The lengths `c_r`, `c_s` (m) are the friction of rolling and of spinning. Source: docs/REFERENCES.md, Johnson 1985;
-//! Leine and Glocker 2003. Assumptions: the contact is a point, moments of friction do not depend on the speed, and they act
-//! while bodies press on each other, not at impacts.
+//! Leine and Glocker 2003. Assumptions: the contact is a point, moments of friction do not depend on the speed, and
+//! they act while bodies press on each other, not at impacts.
 //!
-//! Method: rotations that are held are rows `w = 0` beside the contact problem. One whose moment exceeds its limit turns
-//! against that moment. The moments of those that turn follow the normal forces, by repeating the solve until they no
-//! longer change: a moment changes normal forces little or not at all. Fails where that does not converge: the status of
-//! the solution says so.
+//! Method: rotations that are held are rows `w = 0` beside the contact problem. One whose moment exceeds its limit
+//! turns against that moment. The moments of those that turn follow the normal forces, by repeating the solve until
+//! they no longer change: a moment changes normal forces little or not at all. Fails where that does not converge:
+//! the status of the solution says so.
 
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::collision::contact_set::ContactId;
@@ -136,7 +136,8 @@ pub(crate) fn apply_moments(
     }
 }
 
-/// Momentum that moments on A (N m s, N m) give to the bodies that move: only contacts with immovable bodies contribute.
+/// Momentum that moments on A (N m s, N m) give to the bodies that move: only contacts with immovable bodies
+/// contribute.
 pub(crate) fn moment_support(world: &World, moments: impl Iterator<Item = (ContactId, DVec3)>) -> Momentum {
     let mut sum = MomentumSum::default();
     for (id, moment) in moments {

@@ -10,11 +10,11 @@
 //! the length of `u-` where it is longer.
 //!
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
-//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and sticks
-//! from the next step on.
+//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and
+//! sticks from the next step on.
 //!
-//! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or resists it by
-//! a moment of its largest size (`crate::interaction::rotational_friction`).
+//! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
+//! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
 
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;

@@ -1,5 +1,5 @@
-//! Friction of rolling and of spinning, against closed forms: balls that roll to a halt, stop spinning, and are held on a
-//! slope; in the tier `accurate` to rounding, in time steps to the error of a step.
+//! Friction of rolling and of spinning, against closed forms: balls that roll to a halt, stop spinning, and are held
+//! on a slope; in the tier `accurate` to rounding, in time steps to the error of a step.
 
 use crate::checks::assert_closes;
 use crate::friction::{on_slope, round, slope};
@@ -82,12 +82,14 @@ fn spinning_ball_stops() {
     }
 }
 
-/// A ball is held on a slope below `tan a = c / R`, and beyond it rolls down with `(g sin a - c g cos a / R) / (1 + k)`.
+/// A ball is held on a slope below `tan a = c / R`, and beyond it rolls down with `(g sin a - c g cos a / R) / (1 +
+/// k)`.
 #[test]
 fn friction_of_rolling_holds_a_ball_on_a_slope() {
     let friction = 0.02;
     let limit = (friction / RADIUS).atan();
-    for method in [accurate(), stepped()] {
+    // The first of the time steps, of 1e-3 s, errs by its acceleration times the square of its length.
+    for (method, tolerance) in [(accurate(), 1e-11), (stepped(), 1e-6)] {
         for (angle, rolls) in [(limit * (1.0 - 1e-6), false), (limit * 1.5, true)] {
             let body = round(K, RADIUS, Velocity::ZERO);
             let material = felt(0.5, friction, 0.01);
@@ -95,14 +97,15 @@ fn friction_of_rolling_holds_a_ball_on_a_slope() {
             let (moved, w, _) = path(&scene.duration_s(0.5).build().unwrap());
             let acceleration = G * (angle.sin() - friction / RADIUS * angle.cos()) / (1.0 + K);
             let expected = if rolls { 0.5 * acceleration * 0.25 } else { 0.0 };
-            assert!((moved - expected).abs() < 1e-11, "{moved} {expected}");
+            assert!((moved - expected).abs() < tolerance, "{moved} {expected}");
+            assert!(rolls || moved < 1e-12, "{moved}");
             assert!(rolls || w == DVec3::ZERO, "{w:?}");
         }
     }
 }
 
-/// A ball that slides without spin begins to roll when its slip has vanished: with the moment of friction of rolling later
-/// than without. While it slides, `v' = -mu g` and `k R^2 w' = (mu R - c) g`.
+/// A ball that slides without spin begins to roll when its slip has vanished: with the moment of friction of rolling
+/// later than without. While it slides, `v' = -mu g` and `k R^2 w' = (mu R - c) g`.
 #[test]
 fn sliding_ball_begins_to_roll_against_friction_of_rolling() {
     let (speed, mu, friction) = (2.0, 0.2, 0.01);
@@ -119,8 +122,8 @@ fn sliding_ball_begins_to_roll_against_friction_of_rolling() {
     assert!((sticks / time - 1.0).abs() < 1e-11, "{sticks} {time}");
 }
 
-/// Where friction of rolling is stronger than the moment of sliding friction (`c > mu R`), a ball slides to a halt without
-/// turning.
+/// Where friction of rolling is stronger than the moment of sliding friction (`c > mu R`), a ball slides to a halt
+/// without turning.
 #[test]
 fn ball_that_cannot_roll_slides() {
     let (speed, mu) = (1.0, 0.1);

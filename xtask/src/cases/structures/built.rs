@@ -33,7 +33,8 @@ impl Built {
         Ok(Self { friction, bodies: vec![ground.material(material.clone())], blocks: vec![block], material })
     }
 
-    /// Adds a prism with these corners in the plane y = 0, in order, m, and this depth along y (m) and density (kg/m^3).
+    /// Adds a prism with these corners in the plane y = 0, in order, m, and this depth along y (m) and density
+    /// (kg/m^3).
     pub(super) fn prism(
         &mut self,
         name: &str,
@@ -85,8 +86,8 @@ impl Built {
     }
 }
 
-/// Area (m^2, negative where the corners go clockwise seen from -y), centroid (m), and the integrals of `x^2`, `z^2` and
-/// `x z` about the centroid (m^4) of a polygon in the plane y = 0, summed over triangles from its first corner.
+/// Area (m^2, negative where the corners go clockwise seen from -y), centroid (m), and the integrals of `x^2`, `z^2`
+/// and `x z` about the centroid (m^4) of a polygon in the plane y = 0, summed over triangles from its first corner.
 fn section(profile: &[DVec3; 4]) -> (f64, DVec3, [f64; 3]) {
     let origin = profile[0];
     let (mut area, mut first, mut second) = (0.0, DVec3::ZERO, [0.0; 3]);

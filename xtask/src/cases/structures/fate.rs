@@ -1,17 +1,33 @@
 //! Whether a structure stands: a run of ten seconds, ended early where its end is certain.
+//!
+//! A structure falls if its bodies accelerate from rest: nothing can hold them later that does not hold them at the
+//! start. Its fall is run until it shows where the case asks for that.
 
 use crate::cases::run::movement_m;
-use polhode::{BodySample, Effects, Scene, Simulation, Unobserved};
+use polhode::{Acceleration, BodySample, Effects, Scene, Simulation, Unobserved};
 
 /// How long a structure has to stand, s.
 const DURATION_S: f64 = 10.0;
 
-/// A structure falls once a body is displaced farther than this, m: far above rounding (1e-15), and what the least fall of
-/// an unbalanced structure exceeds within a second.
+/// A structure falls once a body is displaced farther than this, m: far above rounding (1e-15), and what the least fall
+/// of an unbalanced structure exceeds within a second.
 const DISPLACED_M: f64 = 1e-6;
 
-/// A run of more steps is given up. A structure that stands is at rest after the first step, and one that falls has moved
-/// after some tens of steps, unless its events crowd.
+/// Bodies that accelerate by more than this from rest fall, m/s^2 or rad/s^2: above the rounding of equilibrium
+/// (1e-12), below what a shortfall at the margin of the programme gives (1e-5).
+const ACCELERATES: f64 = 1e-9;
+
+/// How far a fall is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// Until bodies accelerate.
+    Acceleration,
+    /// Until a body is displaced.
+    Displacement,
+}
+
+/// A run of more steps is given up. A structure that stands is at rest after the first step, and one that falls has
+/// moved after some tens of steps, unless its events crowd.
 const MOST_STEPS: usize = 200;
 
 /// What became of a structure.
@@ -37,12 +53,19 @@ impl Fate {
 }
 
 /// Runs a structure.
-pub(crate) fn fate(scene: &Scene) -> Fate {
-    run(scene).unwrap_or_else(|error| Fate::Fails(error.to_string()))
+pub(crate) fn fate(scene: &Scene, until: Until) -> Fate {
+    run(scene, until).unwrap_or_else(|error| Fate::Fails(error.to_string()))
 }
 
-fn run(scene: &Scene) -> Result<Fate, polhode::SimulationError> {
+fn run(scene: &Scene, until: Until) -> Result<Fate, polhode::SimulationError> {
     let mut simulation = Simulation::new(scene, Effects::Planned)?;
+    if until == Until::Acceleration {
+        let accelerations = simulation.accelerations()?;
+        let accelerates = |a: &Acceleration| a.linear.length().max(a.angular.length()) > ACCELERATES;
+        if accelerations.iter().any(accelerates) {
+            return Ok(Fate::Falls(0.0));
+        }
+    }
     let start = simulation.bodies();
     for _ in 0..MOST_STEPS {
         let t_s = simulation.step(&mut Unobserved)?.t_s;

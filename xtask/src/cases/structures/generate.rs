@@ -26,7 +26,7 @@ const INCLINED: f64 = 0.5;
 
 /// What is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+enum Kind {
     /// Courses of bricks, with joints and gaps.
     Wall,
     /// A deck on two pillars, with loads.
@@ -38,7 +38,7 @@ pub(crate) enum Kind {
 }
 
 /// All kinds, which take turns.
-pub(crate) const KINDS: [Kind; 4] = [Kind::Wall, Kind::Bridge, Kind::Corbel, Kind::LeaningPile];
+const KINDS: [Kind; 4] = [Kind::Wall, Kind::Bridge, Kind::Corbel, Kind::LeaningPile];
 
 /// A brick, or a fixed block.
 #[derive(Debug, Clone, Copy)]
@@ -53,8 +53,6 @@ struct Brick {
 /// A structure on the ground z = 0, which is then inclined.
 #[derive(Debug, Clone)]
 pub(crate) struct Structure {
-    /// What it is.
-    pub(crate) kind: Kind,
     /// Coefficient between all bodies; 0 for none.
     pub(crate) friction: f64,
     /// The turn of everything with the ground.
@@ -79,7 +77,7 @@ pub(crate) fn structure(number: usize) -> Structure {
     }
     let Site { bricks, incline, .. } = site;
     let friction = if is_rough { random.between(0.1, 0.9) } else { 0.0 };
-    Structure { kind, friction, incline: Rotation::from_rotation_vector(DVec3::Y * incline), bricks }
+    Structure { friction, incline: Rotation::from_rotation_vector(DVec3::Y * incline), bricks }
 }
 
 /// Where a structure grows.
@@ -223,8 +221,9 @@ impl Site<'_> {
         self.bricks.push(Brick { center, edges, turn, weight: Some(self.random.between(0.3, 2.0)) });
     }
 
+    /// Adds bricks beside the structure until four can move.
     fn at_least_four(&mut self) {
-        while self.bricks.len() < 4 {
+        while self.bricks.iter().filter(|brick| brick.weight.is_some()).count() < 4 {
             let x = -3.0 - BRICK.x * 2.0 * self.bricks.len() as f64;
             self.set(DVec3::new(x, 0.0, 0.5 * BRICK.z), BRICK, 0.0);
         }
@@ -232,11 +231,6 @@ impl Site<'_> {
 }
 
 impl Structure {
-    /// How many bricks move.
-    pub(crate) fn len(&self) -> usize {
-        self.bricks.iter().filter(|brick| brick.weight.is_some()).count()
-    }
-
     /// Its blocks for the programme, the ground last.
     pub(crate) fn blocks(&self) -> Vec<Block> {
         let block = |center: DVec3, edges: DVec3, turn: Rotation, mass: Option<f64>| {

@@ -31,8 +31,8 @@ const CARD: DVec3 = DVec3::new(0.09, 0.06, 0.002);
 /// Distance between the apexes of one storey, m: a little more than the length of the cards that lie on them.
 const SPAN: f64 = 0.0905;
 
-/// A house of cards: every storey has one tent of two cards less than the one below, and stands on cards that lie from apex
-/// to apex. The cards lean by this angle (rad) from the vertical.
+/// A house of cards: every storey has one tent of two cards less than the one below, and stands on cards that lie from
+/// apex to apex. The cards lean by this angle (rad) from the vertical.
 pub(crate) fn card_house(storeys: u32, lean: f64, friction: f64) -> Result<Built, Box<dyn Error>> {
     let (sine, cosine) = (libm::sin(lean), libm::cos(lean));
     let mut built = Built::on_the_ground(friction)?;

@@ -52,10 +52,10 @@ pub fn counterpart(
     Some(ContactFeature::VertexFace { vertex_of: vertex_of.other(), vertex: partner, face: facing })
 }
 
-/// The face at a vertex whose normal is most nearly opposite to `normal`, and the cosine between them; in a tie the first.
-/// Faces that separate the bodies come before those that do not: of two cards that lean on each other by more than 22.5
-/// degrees, the end of the one is more nearly opposite to the face of the other than its face, but the other card is not
-/// wholly on the outer side of that end, and pushed along its normal the cards would slide past each other.
+/// The face at a vertex whose normal is most nearly opposite to `normal`, and the cosine between them; in a tie the
+/// first. Faces that separate the bodies come before those that do not: of two cards that lean on each other by more
+/// than 22.5 degrees, the end of the one is more nearly opposite to the face of the other than its face, but the other
+/// card is not wholly on the outer side of that end, and pushed along its normal the cards would slide past each other.
 fn opposed_face(
     owner: &ConvexPolyhedron,
     vertex: u32,
