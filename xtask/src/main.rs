@@ -4,6 +4,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
@@ -22,10 +23,10 @@
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
-//! | [`readme`] | the example of the README, as a test |
 //! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
 
+mod book;
 mod cases;
 mod commands;
 mod cost;
@@ -39,7 +40,6 @@ mod interpenetration;
 mod known;
 mod narrow_phase;
 mod random;
-mod readme;
 mod reference;
 mod rigid_ipc;
 mod row;

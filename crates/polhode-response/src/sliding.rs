@@ -113,8 +113,8 @@ pub fn least_norm_sliding_forces(
 }
 
 /// Whether the motion depends on which of the forces that hold all rows are chosen: whether some of them, `z`, hold
-/// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows are
-/// those of [`least_norm_sliding_forces`].
+/// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows
+/// are those of [`least_norm_sliding_forces`].
 ///
 /// # Errors
 /// When a row does not exist, or a number is not finite.

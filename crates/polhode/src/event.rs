@@ -21,8 +21,8 @@ pub enum EventKind {
     Stick,
     /// A contact point that stuck begins to slide.
     Slide,
-    /// An impulse at one contact point without a collision: the contact slides, and no system of finite forces satisfies
-    /// Coulomb's law (Painleve).
+    /// An impulse at one contact point without a collision: the contact slides, and no system of finite forces
+    /// satisfies Coulomb's law (Painleve).
     Jam,
 }
 

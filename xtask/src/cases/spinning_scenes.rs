@@ -4,7 +4,7 @@
 //! |---|---|
 //! | coins | a thin coin that spins upright is stable above `sqrt(4 g/(5 r))` (Routh) |
 //! | Euler's discs | steady rolling with the centre at rest, see [`disc_rate`] |
-//! | tippe top | Jellett's number `-L . p` stays, whatever the friction: `L` about the centre of mass, `p` from there to the contact |
+//! | tippe top | Jellett's number `-L . p` stays: `L` about the centre of mass, `p` from there to the contact |
 //! | rattleback | turns round; where it rolls, no energy is lost |
 
 use super::bodies::GRAVITY;

@@ -76,6 +76,17 @@ pub enum ShapeEntry {
     Mesh(FileEntry),
 }
 
+impl ShapeEntry {
+    /// Adds the names of its mesh files.
+    pub(crate) fn add_files<'a>(&'a self, files: &mut Vec<&'a str>) {
+        match self {
+            Self::Convex(entry) | Self::Mesh(entry) => files.push(&entry.file),
+            Self::Compound(entry) => entry.parts.iter().for_each(|part| part.shape.add_files(files)),
+            _ => {}
+        }
+    }
+}
+
 /// A box.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

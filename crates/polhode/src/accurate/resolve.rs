@@ -106,7 +106,8 @@ impl Engine {
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
             for touch in &mut contacts {
                 if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    touch.hold = instant.touches[index].hold;
+                    let Touch { hold, friction, rotation, .. } = instant.touches[index];
+                    (touch.hold, touch.friction, touch.rotation) = (hold, friction, rotation);
                     touch.known = true;
                 }
             }
@@ -232,6 +233,9 @@ impl Engine {
             self.set_hold(core, instant, i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
             self.set_friction(core, instant, i, row.and_then(|row| forces.mode(row)));
+            if core.world.has_rotational_friction {
+                self.set_rotation(core, instant, i, row.map(|row| (row, &forces)));
+            }
         }
         self.settle(core, instant, group, &candidates, &forces)
     }
@@ -302,7 +306,7 @@ impl Engine {
             _ if change.stopping.contains(&touch.id) => None,
             _ => self.slide_of(core, instant.speed_scale, touch),
         };
-        Touch { friction, ..*touch }
+        Touch { friction, rotation: self.rotation_at(core, instant, touch), ..*touch }
     }
 
     /// The friction of a contact that has a slip; none without a slip or friction.
@@ -400,7 +404,7 @@ impl Engine {
             &core.world,
             &mut self.states,
             &group.bodies,
-            (&ids, &[]),
+            (&ids, &[], &[]),
             Removal::Complete,
         )
         .map_err(|source| Core::response_error(instant.t, source))?;
@@ -428,9 +432,11 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
+            let turns = component.contacts.iter().flat_map(|&i| instant.touches[i].held_turns());
+            let turns: Vec<_> = turns.collect();
             let sticks = |i: &&usize| instant.touches[**i].friction == Some(FrictionMode::Sticking);
             let sticking: Vec<_> = component.contacts.iter().filter(sticks).map(|&i| instant.touches[i].id).collect();
-            let projected = Projected { touching: &touching, held: &ids, sticking: &sticking };
+            let projected = Projected { touching: &touching, held: &ids, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;
             let scale = instant.speed_scale;
             let rests = allow_rest(core, instant.t, &ids)
@@ -548,7 +554,7 @@ impl Engine {
     }
 
     /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
-    fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+    pub(super) fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
         let speed = |body: usize| self.speed(core, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
@@ -621,7 +627,7 @@ fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
 }
 
 /// Rounding error of the slips of a contact of bodies whose largest speed has been `speed_scale`, m/s.
-fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+pub(super) fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
     let size = |body: usize| if core.world.bodies[body].rigid.is_some() { core.world.bodies[body].size } else { 0.0 };
     let fall = core.world.gravity().length() * size(touch.id.a).max(size(touch.id.b));
     SLIP_NOISE * speed_scale + GATHERED_SLIP * fall.sqrt()

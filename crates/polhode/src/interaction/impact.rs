@@ -6,6 +6,7 @@ use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulse
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
+use crate::interaction::rotational_friction::{apply_moments, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::states_of::{set_states, states_of};
@@ -92,8 +93,8 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
-/// Applies impulses of contacts and of pivots to some bodies. Returns whether the energy increased by no more than the
-/// work of prescribed motions. Otherwise the states are unchanged.
+/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
+/// energy increased by no more than the work of prescribed motions. Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],
@@ -102,13 +103,16 @@ pub(crate) fn apply_without_gain<'a>(
         impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
         impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
     ),
+    moments: &[(ContactId, DVec3)],
 ) -> bool {
     let start = states_of(states, bodies);
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
-    let work = world.prescribed_work(states, impulses.clone());
+    let by_moments = moment_work(world, states, moments.iter().copied());
+    let work = world.prescribed_work(states, impulses.clone()) + by_moments;
     apply_impulses(world, states, impulses);
     apply_pivot_impulses(world, states, pivots);
+    apply_moments(world, states, moments.iter().copied());
     let gain = kinetic(states) - before - work;
     let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
     if !is_sound {
@@ -167,7 +171,7 @@ pub(crate) fn strike(
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let pivots = assembly.pivot_forces(&outcome.impulses);
-            if apply_without_gain(world, states, &group.bodies, (impulses, pivots)) {
+            if apply_without_gain(world, states, &group.bodies, (impulses, pivots), &[]) {
                 break;
             }
         }
@@ -206,7 +210,7 @@ pub(crate) fn strike_with_friction(
             apply_pivot_impulses(world, states, pivots);
             return Ok(struck);
         }
-        if apply_without_gain(world, states, bodies, (impulses, pivots)) {
+        if apply_without_gain(world, states, bodies, (impulses, pivots), &[]) {
             return Ok(struck);
         }
     }

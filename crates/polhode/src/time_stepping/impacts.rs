@@ -11,6 +11,7 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::turn::RotationModes;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike, support};
@@ -81,6 +82,7 @@ impl TimeStepper {
             hold: Hold::Open,
             known: false,
             friction: None,
+            rotation: RotationModes::default(),
         };
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };

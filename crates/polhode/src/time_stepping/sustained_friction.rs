@@ -10,13 +10,19 @@
 //! the length of `u-` where it is longer.
 //!
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
-//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and sticks
-//! from the next step on.
+//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and
+//! sticks from the next step on.
+//!
+//! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
+//! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
 
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
+use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::friction_blocks::FrictionBlocks;
+use crate::interaction::rotation_row::RotationRow;
+use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
@@ -41,6 +47,12 @@ pub(super) struct TangentialRow {
     slip: [f64; 2],
     /// `r` along the tangents, m/s.
     half_change: [f64; 2],
+    /// The normal, for rotations.
+    normal: DVec3,
+    /// `w-`, the angular velocity of A relative to B, rad/s.
+    rotation: DVec3,
+    /// Friction of rolling and of spinning, m.
+    rotational: [Option<f64>; 2],
 }
 
 impl TangentialRow {
@@ -55,7 +67,10 @@ impl TangentialRow {
         let terms = world.tangential_kinematics(states, id)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
-        Some(Self { coefficients, sticks: false, along, slip, half_change: [0.0; 2] })
+        let rotational = Turn::ALL.map(|turn| turn.friction(world, (id.a, id.b)));
+        let rotation = world.relative_rotation(states, id);
+        let normal = kinematics.geometry.normal;
+        Some(Self { coefficients, sticks: false, along, slip, half_change: [0.0; 2], normal, rotation, rotational })
     }
 
     /// The rows along both tangents.
@@ -83,6 +98,18 @@ impl TangentialRow {
     /// Whether its kinetic coefficient is another than the one at first.
     fn is_held_by_static_friction(&self) -> bool {
         self.sticks && self.coefficients.sliding < self.coefficients.at_rest
+    }
+
+    /// The axes of its rows of rotation of each kind that friction resists, with that friction (m).
+    fn rotations(&self) -> impl Iterator<Item = (f64, Vec<DVec3>)> + '_ {
+        let basis = self.along.map(|row| row.along.normal);
+        let of = move |(turn, friction): (Turn, &Option<f64>)| Some(((*friction)?, turn.axes(self.normal, basis)));
+        Turn::ALL.into_iter().zip(&self.rotational).filter_map(of)
+    }
+
+    /// `w-` of these rows.
+    fn rotation_constants(&self) -> Vec<f64> {
+        self.rotations().flat_map(|(_, axes)| axes).map(|axis| axis.dot(self.rotation)).collect()
     }
 
     fn constants(&self) -> [f64; 2] {
@@ -115,12 +142,36 @@ impl TangentialImpulse {
     }
 }
 
+/// The impulse of a moment of friction of rolling or spinning.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SustainedMoment {
+    id: ContactId,
+    /// On A, N m s, world.
+    moment: DVec3,
+    /// `w-`, rad/s.
+    rotation_before: DVec3,
+}
+
+impl SustainedMoment {
+    /// The contact, and the impulse on A.
+    pub(super) fn on_a(&self) -> (ContactId, DVec3) {
+        (self.id, self.moment)
+    }
+
+    /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
+    pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        -0.5 * self.moment.dot(self.rotation_before + world.relative_rotation(states, self.id))
+    }
+}
+
 /// Impulses of contacts, some of them with friction.
 #[derive(Debug)]
 pub(super) struct FrictionalImpulses {
     /// Along the normals, N s.
     pub(super) normal: Vec<f64>,
     pub(super) tangential: Vec<TangentialImpulse>,
+    /// Of friction of rolling and spinning, N m s, world, on A.
+    pub(super) moments: Vec<SustainedMoment>,
     pub(super) report: SolverReport,
 }
 
@@ -142,10 +193,17 @@ pub(super) fn solve(
         let tangents = first..assembly.problem.len();
         rows.push(tangents);
     }
+    let mut rotations = resisted_rotations(&mut assembly, friction)?;
+    constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
     let delassus: Delassus = assembly.problem.delassus();
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
     let solved = loop {
-        let solved = blocks(&friction, &rows).solve(&delassus, &constants, None)?;
+        let blocks = blocks(&friction, &rows);
+        let solved = if rotations.is_empty() {
+            blocks.solve(&delassus, &constants, None)?
+        } else {
+            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
+        };
         if !slide_under_static_friction(&mut friction, &solved.statuses) {
             break solved;
         }
@@ -153,7 +211,32 @@ pub(super) fn solve(
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
     let pairs = friction.iter().flatten().zip(along.as_chunks::<2>().0);
     let tangential = pairs.map(|(&row, &impulse)| TangentialImpulse { row, impulse }).collect();
-    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, report: solved.report })
+    let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
+    let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
+        let rotation_before = rotation(row.id).unwrap_or_default();
+        SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
+    });
+    let moments = moments.collect();
+    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, report: solved.report })
+}
+
+/// Adds the rows of rotations that friction resists.
+fn resisted_rotations(
+    assembly: &mut Assembly,
+    friction: &[Option<TangentialRow>],
+) -> Result<Vec<ResistedRotation>, ResponseError> {
+    let mut resisted = Vec::new();
+    for (normal, friction) in friction.iter().enumerate() {
+        let Some(friction) = friction else { continue };
+        let id = friction.along[0].id;
+        for (length, axes) in friction.rotations() {
+            let first = assembly.problem.len();
+            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id, axis }))?;
+            let rows = first..assembly.problem.len();
+            resisted.push(ResistedRotation { normal, rows, friction: length, turns: None });
+        }
+    }
+    Ok(resisted)
 }
 
 /// The blocks of contacts with these rows along tangents.

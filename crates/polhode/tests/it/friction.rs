@@ -47,7 +47,7 @@ pub(crate) fn lying(size: DVec3, heading: f64, velocity: DVec3) -> Body {
 }
 
 /// A ball of 1 kg whose moment about any axis is `k m r^2`, on the plane z = 0.
-fn round(k: f64, radius: f64, velocity: Velocity) -> Body {
+pub(crate) fn round(k: f64, radius: f64, velocity: Velocity) -> Body {
     let inertia = Inertia::from_diagonal(DVec3::splat(k * radius * radius)).unwrap();
     Body::movable("ball", MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia))
         .geometry(Shape::sphere(radius).unwrap().into())

@@ -1,6 +1,6 @@
-//! Effects of friction besides sticking and sliding, against closed forms: a rod that jams (Painleve), laws of restitution
-//! that raise the energy or reverse slip, static friction in time steps, and the warning where normal forces are not
-//! unique.
+//! Effects of friction besides sticking and sliding, against closed forms: a rod that jams (Painleve), laws of
+//! restitution that raise the energy or reverse slip, static friction in time steps, and the warning where normal
+//! forces are not unique.
 
 use crate::checks::assert_closes;
 use crate::friction::{lying, on_slope, rough, slope, sticky};
@@ -32,8 +32,8 @@ fn on_floor(body: Body, method: Method, material: &Material) -> Scene {
 }
 
 /// Painleve's rod: pushed along at 60 degrees with a coefficient of 1.5 it has no system of finite forces. It jams: an
-/// impulse stops its slip and throws it up, as large as the closed form of the path of the impact. With a coefficient of
-/// 0.5 it slides on.
+/// impulse stops its slip and throws it up, as large as the closed form of the path of the impact. With a coefficient
+/// of 0.5 it slides on.
 #[test]
 fn rod_without_a_system_of_forces_jams() {
     let angle = 60f64.to_radians();
@@ -56,8 +56,8 @@ fn rod_without_a_system_of_forces_jams() {
     }
 }
 
-/// Whittaker's law (Newton's by algebra) raises the energy of a rod whose slip reverses: by the closed form, and the report
-/// warns. Stronge's never does.
+/// Whittaker's law (Newton's by algebra) raises the energy of a rod whose slip reverses: by the closed form, and the
+/// report warns. Stronge's never does.
 #[test]
 fn report_warns_of_a_law_that_raises_the_energy() {
     let angle = 45f64.to_radians();
@@ -79,8 +79,8 @@ fn report_warns_of_a_law_that_raises_the_energy() {
     }
 }
 
-/// Garwin's super ball: with a tangential restitution of 1 a ball without spin that falls obliquely leaves with 3/7 of its
-/// speed along and the spin -10/7; with 0 it rolls away at 5/7.
+/// Garwin's super ball: with a tangential restitution of 1 a ball without spin that falls obliquely leaves with 3/7
+/// of its speed along and the spin -10/7; with 0 it rolls away at 5/7.
 #[test]
 fn super_ball_reverses_its_slip() {
     for (tangential_restitution, speed, spin) in [(1.0, 3.0 / 7.0, 10.0 / 7.0), (0.0, 5.0 / 7.0, 5.0 / 7.0)] {

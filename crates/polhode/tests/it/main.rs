@@ -33,6 +33,7 @@ mod prescribed_motion;
 mod program;
 mod public_interface;
 mod refusals;
+mod rotational_friction;
 mod round_bodies;
 mod snapshots;
 mod stepped;
