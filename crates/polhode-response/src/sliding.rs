@@ -190,15 +190,16 @@ mod tests {
     fn motion_depends_on_the_choice_where_feet_slide_in_different_directions() {
         let feet = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
         let circle = |[x, y]: [f64; 2]| [-y, x];
-        for (directions, depends) in [(feet.map(|_| [1.0, 0.0]), false), (feet.map(circle), true)] {
+        // Where all feet stand equally far out, forces that leave the load as it is make no moment either: the last one
+        // stands further out.
+        let turning = (feet.map(circle), [1.0, 1.0, 1.0, 1.5], true);
+        for (directions, reach, depends) in [(feet.map(|_| [1.0, 0.0]), [1.0; 4], false), turning] {
             let mut inverse_mass = vec![0.0; 36];
             (0..6).for_each(|k| inverse_mass[7 * k] = 1.0);
             let mut problem = ContactProblem::new(6, inverse_mass).unwrap();
             for [x, y] in feet {
                 problem.push_row(&[(0, &[0.0, 0.0, 1.0, y, -x, 0.0])]).unwrap();
             }
-            // Feet of different distances press differently on the turn: the last one stands further out.
-            let reach = [1.0, 1.0, 1.0, 1.5];
             for (([x, y], [dx, dy]), reach) in feet.into_iter().zip(directions).zip(reach) {
                 problem.push_bilateral_row(&[(0, &[dx, dy, 0.0, 0.0, 0.0, reach * (x * dy - y * dx)])]).unwrap();
             }

@@ -54,7 +54,10 @@ pub(crate) const MOST_ERRORS: usize = 20;
 
 /// Errors below each other, and how many there are.
 fn shown(errors: &[Refused]) -> String {
-    let mut text: String = errors.iter().take(MOST_ERRORS).map(|error| format!("{error}\n\n")).collect();
+    let mut text = String::new();
+    for error in errors.iter().take(MOST_ERRORS) {
+        let _ = write!(text, "{error}\n\n");
+    }
     let more = if errors.len() > MOST_ERRORS { " are shown; there are more" } else { "" };
     let _ = write!(text, "{} errors{more}", errors.len().min(MOST_ERRORS));
     text

@@ -3,11 +3,12 @@
 use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heavy_tops,
-    impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers,
-    pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact, rigid_ipc,
-    rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed,
-    spinning_scenes, stackings, stacks, structures, table_edge, thesis_tier, tunnelling, valleys, videos,
+    free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
+    heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
+    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
+    rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
+    snapshots, speed, spinning_scenes, stackings, stacks, structures, table_edge, thesis_tier, tunnelling, valleys,
+    videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -138,6 +139,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "friction elsewhere", rows: friction_invariances::settings },
     Case { name: "scenes of friction", rows: friction_scenes::rows },
     Case { name: "scenes of spinning", rows: spinning_scenes::rows },
+    Case { name: "effects of friction", rows: friction_effects::rows },
     Case { name: "SimBenchmark rolling", rows: slipping_and_rolling::simbenchmark_rolling },
     Case { name: "falling shapes", rows: falling_shapes::times },
     Case { name: "resting shapes", rows: falling_shapes::rest },

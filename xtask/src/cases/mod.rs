@@ -34,6 +34,7 @@ mod exact_drift;
 mod falling_shapes;
 mod feature_numbers;
 mod free_rotation;
+mod friction_effects;
 mod friction_invariances;
 mod friction_scenes;
 mod frictional_impacts;

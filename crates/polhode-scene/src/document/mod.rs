@@ -70,7 +70,7 @@ impl Document {
                         break;
                     }
                 },
-                Err(fault) => fault,
+                Err(fault) => *fault,
             };
             let (key, follows) = (tree::written(tree.get_ref(), &path), damage.explains(&tree, &path, &cause));
             let taken = damage.take(&mut tree, &path, &cause);
@@ -134,7 +134,7 @@ impl Document {
 }
 
 /// The tree in the types of the format; what is refused first, its path and the range to show.
-fn parse(tree: &Spanned<DeTable<'_>>) -> Result<SceneFile, (KeyPath, Range<usize>, Refusal)> {
+fn parse(tree: &Spanned<DeTable<'_>>) -> Result<SceneFile, Box<(KeyPath, Range<usize>, Refusal)>> {
     if let Some(request) = planned::requested(tree.get_ref()) {
         let cause = Refusal::NotYetAvailable { what: request.what, instead: request.instead.to_owned() };
         let spans = tree::spans(tree, &request.path);
@@ -142,12 +142,12 @@ fn parse(tree: &Spanned<DeTable<'_>>) -> Result<SceneFile, (KeyPath, Range<usize
             Part::Key => spans.key,
             Part::Value => spans.value,
         };
-        return Err((request.path, span, cause));
+        return Err(Box::new((request.path, span, cause)));
     }
     SceneFile::deserialize(toml::Deserializer::from(tree.clone())).map_err(|error| {
         let span = error.span().unwrap_or_default();
         let path = tree::path_at(tree, &span);
         let cause = Refusal::from_message(error.message(), &path);
-        (path, span, cause)
+        Box::new((path, span, cause))
     })
 }

@@ -37,7 +37,7 @@ pub enum OutputError {
     #[error("{fault}; what was written is kept in {}", list(kept))]
     Kept {
         /// Why the run stopped.
-        fault: Box<OutputError>,
+        fault: Box<Self>,
         /// The files.
         kept: Vec<PathBuf>,
     },
