@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // A published package holds the files themselves, in the workspace links to folders stand in their place. Where a system
+    // has no such links, the workspace has the folders.
+    let inside = package.join("fixtures");
+    let fixtures = if inside.join("scenes").is_dir() { inside } else { package.join("../../fixtures") };
     let scenes = list(&fixtures.join("scenes"), "SCENES", "&str", "include_str!", "")?;
     let meshes = list(&fixtures.join("meshes"), "MESHES", "&[u8]", "include_bytes!", "../meshes/")?;
     let out = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("OUT_DIR is not set"))?;

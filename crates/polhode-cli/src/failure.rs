@@ -1,6 +1,6 @@
 //! What went wrong, and the exit code it means.
 
-use crate::stdout::harmless;
+use crate::harmless::harmless;
 use crate::verbosity::{self, Verbosity};
 use polhode_scene::{CheckpointError, CompareError, MeshFileError, OutputError, SceneFileError};
 use std::io::{self, Write};

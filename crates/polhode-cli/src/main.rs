@@ -1,8 +1,8 @@
 //! The `polhode` program.
 //!
-//! Results go to stdout, progress (a bar on a terminal, else a line every ten seconds) and messages to stderr. Exit codes: 0 fine; 1 a check
-//! failed, the run diverged or has not kept the promise of its tier (`degraded`); 2 usage or a bad scene; 3 input or
-//! output; 130 interrupted. The clock is read here and nowhere else.
+//! Results go to stdout, progress (a bar on a terminal, else a line every ten seconds) and messages to stderr. Exit
+//! codes: 0 fine; 1 a check failed, the run diverged or has not kept the promise of its tier (`degraded`); 2 usage or a
+//! bad scene; 3 input or output; 130 interrupted. The clock is read here and nowhere else.
 //!
 //! | module | holds |
 //! |---|---|
@@ -24,7 +24,7 @@
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
-//! | `stdout` | writing results |
+//! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
 //!
 //! The stages of `polhode run`, in the order of the calls; paths are in `src`. Other commands that take a scene load it
 //! in the same way.
@@ -48,6 +48,7 @@ mod compare;
 mod cost;
 mod examples;
 mod failure;
+mod harmless;
 mod heading;
 mod help;
 mod inputs;

@@ -1,9 +1,10 @@
 //! Progress of long work, on stderr: a bar on a terminal, elsewhere a line every ten seconds.
 //!
-//! The work only leaves behind where it is. A thread of its own reads that and tells it, so that a step that takes minutes
-//! is not silent either. What is printed on stdout never depends on it.
+//! The work only leaves behind where it is. A thread of its own reads that and tells it, so that a step that takes
+//! minutes is not silent either. What is printed on stdout never depends on it.
 
 use crate::failure;
+use crate::text::number;
 use crate::verbosity::{self, Verbosity};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write as _;
@@ -150,7 +151,10 @@ impl Shared {
         let pause = if bar.is_some() { BETWEEN_DRAWINGS } else { BETWEEN_LOOKS };
         let (mut looked, mut told) = (Instant::now(), Instant::now());
         let mut work = self.work();
-        while let Some((present, since)) = *work {
+        while work.is_some() {
+            // What is over at once is not told.
+            work = self.ended.wait_timeout(work, pause).unwrap_or_else(PoisonError::into_inner).0;
+            let Some((present, since)) = *work else { break };
             if looked.elapsed() >= BETWEEN_LOOKS {
                 self.wants_look.store(true, Ordering::Relaxed);
                 looked = Instant::now();
@@ -163,7 +167,6 @@ impl Shared {
                 failure::note(&format!("progress: {}", present.line(reached, since.elapsed())));
                 told = Instant::now();
             }
-            work = self.ended.wait_timeout(work, pause).unwrap_or_else(PoisonError::into_inner).0;
         }
     }
 }
@@ -188,7 +191,8 @@ impl Work {
                 let (t, rate) = (f64::from_bits(reached), (f64::from_bits(reached) - from_s) / wall_s);
                 let mut line = format!("t = {t:.6} of {to_s} s after {}", time(wall_s));
                 if rate > 0.0 {
-                    let _ = write!(line, ", {rate:.3} s/s, about {} left", time((to_s - t) / rate));
+                    let rate: f64 = format!("{rate:.2e}").parse().unwrap_or(rate);
+                    let _ = write!(line, ", {} s/s, about {} left", number(rate), time((to_s - t) / rate));
                 } else {
                     line.push_str(", the first step has not ended yet");
                 }
@@ -228,7 +232,7 @@ mod tests {
     fn a_run_says_rate_and_time_left() {
         let work = Work::Run { from_s: 0.0, to_s: 10.0, energy_error: Some(1.5e-12) };
         let line = work.line(2.0_f64.to_bits(), Duration::from_secs(20));
-        assert_eq!(line, "t = 2.000000 of 10 s after 20 s, 0.100 s/s, about 80 s left, energy error 1.5e-12");
+        assert_eq!(line, "t = 2.000000 of 10 s after 20 s, 0.1 s/s, about 80 s left, energy error 1.5e-12");
         let line = work.line(0.0_f64.to_bits(), Duration::from_secs(300));
         assert!(line.contains("after 5.0 min, the first step has not ended yet"), "{line}");
     }

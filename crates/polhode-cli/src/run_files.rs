@@ -82,15 +82,20 @@ impl RunFiles {
     ///
     /// # Errors
     /// When something cannot be written.
-    pub(crate) fn finish(self, report: &RunReport) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self, report: &RunReport) -> Result<(), Failure> {
+        if let Err(error) = self.stream.take().map_or(Ok(()), CsvStream::finish) {
+            // The run has stopped there: the files are not whole either.
+            let failure = Failure::from(error);
+            self.keep(&report.plan, "stdout was closed");
+            return Err(failure);
+        }
         self.outputs.finish()?;
         show(self.pictures, &crate::pictures::outcome(report), &crate::pictures::report_in_page(report))?;
-        self.plots.finish(report)?;
-        Ok(self.stream.map_or(Ok(()), CsvStream::finish)?)
+        self.plots.finish(report)
     }
 
-    /// Keeps what has been written of a run that did not come to its end, says where, and lets pictures and plots say why.
-    /// What goes wrong here is told, but is not why the run ended.
+    /// Keeps what has been written of a run that did not come to its end, says where, and lets pictures and plots say
+    /// why. What goes wrong here is told, but is not why the run ended.
     pub(crate) fn keep(self, plan: &Plan, why: &str) {
         let kept = self.outputs.keep_partial().map_err(Failure::from);
         let told = kept.map(|paths| {

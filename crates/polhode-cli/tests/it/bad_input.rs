@@ -90,7 +90,7 @@ const SCENES: &[Change] = &[
     ("name = \"brick\"", "name = \"\"", &["empty name"]),
     ("name = \"brick\"", "", &["missing key `name`"]),
     ("name = \"brick\"", "name = \"brik\"", &["no body is named `brick`", "did you mean `brik`?"]),
-    ("mass = 2.0", "", &["a mass or a density"]),
+    ("mass = 2.0", "", &["needs `mass` or `density`"]),
     ("mass = 2.0", "mass = 0", &["mass must be a positive number"]),
     ("mass = 2.0", "mass = -1", &["found -1"]),
     ("mass = 2.0", "mass = nan", &["found NaN"]),
@@ -140,7 +140,7 @@ const SCENES: &[Change] = &[
     ("shape.box.size = [1, 1, 1]", "shape.convex.file = \"scene.toml\"", &["no mesh file"]),
     ("normal = [0, 0, 1]", "normal = [0, 0, 0]", &["normal"]),
     // Forces.
-    ("body = \"brick\", anchor", "body = \"floor\", anchor", &["has no meaning for a fixed body"]),
+    ("body = \"brick\", anchor", "body = \"floor\", anchor", &["a spring needs a body that moves"]),
     ("body = \"brick\", anchor", "body = \"bric\", anchor", &["did you mean `brick`?"]),
     ("stiffness = 4", "stiffness = -4", &["-4"]),
     ("stiffness = 4", "stifness = 4", &["did you mean `stiffness`?"]),

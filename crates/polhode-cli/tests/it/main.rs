@@ -6,6 +6,7 @@ mod bad_input;
 mod check;
 mod compare;
 mod cost;
+mod every_day;
 mod mesh;
 mod plan;
 mod plots;

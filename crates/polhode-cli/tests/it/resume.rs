@@ -162,7 +162,9 @@ fn ctrl_c_keeps_what_was_computed_and_a_checkpoint() {
     for part in ["a.csv.partial", "scene.checkpoint", "interrupted at t = "] {
         assert!(run.stderr.contains(part), "{}", run.stderr);
     }
-    assert!(run.stdout.is_empty());
+    let report = run.json();
+    assert_eq!((report["outcome"].as_str(), report["exit_code"].as_i64()), (Some("interrupted"), Some(130)));
+    assert!(report["simulated_s"].as_f64().unwrap() >= 50.0 && report["scene"] == "endless", "{report}");
     assert_eq!(place.list(), ["a.csv.partial", "scene.checkpoint", "scene.toml"]);
     assert!(place.read("a.csv.partial").starts_with("t,body,"));
     let path = place.path("scene.checkpoint");

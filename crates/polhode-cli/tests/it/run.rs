@@ -71,7 +71,7 @@ fn description() {
         (Some("A stone"), Some("It flies. Look up."))
     );
     let text = place.expect(0, &["run", "scene.toml"]).stdout;
-    assert!(text.starts_with("scene flight\nA stone\nIt flies. Look up.\n\nplan\n"), "{text}");
+    assert!(text.starts_with("scene flight\nA stone\nIt flies. Look up.\n\nrun\n"), "{text}");
     let plain = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--json"]).json();
     assert_eq!((plain["title"].as_str(), plain["description"].is_null()), (Some("flight"), true));
 }

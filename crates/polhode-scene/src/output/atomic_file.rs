@@ -39,7 +39,8 @@ impl AtomicFile {
     /// When the target is a folder or names no file, or its folder cannot be written to.
     pub fn create(target: &Path) -> io::Result<Self> {
         // A link stays a link: what it points to is replaced.
-        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        let pointed = |_| fs::read_link(target).map(|to| target.parent().unwrap_or(Path::new("")).join(to));
+        let target = fs::canonicalize(target).or_else(pointed).unwrap_or_else(|_| target.to_owned());
         if target.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
         }
