@@ -45,7 +45,7 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if !world.prescribed.is_empty() {
         return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
     }
-    if world.has_friction {
+    if world.has_friction() {
         return PlanarFinding::off("contacts have friction, with which a motion need not keep its symmetry");
     }
     if world.has_loads() {

@@ -387,7 +387,8 @@ impl Engine {
                     self.tracks[body].gave_up_splitting = true;
                     self.tracks[body].mode = Mode::Constrained;
                 }
-                Ok(Step::Constrained(self.constrained_step(core, bodies, &ActiveContacts::default(), t)?))
+                let step = self.constrained_step(core, bodies, &ActiveContacts::default(), t)?;
+                Ok(Step::Constrained(Box::new(step)))
             }
             Err(error) => Err(error),
         }

@@ -387,7 +387,7 @@ impl Engine {
             Err(SimulationError::StepTooSmall { .. }) if !active.held.is_empty() && core.settings.crowding.steps() => {
                 Ok(Step::Waiting(t))
             }
-            step => step.map(Step::Constrained),
+            step => Ok(Step::Constrained(Box::new(step?))),
         }
     }
 

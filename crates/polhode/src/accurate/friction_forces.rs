@@ -20,6 +20,14 @@ use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SlidingRow, least_norm_forces, least_norm_sliding_forces};
 use polhode_spatial::DVec3;
 
+/// A rotation that friction resists.
+#[derive(Debug, Clone, Copy)]
+struct ResistedTurn {
+    turn: Turn,
+    /// The direction in which it turns, and the friction, m; none while it is held.
+    turning: Option<(DVec3, f64)>,
+}
+
 /// An active contact with friction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FrictionContact {
@@ -32,21 +40,21 @@ pub(super) struct FrictionContact {
     sliding: Option<(DVec3, f64)>,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
-    /// Rotations that friction resists, with the direction and the friction (m) of those that turn.
-    turns: [Option<(Turn, Option<(DVec3, f64)>)>; 2],
+    /// Rotations that friction resists.
+    turns: [Option<ResistedTurn>; 2],
 }
 
 impl FrictionContact {
     /// The rows of rotations that are held.
     fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
-        let held = self.turns.iter().flatten().filter(|(_, turning)| turning.is_none());
-        let axes = held.flat_map(|(turn, _)| turn.axes(self.geometry.normal, self.terms.basis));
+        let held = self.turns.iter().flatten().filter(|resisted| resisted.turning.is_none());
+        let axes = held.flat_map(|resisted| resisted.turn.axes(self.geometry.normal, self.terms.basis));
         axes.map(|axis| RotationRow { id: self.id, axis })
     }
 
     /// The rotations that turn: their rows and their friction, m.
     fn turning(&self) -> impl Iterator<Item = (RotationRow, f64)> + '_ {
-        let turning = self.turns.iter().flatten().filter_map(|&(_, turning)| turning);
+        let turning = self.turns.iter().flatten().filter_map(|resisted| resisted.turning);
         turning.map(|(axis, friction)| (RotationRow { id: self.id, axis }, friction))
     }
 }
@@ -86,9 +94,14 @@ pub(super) fn friction_contacts(
         let rotation = if active.rotation.is_empty() { DVec3::ZERO } else { world.relative_rotation(states, *id) };
         let modes = active.rotation.get(id).copied().unwrap_or_default();
         let turns = Turn::ALL.map(|turn| {
-            let FrictionMode::Sliding(slide) = modes.get(turn)? else { return Some((turn, None)) };
-            let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
-            Some((turn, Some((direction, turn.friction(world, (id.a, id.b))?))))
+            let turning = match modes.get(turn)? {
+                FrictionMode::Sticking => None,
+                FrictionMode::Sliding(slide) => {
+                    let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
+                    Some((direction, turn.friction(world, (id.a, id.b))?))
+                }
+            };
+            Some(ResistedTurn { turn, turning })
         });
         let geometry = kinematics.geometry;
         Some(FrictionContact { contact, id: *id, geometry, terms, sliding, rotation, turns })

@@ -93,7 +93,7 @@ impl Forces {
             mass * world.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        if world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
+        if world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
             let accelerations = FrictionalAccelerations::solve(world, (t, states), bodies, contacts, &loads)?;
             let known_modes = contacts.iter().map(|touch| touch.friction).collect();
             return Ok(Self { known_modes, ..Self::with_friction(accelerations, t, load) });

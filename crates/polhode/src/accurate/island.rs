@@ -36,7 +36,7 @@ pub(super) struct Island {
 #[derive(Debug)]
 pub(super) enum Step {
     /// By DOP853 or RK4, with contact forces at every stage.
-    Constrained(ConstrainedStep),
+    Constrained(Box<ConstrainedStep>),
     /// By the integrator of free motion.
     Free(Box<FreeStep>),
     /// By one time step of a stretch of crowded events.

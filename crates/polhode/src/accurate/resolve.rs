@@ -233,7 +233,7 @@ impl Engine {
             self.set_hold(core, instant, i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
             self.set_friction(core, instant, i, row.and_then(|row| forces.mode(row)));
-            if core.world.has_rotational_friction {
+            if core.world.has_rotational_friction() {
                 self.set_rotation(core, instant, i, row.map(|row| (row, &forces)));
             }
         }

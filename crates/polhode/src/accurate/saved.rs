@@ -119,7 +119,8 @@ impl Engine {
             content::Step::Free(step) => Step::Free(Box::new(FreeStep::restored(core, &bodies, t, step)?)),
             content::Step::Constrained(h) => {
                 let step = self.repeated_step(core, &bodies, &active, (t, *h));
-                Step::Constrained(step.ok_or(SnapshotError::Invalid("a step cannot be repeated from its start"))?)
+                let step = step.ok_or(SnapshotError::Invalid("a step cannot be repeated from its start"))?;
+                Step::Constrained(Box::new(step))
             }
         };
         Ok(Island {

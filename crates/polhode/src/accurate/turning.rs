@@ -30,7 +30,7 @@ impl Engine {
 
     /// The rotations of a contact that turn in the present states.
     pub(super) fn rotation_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> RotationModes {
-        if !core.world.has_rotational_friction {
+        if !core.world.has_rotational_friction() {
             return RotationModes::default();
         }
         let rotation = core.world.relative_rotation(&self.states, touch.id);

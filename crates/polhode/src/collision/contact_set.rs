@@ -142,18 +142,18 @@ impl World {
 
     /// The coefficients of friction of two bodies; none without friction.
     pub(crate) fn friction_of(&self, a: usize, b: usize) -> Option<FrictionCoefficients> {
-        if !self.has_friction {
+        if !self.has_friction() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
         let coefficients = FrictionCoefficients { at_rest: material.static_friction(), sliding: material.friction() };
-        let resists_rotation = self.has_rotational_friction && self.rotational_friction_of(a, b).is_some();
+        let resists_rotation = self.has_rotational_friction() && self.rotational_friction_of(a, b).is_some();
         (coefficients.at_rest > 0.0 || resists_rotation).then_some(coefficients)
     }
 
     /// The friction of rolling and spinning of two bodies; none without either.
     pub(crate) fn rotational_friction_of(&self, a: usize, b: usize) -> Option<RotationalFriction> {
-        if !self.has_rotational_friction {
+        if !self.has_rotational_friction() {
             return None;
         }
         let material = self.scene.pair_material(a, b);

@@ -170,7 +170,7 @@ impl FrictionalAccelerations {
             blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
         }
         blocks.push_held(contacts.len()..assembly.first_tangent());
-        let (turns, mut rotations) = rotations_of(&mut assembly, world, contacts, frictional)?;
+        let ResistedRotations { turns, laws: mut rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
@@ -339,16 +339,25 @@ fn refined(
     Ok(solved)
 }
 
-/// Adds the rows of rotations that friction resists. Returns the rotations, and what friction asks of each.
+/// Rotations that friction resists.
+#[derive(Debug, Default)]
+struct ResistedRotations {
+    /// Their contacts, and which rotation it is.
+    turns: Vec<(ContactId, Turn)>,
+    /// What friction asks of each.
+    laws: Vec<ResistedRotation>,
+}
+
+/// Adds the rows of rotations that friction resists.
 fn rotations_of(
     assembly: &mut Assembly,
     world: &World,
     contacts: &[Touch],
     frictional: &[Option<Frictional>],
-) -> Result<(Vec<(ContactId, Turn)>, Vec<ResistedRotation>), ResponseError> {
-    let (mut turns, mut found) = (Vec::new(), Vec::new());
-    if !world.has_rotational_friction {
-        return Ok((turns, found));
+) -> Result<ResistedRotations, ResponseError> {
+    let mut found = ResistedRotations::default();
+    if !world.has_rotational_friction() {
+        return Ok(found);
     }
     for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
         let Some(frictional) = frictional else { continue };
@@ -365,11 +374,11 @@ fn rotations_of(
                 Some(FrictionMode::Sticking) | None => None,
             };
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id: touch.id, axis }))?;
-            turns.push((touch.id, turn));
-            found.push(ResistedRotation { normal, rows, friction, turns: along });
+            found.turns.push((touch.id, turn));
+            found.laws.push(ResistedRotation { normal, rows, friction, turns: along });
         }
     }
-    Ok((turns, found))
+    Ok(found)
 }
 
 /// The direction in which a rotation turns; none while it is held.

@@ -59,7 +59,7 @@ pub(crate) enum Restitution {
 
 /// Whether one of some contacts has friction.
 pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
-    world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some())
+    world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some())
 }
 
 /// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).

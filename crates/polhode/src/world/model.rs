@@ -17,6 +17,28 @@ use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+/// The friction that any two bodies which may collide have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum FrictionKinds {
+    /// None.
+    None,
+    /// Friction of slip.
+    OfSlip,
+    /// Friction of rolling or spinning too.
+    OfRotation,
+}
+
+impl FrictionKinds {
+    fn of(scene: &Scene) -> Self {
+        let colliding = scene.colliding();
+        match colliding.have_friction() {
+            false => Self::None,
+            true if colliding.largest_rotational_friction > 0.0 => Self::OfRotation,
+            true => Self::OfSlip,
+        }
+    }
+}
+
 /// All bodies of a scene, the scene, and what acts on the bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct World {
@@ -45,10 +67,8 @@ pub(crate) struct World {
     pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     pub(super) collides: bool,
-    /// Whether any two bodies that may collide have friction.
-    pub(crate) has_friction: bool,
-    /// Whether any two have friction of rolling or spinning.
-    pub(crate) has_rotational_friction: bool,
+    /// The friction of bodies that may collide.
+    pub(super) friction: FrictionKinds,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -58,6 +78,16 @@ pub(crate) struct World {
 }
 
 impl World {
+    /// Whether any two bodies that may collide have friction.
+    pub(crate) fn has_friction(&self) -> bool {
+        self.friction != FrictionKinds::None
+    }
+
+    /// Whether any two have friction of rolling or spinning.
+    pub(crate) fn has_rotational_friction(&self) -> bool {
+        self.friction == FrictionKinds::OfRotation
+    }
+
     /// The model of a scene, and the states of its bodies at t = 0.
     ///
     /// # Errors
@@ -91,8 +121,7 @@ impl World {
             field_buffers: FieldBuffers::default(),
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
-            has_friction: scene.colliding().have_friction(),
-            has_rotational_friction: scene.colliding().largest_rotational_friction > 0.0,
+            friction: FrictionKinds::of(scene),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -133,9 +162,7 @@ impl World {
         self.bodies.push(added);
         self.scene.bodies.push(body);
         self.collides = self.scene.any_may_collide();
-        let colliding = self.scene.colliding();
-        self.has_friction = colliding.have_friction();
-        self.has_rotational_friction = colliding.largest_rotational_friction > 0.0;
+        self.friction = FrictionKinds::of(&self.scene);
         self.make_fields()?;
         Ok((number, state))
     }
