@@ -22,6 +22,11 @@ impl ActiveContacts {
         sticking.map(|(&id, _)| id).collect()
     }
 
+    /// Whether one of them slides.
+    pub(crate) fn slides(&self) -> bool {
+        self.friction.values().any(|mode| *mode != FrictionMode::Sticking)
+    }
+
     /// Gives contacts that slide the direction and speed of their slips in these states, at the start of a step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
         for (&id, mode) in &mut self.friction {

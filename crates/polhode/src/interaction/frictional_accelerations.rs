@@ -13,7 +13,7 @@ use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionBlock};
+use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings};
 use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -165,7 +165,7 @@ impl FrictionalAccelerations {
         let solved = if let Some(holding) = holding {
             holding
         } else {
-            let solved = blocks.solve(&delassus, &constants, None)?;
+            let solved = blocks.solve(&delassus, &constants, None, &FrictionSettings::default())?;
             let of = (world, states, contacts);
             if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
         };
