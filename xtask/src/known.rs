@@ -35,12 +35,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
-    KnownFailure {
-        case: "FC-14",
-        quantity: "cards 2 mm thick: mu_min at 30deg",
-        reason: "where the edges of the cards meet, corners on corners, contacts are found on the face of one card only, \
-                 whose normal leans: the cards push each other askew",
-    },
 ];
 
 /// Marks those of `rows` that are known to fail.

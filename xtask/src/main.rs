@@ -4,6 +4,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
@@ -21,10 +22,11 @@
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
-//! | [`readme`] | the example of the README, as a test |
+//! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
 //! | [`known`] | rows that are known to fail, with the reason |
 
+mod book;
 mod cases;
 mod commands;
 mod cost;
@@ -38,11 +40,11 @@ mod interpenetration;
 mod known;
 mod narrow_phase;
 mod random;
-mod readme;
 mod reference;
 mod rigid_ipc;
 mod row;
 mod schedule;
+mod statics;
 mod table;
 mod verify;
 mod viewer;

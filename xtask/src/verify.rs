@@ -1,7 +1,7 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
+//! 4. README and book, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
 //! wrong; cases and golden trajectories run beside each other (`schedule.rs`). Progress goes to stderr, the table (or, with
@@ -12,7 +12,7 @@ use crate::cases::{self, Amount, Context};
 use crate::row::Row;
 use crate::schedule::{self, Company, Step};
 use crate::table::{self, Counts};
-use crate::{commands, gallery, golden, house, viewer};
+use crate::{book, commands, gallery, golden, house, viewer};
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -94,6 +94,9 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
             Step::new(case.name, company, || case.run(context))
         }));
     }
+    if !options.bless && selected(book::NAME) && !options.extent.quick {
+        steps.push(Step::new(book::NAME, Company::Alone, || book::check(context)));
+    }
     if !options.bless && selected(gallery::CASE) {
         steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
     }
@@ -109,7 +112,10 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
 }
 
 fn no_such_case(options: &Options, scenes: &[String]) -> String {
-    let cases = [HOUSE, gallery::CASE].into_iter().chain(cases::ALL.iter().map(|case| case.name)).map(str::to_owned);
+    let cases = [HOUSE, book::NAME, gallery::CASE]
+        .into_iter()
+        .chain(cases::ALL.iter().map(|case| case.name))
+        .map(str::to_owned);
     let goldens = scenes.iter().map(|scene| golden::case_name(scene));
     let stills = golden::STILLS.iter().map(golden::GoldenStill::case_name);
     let names: Vec<String> = cases.chain(goldens).chain(stills).chain([viewer::NAME.to_owned()]).collect();

@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -7,6 +8,12 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, about, after_help = EXIT_CODES)]
 pub(crate) struct Cli {
+    /// Says nothing on stderr but errors: no progress, no notes
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub(crate) quiet: bool,
+    /// Says on stderr what is being done
+    #[arg(short, long, global = true)]
+    pub(crate) verbose: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -18,23 +25,41 @@ const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diver
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Simulates a scene and reports energies, ledger and certificate
+    #[command(after_help = help::RUN)]
     Run(RunArgs),
     /// Continues a run from a checkpoint, to the same bits as if it had never stopped
+    #[command(after_help = help::RESUME)]
     Resume(ResumeArgs),
     /// Says which effects of a scene are on or off, why, and what that saves
+    #[command(after_help = help::PLAN)]
     Plan(PlanArgs),
     /// Shows what accuracy costs: error against time over methods and steps
+    #[command(after_help = help::COST)]
     Cost(CostArgs),
     /// Validates a scene
+    #[command(after_help = help::CHECK)]
     Check(CheckArgs),
     /// Diagnoses a mesh and computes its mass properties
+    #[command(after_help = help::MESH)]
     Mesh(MeshArgs),
     /// Prints the JSON Schema of the scene format
+    #[command(after_help = help::SCHEMA)]
     Schema,
     /// Compares two CSV trajectories number by number; exit code 1 when they differ beyond the tolerance
+    #[command(after_help = help::COMPARE)]
     Compare(CompareArgs),
     /// Shows a scene or a trajectory: an HTML page that plays it, a picture, a moving picture or a model
+    #[command(after_help = help::VIEW)]
     View(ViewArgs),
+    /// Writes a commented scene to begin with
+    #[command(after_help = help::NEW)]
+    New(NewArgs),
+    /// Lists the shipped examples: `example:NAME` stands for a scene file
+    #[command(after_help = help::SCENES)]
+    Scenes,
+    /// Prints a script that completes commands and options in a shell
+    #[command(after_help = help::COMPLETIONS)]
+    Completions(CompletionsArgs),
     /// Prepares a scene and runs it, printing nothing: what `cost --instructions` counts
     #[command(hide = true)]
     Probe(ProbeArgs),
@@ -43,7 +68,7 @@ pub(crate) enum Command {
 /// A scene and changes to it.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file (TOML)
+    /// Scene file (TOML); `-` reads it from stdin, `example:NAME` is a shipped one (`polhode scenes` lists them)
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
@@ -96,8 +121,8 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Args)]
 pub(crate) struct RunOutputArgs {
     /// Writes the trajectory (.csv, .npy, .json), a page that plays it (.html), a model (.glb), a moving picture (.gif,
-    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `resume`: from the checkpoint on (may be
-    /// given several times)
+    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `-` writes CSV to stdout, and the report goes
+    /// to stderr; `resume`: from the checkpoint on (may be given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// What is plotted over time, into the .svg files of -o [default with -o FILE.svg: all]
@@ -234,6 +259,24 @@ pub(crate) struct ViewArgs {
     pub(crate) look_at: Option<String>,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
+}
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// Name of the scene; the file is NAME.toml
+    pub(crate) name: String,
+    /// A shipped example to begin with, with its meshes
+    #[arg(long, value_name = "EXAMPLE")]
+    pub(crate) from: Option<String>,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
 }
 
 /// Arguments of `probe`.

@@ -3,11 +3,12 @@
 use crate::args::{CompareArgs, ComparePlotArg};
 use crate::failure::Failure;
 use crate::plots::{cannot_write, is_plot};
-use crate::{stdout, text};
-use polhode_scene::{AtomicFile, Comparison, Tolerance, compare_rows, load_with};
+use crate::scene::load_changed;
+use crate::{inputs, stdout, text};
+use polhode_scene::{AtomicFile, Comparison, Tolerance, compare_rows};
 use polhode_view::plot::{ComparePlot, ComparePlots};
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Compares and prints the largest difference of every column; exit code 1 when they differ beyond the tolerance.
 pub(crate) fn compare(args: &CompareArgs) -> Result<(), Failure> {
@@ -40,7 +41,8 @@ impl Plots {
             let what = format!("error: {}: unknown ending; accepted: .svg", path.display());
             return Err(Failure::Usage(what));
         }
-        let scene = args.scene.as_deref().map(|scene| load_with(scene, &[])).transpose()?;
+        inputs::check_output(path, [&args.a, &args.b].into_iter().chain(&args.scene).map(PathBuf::as_path))?;
+        let scene = args.scene.as_deref().map(|scene| load_changed(scene, &[])).transpose()?;
         let asked: Vec<ComparePlot> = match &args.plot {
             Some(asked) if !asked.is_empty() => asked.iter().copied().map(plot).collect(),
             _ => ComparePlot::ALL.into_iter().filter(|plot| *plot != ComparePlot::Energy || scene.is_some()).collect(),

@@ -1,5 +1,7 @@
 //! What went wrong, and the exit code it means.
 
+use crate::stdout::harmless;
+use crate::verbosity::{self, Verbosity};
 use polhode_scene::{CheckpointError, CompareError, MeshFileError, OutputError, SceneFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -21,6 +23,8 @@ pub(crate) const INTERRUPTED: u8 = 130;
 pub(crate) enum Failure {
     /// A check failed, or the run diverged or is degraded; the message may be empty when the result has been printed.
     Check(String),
+    /// A run has not kept its promise; its report has been printed.
+    Degraded(String),
     /// A mistake on the command line or in a scene.
     Usage(String),
     /// Reading or writing failed.
@@ -35,32 +39,52 @@ impl Failure {
     /// What it says.
     pub(crate) fn message(&self) -> &str {
         match self {
-            Self::Check(message) | Self::Usage(message) | Self::InputOutput(message) | Self::Interrupted(message) => {
-                message
-            }
+            Self::Check(message)
+            | Self::Degraded(message)
+            | Self::Usage(message)
+            | Self::InputOutput(message)
+            | Self::Interrupted(message) => message,
             Self::StdoutClosed => "",
+        }
+    }
+
+    /// The exit code that it means.
+    pub(crate) fn code(&self) -> u8 {
+        match self {
+            Self::Check(_) | Self::Degraded(_) => CHECK,
+            Self::Usage(_) => USAGE,
+            Self::InputOutput(_) => INPUT_OUTPUT,
+            Self::Interrupted(_) => INTERRUPTED,
+            Self::StdoutClosed => 0,
         }
     }
 
     /// Prints the message to stderr and gives the exit code.
     pub(crate) fn report(self) -> ExitCode {
-        let (code, message) = match self {
-            Self::Check(message) => (CHECK, message),
-            Self::Usage(message) => (USAGE, message),
-            Self::InputOutput(message) => (INPUT_OUTPUT, message),
-            Self::Interrupted(message) => (INTERRUPTED, message),
-            Self::StdoutClosed => return ExitCode::SUCCESS,
-        };
-        if !message.is_empty() {
-            note(&message);
+        if !self.message().is_empty() {
+            note(self.message());
         }
-        ExitCode::from(code)
+        ExitCode::from(self.code())
     }
 }
 
 /// Prints a message to stderr; when that is closed there is nobody to tell.
 pub(crate) fn note(message: &str) {
-    let _ = writeln!(io::stderr(), "{message}");
+    let _ = writeln!(io::stderr(), "{}", harmless(message));
+}
+
+/// Prints what is good to know to stderr, unless the command line asks for quiet.
+pub(crate) fn remark(message: &str) {
+    if verbosity::asked() != Verbosity::Quiet {
+        note(message);
+    }
+}
+
+/// Prints what is being done to stderr, if the command line asks for it.
+pub(crate) fn detail(message: &str) {
+    if verbosity::asked() == Verbosity::Verbose {
+        note(message);
+    }
 }
 
 fn error(message: &impl ToString) -> String {

@@ -1,6 +1,6 @@
 //! The `polhode` program.
 //!
-//! Results go to stdout, progress (a bar, on a terminal only) and messages to stderr. Exit codes: 0 fine; 1 a check
+//! Results go to stdout, progress (a bar on a terminal, else a line every ten seconds) and messages to stderr. Exit codes: 0 fine; 1 a check
 //! failed, the run diverged or has not kept the promise of its tier (`degraded`); 2 usage or a bad scene; 3 input or
 //! output; 130 interrupted. The clock is read here and nowhere else.
 //!
@@ -9,13 +9,17 @@
 //! | `args` | the command line |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
+//! | `run_files` | the files that a run writes |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
 //! | `view` | the command that shows a scene or a trajectory |
 //! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
 //! | `plots` | the plots of a run over time |
-//! | `watch` | the observer of a run: tells outputs and pictures; progress bar and Ctrl-C |
+//! | `watch` | the observer of a run: tells outputs and pictures; Ctrl-C |
+//! | `progress`, `verbosity` | progress of long work; how much is said on stderr |
+//! | `examples` | the shipped scenes, inside the program; new scenes |
+//! | `help` | examples below the help of each command |
 //! | `inputs` | files that an output never replaces |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
@@ -30,11 +34,11 @@
 //! | arguments | parses the command line and calls the command | `args.rs`, `main.rs` |
 //! | settings | collects the values that the command line sets | `scene.rs` |
 //! | accuracy | chooses the cheapest method that reaches a given error, if `--accuracy` asks for it | `cost/mod.rs` |
-//! | scene | loads the file with these values | `run.rs` |
-//! | outputs | opens files and the checkpoint, none of which may replace an input | `run.rs`, `checkpoints.rs` |
-//! | simulation | makes the simulation and prints its plan | `scene.rs`, `text/report.rs` |
-//! | run | runs it, with a progress bar, up to the end, a checkpoint or Ctrl-C | `run.rs`, `watch.rs` |
-//! | report | prints the report, for people or as JSON | `text/report.rs`, `stdout.rs` |
+//! | scene | loads the file, stdin or an example with these values | `run.rs`, `scene.rs` |
+//! | outputs | opens files and the checkpoint, none of which may replace an input | `run_files.rs`, `checkpoints.rs` |
+//! | simulation | makes the simulation and its plan | `scene.rs` |
+//! | run | runs it, telling how far it is, up to the end, a checkpoint or Ctrl-C | `run.rs`, `watch.rs`, `progress.rs` |
+//! | report | prints the report and the plan, for people or as JSON | `text/report.rs`, `stdout.rs` |
 //! | exit code | says on stderr what went wrong, and returns the exit code | `failure.rs` |
 
 mod args;
@@ -42,25 +46,31 @@ mod check;
 mod checkpoints;
 mod compare;
 mod cost;
+mod examples;
 mod failure;
 mod heading;
+mod help;
 mod inputs;
 mod mesh;
 mod pictures;
 mod plan;
 mod plots;
+mod progress;
 mod run;
+mod run_files;
 mod scene;
 mod stdout;
 mod text;
+mod verbosity;
 mod view;
 mod viewpoint;
 mod watch;
 
 use args::{Cli, Command};
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
+use verbosity::Verbosity;
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -71,6 +81,11 @@ fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(failure::USAGE));
         }
     };
+    verbosity::set(match (cli.quiet, cli.verbose) {
+        (true, _) => Verbosity::Quiet,
+        (_, true) => Verbosity::Verbose,
+        _ => Verbosity::Usual,
+    });
     let outcome = match &cli.command {
         Command::Run(args) => run::run(args),
         Command::Resume(args) => run::resume(args),
@@ -81,6 +96,9 @@ fn main() -> ExitCode {
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args),
         Command::View(args) => view::view(args),
+        Command::New(args) => examples::new(args),
+        Command::Scenes => examples::scenes(),
+        Command::Completions(args) => completions(args.shell),
         Command::Probe(args) => cost::probe(args),
     };
     outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
@@ -89,4 +107,11 @@ fn main() -> ExitCode {
 /// Prints the JSON Schema of the scene format.
 fn schema() -> Result<(), Failure> {
     stdout::json(&polhode_scene::schema())
+}
+
+/// Prints the script that completes commands and options in a shell.
+fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "polhode", &mut script);
+    stdout::text(&String::from_utf8_lossy(&script))
 }

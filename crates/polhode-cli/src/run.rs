@@ -3,80 +3,109 @@
 use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
-use crate::heading::Heading;
-use crate::pictures::{self, ENDINGS, Kind, Options, Pictures};
-use crate::plots::{Plots, is_plot};
-use crate::watch::{Bar, Interrupt, Watch};
-use crate::{cost, inputs, scene, stdout, text};
-use polhode::{Observer, Outcome, RunReport, Simulation};
-use polhode_scene::{Checkpoint, LoadedScene, OutputError, Outputs, load_with, scene_report_json};
-use polhode_view::FrameSource;
-use serde_json::Value;
+use crate::progress::Progress;
+use crate::run_files::{RunFiles, is_stdout};
+use crate::scene::SceneText;
+use crate::watch::{Interrupt, Watch};
+use crate::{cost, scene, stdout, text};
+use polhode::{Outcome, RunReport, Simulation};
+use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let mut changes = scene::overrides(&args.scene.changes)?;
-    if let Some(accuracy) = args.accuracy {
-        changes.extend(cost::settings_for(&args.scene, accuracy)?);
-    }
-    let file = &args.scene.scene;
-    let loaded = load_with(file, &changes)?;
-    let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
-    let files = Files { asked: &args.output, inputs: &[file] };
-    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
-    let started = Instant::now();
-    let simulation = scene::prepare(&loaded, &args.scene.changes)?;
-    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
+    let prepared = prepared(args);
+    prepared.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish()
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
 pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
+    let restored = restored(args);
+    restored.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish()
+}
+
+/// A run of a scene from its start.
+fn prepared(args: &RunArgs) -> Result<Run, Failure> {
+    let mut changes = scene::overrides(&args.scene.changes)?;
+    let text = SceneText::of(&args.scene.scene)?;
+    if let Some(accuracy) = args.accuracy {
+        changes.extend(cost::settings_for(&text, &args.scene.changes, accuracy)?);
+    }
+    let progress = Progress::new("preparing the run");
+    let loaded = text.load(&changes)?;
+    let file = args.scene.scene.as_path();
+    if text.file().is_none() && (args.checkpoints.checkpoint.is_some() || args.checkpoints.checkpoint_every.is_some()) {
+        let what = format!("error: {}: a checkpoint names the file of its scene, and this is none", file.display());
+        return Err(Failure::Usage(what));
+    }
+    let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
+    let mut inputs = loaded.mesh_files();
+    inputs.extend(text.file().map(Path::to_owned));
+    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints)?;
+    let started = Instant::now();
+    let simulation = scene::prepare(&loaded, &args.scene.changes)?;
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
+}
+
+/// A run from a checkpoint on.
+fn restored(args: &ResumeArgs) -> Result<Run, Failure> {
+    let progress = Progress::new("preparing the run");
     let checkpoint = Checkpoint::read(&args.from)?;
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
-    let inputs = [&args.from, &checkpoint.scene];
-    let files = Files { asked: &args.output, inputs: &inputs };
-    let (outputs, pictures, plots) = files.create(&loaded, &checkpoints)?;
+    let mut inputs = loaded.mesh_files();
+    inputs.extend([args.from.clone(), checkpoint.scene.clone()]);
+    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints)?;
     let started = Instant::now();
-    Run { loaded, simulation, outputs, pictures, plots, checkpoints, started, json: args.output.json }.finish()
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
 
-/// The files that a run writes, and those that it was made from.
-struct Files<'a> {
-    asked: &'a RunOutputArgs,
-    inputs: &'a [&'a PathBuf],
+/// How the report is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Report {
+    /// As text on stdout.
+    Text,
+    /// As text on stderr: stdout holds the trajectory.
+    OnStderr,
+    /// As JSON on stdout.
+    Json,
 }
 
-impl Files<'_> {
-    /// Opens the outputs.
-    fn create(&self, loaded: &LoadedScene, checkpoints: &Checkpoints) -> Result<(Outputs, Pictures, Plots), Failure> {
-        let RunOutputArgs { output, plot, events, .. } = self.asked;
-        let all: Vec<&Path> = output.iter().chain(events).map(PathBuf::as_path).collect();
-        for (number, &path) in all.iter().enumerate() {
-            inputs::check_output(path, self.inputs.iter().map(|input| input.as_path()))?;
-            let is_named = |other: &&Path| inputs::is_same(path, other);
-            if checkpoints.path().iter().any(is_named) || all[..number].iter().any(is_named) {
-                let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
-                return Err(Failure::Usage(what));
-            }
+impl Report {
+    fn of(asked: &RunOutputArgs) -> Self {
+        if asked.json {
+            Self::Json
+        } else if asked.output.iter().any(|path| is_stdout(path)) {
+            Self::OnStderr
+        } else {
+            Self::Text
         }
-        let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
-        let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
-        let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
-        let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
-        let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
-        let plots = Plots::create(&plotted, plot)?;
-        let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
-        let outputs =
-            Outputs::create(&loaded.scene, &trajectories, events.as_deref()).map_err(|error| match error {
-                OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg")),
-                error => error.into(),
-            })?;
-        pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
-        Ok((outputs, pictures, plots))
     }
+}
+
+/// How far a run has come that did not end: its scene, the time reached and the duration, s.
+type Reached<'a> = (&'a str, f64, f64);
+
+/// The failure, after the object that `--json` prints for a run that has no report.
+fn told(report: Report, failure: Failure, reached: Option<Reached<'_>>) -> Failure {
+    if report == Report::Json && !matches!(failure, Failure::Degraded(_) | Failure::StdoutClosed) {
+        let outcome = if matches!(failure, Failure::Interrupted(_)) { "interrupted" } else { "failed" };
+        let mut value = json!({
+            "outcome": outcome,
+            "error": failure.message().trim_start_matches("error: "),
+            "exit_code": failure.code(),
+        });
+        if let Some((scene, simulated_s, duration_s)) = reached {
+            value["scene"] = scene.into();
+            value["simulated_s"] = simulated_s.into();
+            value["duration_s"] = duration_s.into();
+        }
+        // Where stdout cannot be written to, the failure on stderr says enough.
+        let _ = stdout::json(&value);
+    }
+    failure
 }
 
 /// What a run that has not kept its promise says on stderr.
@@ -96,74 +125,73 @@ fn checkpoint_name(scene: &Path) -> PathBuf {
 struct Run {
     loaded: LoadedScene,
     simulation: Simulation,
-    outputs: Outputs,
-    pictures: Pictures,
-    plots: Plots,
+    files: RunFiles,
     checkpoints: Checkpoints,
+    progress: Progress,
     started: Instant,
-    json: bool,
+    report: Report,
 }
 
 impl Run {
     /// Goes on to the end, and prints the report.
-    fn finish(self) -> Result<(), Failure> {
-        let Self { loaded, mut simulation, mut outputs, mut pictures, mut plots, checkpoints, started, json } = self;
-        if !json {
-            match stdout::text(&text::plan(&loaded, simulation.plan())) {
-                // Files are still wanted when nobody reads the report.
-                Err(Failure::StdoutClosed) => {}
-                printed => printed?,
-            }
-        }
-        let (bar, interrupt) = (Bar::new(loaded.scene.duration_s()), Interrupt::listen()?);
-        plots.begin(&loaded.scene, &simulation);
-        let observers: Vec<&mut dyn Observer> = vec![&mut outputs, &mut pictures, &mut plots];
-        let mut watch = Watch { observers, bar: &bar, interrupt: &interrupt, stop_s: f64::INFINITY };
-        let report = go_on(&loaded, &mut simulation, &checkpoints, &mut watch);
-        bar.clear();
-        match report {
-            Ok(_) if simulation.time() < loaded.scene.duration_s() && interrupt.has_come() => {
-                let (t, duration) = (simulation.time(), loaded.scene.duration_s());
-                let said = format!("interrupted at t = {t} s of {duration} s");
-                keep_partial(outputs)?;
-                show(pictures, &pictures::failed(&said), &Value::Null)?;
-                plots.finish_stopped(simulation.plan(), &said)?;
-                if let Some(said) = checkpoints.write(&simulation)? {
-                    failure::note(&said);
-                }
-                Err(Failure::Interrupted(said))
-            }
-            Ok(report) => {
-                outputs.finish()?;
-                show(pictures, &pictures::outcome(&report), &pictures::report_in_page(&report))?;
-                plots.finish(&report)?;
-                let wall_s = started.elapsed().as_secs_f64();
-                if json {
-                    stdout::json(&scene_report_json(&loaded, &report, wall_s))?;
-                } else {
-                    stdout::text(&text::report(&report, wall_s))?;
-                }
-                match report.outcome {
-                    Outcome::Completed | Outcome::Stopped => Ok(()),
-                    Outcome::Degraded => Err(Failure::Check(degraded(&report))),
-                }
-            }
+    fn finish(mut self) -> Result<(), Failure> {
+        failure::detail(&text::plan(&self.loaded, self.simulation.plan()));
+        let interrupt = Interrupt::listen()?;
+        let (duration_s, at_start_s) = (self.loaded.scene.duration_s(), self.simulation.time());
+        self.files.begin(&self.loaded, &self.simulation);
+        interrupt.keep(self.files.unfinished());
+        self.progress.run(at_start_s, duration_s);
+        let (observers, bar) = (self.files.observers(), &self.progress);
+        let mut watch = Watch { observers, bar, interrupt: &interrupt, stop_s: f64::INFINITY, is_stopped: false };
+        let ended = go_on(&self.loaded, &mut self.simulation, &self.checkpoints, &mut watch);
+        self.progress.clear();
+        let reached_s = self.simulation.time();
+        let name = self.loaded.scene.name().to_owned();
+        let ended = match ended {
+            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(),
+            Ok(report) => self.completed(&report),
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-                keep_partial(outputs)?;
-                if let Err(other) = show(pictures, &pictures::failed(failure.message()), &Value::Null) {
-                    failure::note(other.message());
-                }
-                if let Err(other) = plots.finish_stopped(simulation.plan(), failure.message()) {
-                    failure::note(other.message());
-                }
-                Err(failure)
+                self.files.keep(self.simulation.plan(), failure.message());
+                return Err(told(self.report, failure, Some((&name, reached_s, duration_s))));
             }
+        };
+        ended.map_err(|(report, failure)| told(report, failure, Some((&name, reached_s, duration_s))))
+    }
+
+    /// After Ctrl-C: keeps what was computed, and a checkpoint where one was asked for.
+    fn interrupted(self) -> Result<(), (Report, Failure)> {
+        let said = format!("interrupted at t = {} s of {} s", self.simulation.time(), self.loaded.scene.duration_s());
+        self.files.keep(self.simulation.plan(), &said);
+        let written = self.checkpoints.write(&self.simulation).map_err(|failure| (self.report, failure))?;
+        if let Some(checkpoint) = written {
+            failure::note(&checkpoint);
+        }
+        Err((self.report, Failure::Interrupted(said)))
+    }
+
+    /// At the end: completes the files and prints the report.
+    fn completed(self, report: &RunReport) -> Result<(), (Report, Failure)> {
+        let told = self.report;
+        self.files.finish(report).map_err(|failure| (told, failure))?;
+        let wall_s = self.started.elapsed().as_secs_f64();
+        let printed = match told {
+            Report::Json => stdout::json(&scene_report_json(&self.loaded, report, wall_s)),
+            Report::Text => stdout::text(&text::run(&self.loaded, report, wall_s)),
+            Report::OnStderr => {
+                failure::remark(text::run(&self.loaded, report, wall_s).trim_end());
+                Ok(())
+            }
+        };
+        printed.map_err(|failure| (told, failure))?;
+        match report.outcome {
+            Outcome::Completed | Outcome::Stopped => Ok(()),
+            Outcome::Degraded => Err((told, Failure::Degraded(degraded(report)))),
         }
     }
 }
 
-/// Goes on to the end, to Ctrl-C or to a fault of writing, and keeps checkpoints on the way.
+/// Goes on to the end, to Ctrl-C or to a fault of writing; keeps checkpoints and looks at the energies on the way.
 fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,
@@ -176,25 +204,15 @@ fn go_on(
         // A run that has broken a promise says so whether it has ended or not.
         let has_ended = report.outcome == Outcome::Completed || simulation.time() >= loaded.scene.duration_s();
         let is_due = !has_ended && simulation.time() >= watch.stop_s;
-        if !is_due || watch.interrupt.has_come() {
+        let is_look = !has_ended && watch.bar.wants_look() && !watch.is_stopped;
+        if is_look {
+            watch.bar.look(cost::energy_error(&report));
+        }
+        if !(is_due || is_look) || watch.interrupt.has_come() {
             return Ok(report);
         }
-        if let Some(said) = checkpoints.write(simulation)? {
+        if is_due && let Some(said) = checkpoints.write(simulation)? {
             watch.bar.note(&said);
         }
     }
-}
-
-/// Completes what shows the run, whether it has ended well or not: a page says itself where the run stopped.
-fn show(mut pictures: Pictures, outcome: &str, report: &Value) -> Result<(), Failure> {
-    pictures.end_run(outcome)?;
-    pictures.finish(report)
-}
-
-/// Keeps what has been written, and says where.
-fn keep_partial(outputs: Outputs) -> Result<(), Failure> {
-    for path in outputs.keep_partial()? {
-        failure::note(&format!("note: what was computed is in {}", path.display()));
-    }
-    Ok(())
 }

@@ -1,13 +1,96 @@
-//! Loading the scene that a command names.
+//! The scene that a command names: a file, `-` for stdin, or `example:NAME` for one inside the program.
 
 use crate::args::{ChangeArgs, EffectsArg, SceneArgs};
+use crate::examples;
 use crate::failure::Failure;
 use polhode::{Effects, Simulation, SimulationError};
-use polhode_scene::{LoadedScene, Override, load_with};
+use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_meshes};
+use std::ffi::OsStr;
+use std::io::Read as _;
+use std::path::Path;
+
+/// What stands for stdin, and with -o for stdout.
+pub(crate) const STANDARD: &str = "-";
+
+/// What errors call a scene from stdin.
+const STDIN: &str = "<stdin>";
+
+/// Where the text of a scene is. It can be loaded many times, each time with other changes.
+#[derive(Debug, Clone)]
+pub(crate) enum SceneText<'a> {
+    /// In a file.
+    File(&'a Path),
+    /// It has been read from stdin.
+    Stdin(String),
+    /// Inside the program: what it is called, and the text.
+    Example(&'a str, &'static str),
+}
+
+impl<'a> SceneText<'a> {
+    /// What a command names; stdin is read.
+    ///
+    /// # Errors
+    /// When there is no such example, or stdin cannot be read.
+    pub(crate) fn of(path: &'a Path) -> Result<Self, Failure> {
+        let name = path.to_str().unwrap_or_default();
+        if name == STANDARD {
+            let mut bytes = Vec::new();
+            let limit = polhode_scene::load::LARGEST_SCENE_FILE;
+            let read = std::io::stdin().lock().take(limit + 1).read_to_end(&mut bytes);
+            read.map_err(|error| Failure::InputOutput(format!("error: cannot read stdin: {error}")))?;
+            if bytes.len() as u64 > limit {
+                return Err(Failure::Usage(format!("error: stdin is larger than {limit} bytes, which no scene is")));
+            }
+            let text = String::from_utf8(bytes);
+            return text.map(Self::Stdin).map_err(|error| {
+                let at = error.utf8_error().valid_up_to();
+                Failure::Usage(format!("error: {STDIN}: not a scene file: byte {at} is not UTF-8 text"))
+            });
+        }
+        match name.strip_prefix(examples::PREFIX) {
+            Some(example) => Ok(Self::Example(name, examples::find(example)?)),
+            None => Ok(Self::File(path)),
+        }
+    }
+
+    /// The scene with changes.
+    ///
+    /// # Errors
+    /// As [`load_with`].
+    pub(crate) fn load(&self, changes: &[Override]) -> Result<LoadedScene, SceneFileError> {
+        match self {
+            Self::File(path) => load_with(path, changes),
+            Self::Stdin(text) => load_text(STDIN, text, changes),
+            Self::Example(name, text) => load_with_meshes(name, text, examples::MESHES, changes),
+        }
+    }
+
+    /// What it is called on the command line.
+    pub(crate) fn name(&self) -> &OsStr {
+        match self {
+            Self::File(path) => path.as_os_str(),
+            Self::Stdin(_) => OsStr::new(STANDARD),
+            Self::Example(name, _) => OsStr::new(*name),
+        }
+    }
+
+    /// The file, when it is one.
+    pub(crate) fn file(&self) -> Option<&'a Path> {
+        match self {
+            Self::File(path) => Some(path),
+            Self::Stdin(_) | Self::Example(..) => None,
+        }
+    }
+}
 
 /// The scene with the changes of the command line.
 pub(crate) fn load(args: &SceneArgs) -> Result<LoadedScene, Failure> {
-    Ok(load_with(&args.scene, &overrides(&args.changes)?)?)
+    Ok(SceneText::of(&args.scene)?.load(&overrides(&args.changes)?)?)
+}
+
+/// A scene by its name, with changes.
+pub(crate) fn load_changed(path: &Path, changes: &[Override]) -> Result<LoadedScene, Failure> {
+    Ok(SceneText::of(path)?.load(changes)?)
 }
 
 /// The changes of the command line.

@@ -4,11 +4,12 @@ use crate::args::ViewArgs;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
+use crate::progress::Progress;
 use crate::viewpoint::viewpoint;
-use crate::watch::{Bar, Interrupt, Watch};
-use crate::{inputs, scene, stdout};
-use polhode::{BodySample, Flow, Observer, Outcome, RunReport};
-use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory, load_with};
+use crate::watch::{Interrupt, Watch};
+use crate::{cost, examples, inputs, scene, stdout};
+use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
+use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory};
 use polhode_view::page::MOST_FRAMES;
 use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
@@ -38,6 +39,10 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
     let interval_s = interval(args.fps, &paths)?;
     let runs = runs(args, interval_s)?;
     check_pictures_of_two(&paths, &runs)?;
+    for path in &paths {
+        let meshes: Vec<PathBuf> = runs.iter().flat_map(|run| run.loaded.mesh_files()).collect();
+        inputs::check_output(path, meshes.iter().map(PathBuf::as_path))?;
+    }
     let heading = Heading::of(runs.iter().map(|run| &run.loaded));
     let options = Options {
         least_interval_s: args.fps.map(|_| interval_s),
@@ -176,9 +181,11 @@ fn show(
         Motion::Simulated => {
             pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Simulation)?;
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
-            let bar = Bar::new(run.loaded.scene.duration_s());
-            let mut watch = Watch { observers: vec![pictures], bar: &bar, interrupt, stop_s: f64::INFINITY };
-            let report = simulation.run(&mut watch);
+            let mut bar = Progress::new("simulating");
+            bar.run(0.0, run.loaded.scene.duration_s());
+            let stop_s = f64::INFINITY;
+            let mut watch = Watch { observers: vec![pictures], bar: &bar, interrupt, stop_s, is_stopped: false };
+            let report = shown_to_its_end(&mut simulation, &mut watch);
             bar.clear();
             match report.map_err(|error| scene::failed(&run.loaded, error)) {
                 Ok(report) if interrupt.has_come() => {
@@ -196,11 +203,23 @@ fn show(
     }
 }
 
+/// Runs to the end, to Ctrl-C or to a picture that is full, and looks at the energies on the way.
+fn shown_to_its_end(simulation: &mut Simulation, watch: &mut Watch<'_>) -> Result<RunReport, SimulationError> {
+    loop {
+        let report = simulation.run(watch)?;
+        let is_look = report.simulated_s < report.duration_s && watch.bar.wants_look() && !watch.is_stopped;
+        if !is_look || watch.interrupt.has_come() {
+            return Ok(report);
+        }
+        watch.bar.look(cost::energy_error(&report));
+    }
+}
+
 /// Says on stderr that a run has not kept its promise: what it shows is still worth looking at.
 fn note_degraded(report: &RunReport) {
     if report.outcome == Outcome::Degraded {
         let first = report.warnings.first().map_or("", String::as_str);
-        failure::note(&format!("note: {}: degraded: {first}", report.scene));
+        failure::remark(&format!("note: {}: degraded: {first}", report.scene));
     }
 }
 
@@ -221,7 +240,7 @@ fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
     let (trajectories, scenes): (Vec<_>, Vec<_>) = args.files.iter().partition(|path| is_trajectory(path));
     let changes = scene::overrides(&args.changes)?;
     let simulated = |path: &Path, changes: &[polhode_scene::Override], name: Option<String>| {
-        let mut loaded = load_with(path, changes)?;
+        let mut loaded = scene::load_changed(path, changes)?;
         let interval = interval_s.max(loaded.scene.duration_s() / MOST_FRAMES).min(loaded.scene.duration_s());
         let scene = loaded.scene.clone().with_output_interval(interval);
         loaded.scene = scene.map_err(|error| Failure::from(loaded.explain(error)))?;
@@ -252,7 +271,7 @@ fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
         ([scene], [_] | [_, _]) => trajectories
             .iter()
             .map(|path| {
-                let loaded = load_with(scene, &changes)?;
+                let loaded = scene::load_changed(scene, &changes)?;
                 let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 Ok(ShownRun { loaded, motion: Motion::Read((*path).clone()), name })
             })
@@ -264,7 +283,7 @@ fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
 /// Where the pictures go.
 fn outputs(args: &ViewArgs) -> Result<Vec<PathBuf>, Failure> {
     let ending = if args.still.is_some() { "png" } else { "html" };
-    let beside = || args.files.first().map(|file| file.with_extension(ending)).into_iter().collect();
+    let beside = || args.files.first().map(|file| place_beside(file, ending)).into_iter().collect();
     let paths: Vec<PathBuf> = if args.output.is_empty() { beside() } else { args.output.clone() };
     for path in &paths {
         let refused = match Kind::of(path) {
@@ -278,6 +297,16 @@ fn outputs(args: &ViewArgs) -> Result<Vec<PathBuf>, Failure> {
         return Err(Failure::Usage(format!("error: {}: {refused}", path.display())));
     }
     Ok(paths)
+}
+
+/// Where pictures of a file go; those of an example or of stdin are put into the present folder.
+fn place_beside(file: &Path, ending: &str) -> PathBuf {
+    let name = file.to_str().unwrap_or_default();
+    match name.strip_prefix(examples::PREFIX) {
+        Some(example) => PathBuf::from(format!("{example}.{ending}")),
+        None if name == scene::STANDARD => PathBuf::from(format!("stdin.{ending}")),
+        None => file.with_extension(ending),
+    }
 }
 
 /// Time between frames, s.

@@ -129,3 +129,8 @@ pub use spatial::{
     ConstantScrew, ConstantVelocity, DMat3, DVec3, Motion, MotionBounds, MotionError, Pose, Rotation, RotationError,
     SteadyFlight, Still, UnitVector, UnitVectorError, Velocity,
 };
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -104,3 +104,8 @@ pub use spatial::{
     DMat3, DQuat, DVec3, Inertia, InertiaError, Mass, MassProperties, MassPropertiesError, Motion, MotionBounds, Pose,
     PrincipalAxes, Rotation, RotationError, Velocity,
 };
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

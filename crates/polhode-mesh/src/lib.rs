@@ -130,3 +130,8 @@ pub use spatial::{
     DMat3, DVec3, Density, Inertia, InertiaError, Mass, MassProperties, MassPropertiesError, Pose, PrincipalAxes,
     Rotation,
 };
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

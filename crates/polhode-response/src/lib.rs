@@ -13,7 +13,7 @@
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
 //! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
-//! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide |
+//! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
@@ -113,6 +113,11 @@ pub use problem::{ContactProblem, RowKind};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use row_block::{RowBlock, RowEntries};
 pub use settings::{FallbackPolicy, SolverSettings};
-pub use sliding::{SlidingRow, least_norm_sliding_forces};
+pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 
 pub use polhode_spatial as spatial;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -25,6 +25,10 @@ use crate::error::{ResponseError, check_finite, check_length};
 /// [`RANK_CUT`](crate::held_rows::RANK_CUT).
 const DEPENDENT: f64 = 1e-10;
 
+/// Forces that move bodies by less than this fraction of what they would one by one hold nothing (no unit, a square):
+/// the square of [`DEPENDENT`] rounding with room for that of directions.
+const MOVES: f64 = 1e-16;
+
 /// Steps of iterative refinement: the first brings the residual to rounding.
 const REFINEMENTS: usize = 1;
 
@@ -108,6 +112,52 @@ pub fn least_norm_sliding_forces(
     Ok(forces)
 }
 
+/// Whether the motion depends on which of the forces that hold all rows are chosen: whether some of them, `z`, hold
+/// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows
+/// are those of [`least_norm_sliding_forces`].
+///
+/// # Errors
+/// When a row does not exist, or a number is not finite.
+pub fn motion_depends_on_choice(
+    delassus: &Delassus,
+    held: usize,
+    sliding: &[SlidingRow],
+) -> Result<bool, ResponseError> {
+    delassus.check_finite()?;
+    let rows = delassus.len();
+    check_length("rows held and sliding", rows, held + sliding.len())?;
+    for row in sliding {
+        if row.normal >= held || !(held..rows).contains(&row.tangent) {
+            return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
+        }
+    }
+    let mut matrix = Vec::with_capacity(held * held);
+    for row in 0..held {
+        let start = matrix.len();
+        matrix.extend_from_slice(&delassus.row(row)[..held]);
+        for slide in sliding {
+            matrix[start + slide.normal] -= slide.coefficient * delassus.row(row)[slide.tangent];
+        }
+    }
+    let factor = PivotedQr::factor(held, held, matrix, DEPENDENT);
+    for column in factor.rank()..held {
+        let mut forces = vec![0.0; held];
+        forces[column] = 1.0;
+        factor.apply(&mut forces);
+        forces.resize(rows, 0.0);
+        for slide in sliding {
+            forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
+        }
+        // z.G z is the square of the accelerations in the norm of mass.
+        let moved = dot(&forces, &delassus.times(&forces)?);
+        let terms: f64 = forces.iter().enumerate().map(|(row, force)| delassus.get(row, row) * force * force).sum();
+        if moved > MOVES * terms {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
 /// Subtracts from `forces` what holds nothing in them: their part in the null space of the matrix of which `factor`
 /// holds the transposed one, with its columns scaled.
 fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
@@ -133,6 +183,29 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
     use crate::ContactProblem;
+
+    /// A plate of 1 kg on four feet that slide all one way moves in one way, whatever they bear; if they slide in a
+    /// circle, what each bears decides how much they brake.
+    #[test]
+    fn motion_depends_on_the_choice_where_feet_slide_in_different_directions() {
+        let feet = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
+        let circle = |[x, y]: [f64; 2]| [-y, x];
+        for (directions, depends) in [(feet.map(|_| [1.0, 0.0]), false), (feet.map(circle), true)] {
+            let mut inverse_mass = vec![0.0; 36];
+            (0..6).for_each(|k| inverse_mass[7 * k] = 1.0);
+            let mut problem = ContactProblem::new(6, inverse_mass).unwrap();
+            for [x, y] in feet {
+                problem.push_row(&[(0, &[0.0, 0.0, 1.0, y, -x, 0.0])]).unwrap();
+            }
+            // Feet of different distances press differently on the turn: the last one stands further out.
+            let reach = [1.0, 1.0, 1.0, 1.5];
+            for (([x, y], [dx, dy]), reach) in feet.into_iter().zip(directions).zip(reach) {
+                problem.push_bilateral_row(&[(0, &[dx, dy, 0.0, 0.0, 0.0, reach * (x * dy - y * dx)])]).unwrap();
+            }
+            let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
+            assert_eq!(motion_depends_on_choice(&problem.delassus(), 4, &sliding).unwrap(), depends);
+        }
+    }
 
     /// Four feet under a beam of 1 kg and 1 kg m^2, at other distances to the left than to the right, its centre of mass
     /// at their height: least are the forces that are linear in the place.

@@ -5,7 +5,7 @@ use polhode::SceneError;
 use polhode::contact::ShapeError;
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
-use polhode::scene::MotionError;
+use polhode::scene::{MotionError, OverlapAtStart};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -44,22 +44,50 @@ pub enum SceneFileError {
     /// The content is refused.
     #[error("{0}")]
     Refused(Box<Refused>),
+    /// Several things in the content are refused, in the order of the file: at least two.
+    #[error("{}", shown(_0))]
+    Several(Vec<Refused>),
+}
+
+/// Most errors of a scene that are shown: more do not help.
+pub(crate) const MOST_ERRORS: usize = 20;
+
+/// Errors below each other, and how many there are.
+fn shown(errors: &[Refused]) -> String {
+    let mut text: String = errors.iter().take(MOST_ERRORS).map(|error| format!("{error}\n\n")).collect();
+    let more = if errors.len() > MOST_ERRORS { " are shown; there are more" } else { "" };
+    let _ = write!(text, "{} errors{more}", errors.len().min(MOST_ERRORS));
+    text
 }
 
 impl SceneFileError {
+    /// Of all that is refused; at least one.
+    pub(crate) fn of_all(mut errors: Vec<Refused>) -> Self {
+        errors.sort_by_key(|error| error.at);
+        match (errors.pop(), errors.is_empty()) {
+            (Some(only), true) => Self::Refused(Box::new(only)),
+            (last, _) => {
+                errors.extend(last);
+                Self::Several(errors)
+            }
+        }
+    }
+
     /// Whether reading a file failed, as opposed to what stands in it.
     pub fn is_input_output(&self) -> bool {
         match self {
             Self::Read { .. } => true,
-            Self::Refused(refused) => matches!(refused.cause, Refusal::MeshFile(MeshFileError::Read { .. })),
+            Self::Refused(refused) => refused.is_input_output(),
+            Self::Several(errors) => errors.iter().all(Refused::is_input_output),
             Self::TooLarge { .. } | Self::NotText { .. } => false,
         }
     }
 
-    /// What is refused, when it is the content.
+    /// What is refused first, when it is the content.
     pub fn refused(&self) -> Option<&Refused> {
         match self {
             Self::Refused(refused) => Some(refused),
+            Self::Several(errors) => errors.first(),
             _ => None,
         }
     }
@@ -73,6 +101,14 @@ pub struct Refused {
     /// Why.
     pub cause: Refusal,
     pub(crate) rendered: String,
+    /// Where in the texts of the document, bytes: the order of errors.
+    pub(crate) at: usize,
+}
+
+impl Refused {
+    fn is_input_output(&self) -> bool {
+        matches!(self.cause, Refusal::MeshFile(MeshFileError::Read { .. }))
+    }
 }
 
 impl fmt::Display for Refused {
@@ -312,15 +348,17 @@ impl Refusal {
     /// What is accepted instead, in a sentence; `None` when the message says it already.
     pub(crate) fn accepted(&self) -> Option<String> {
         match self {
-            Self::UnknownKey { accepted, .. } | Self::UnknownValue { accepted, .. } | Self::Type { accepted, .. } => {
-                Some(format!("accepted: {accepted}"))
+            Self::UnknownKey { key: word, accepted } | Self::UnknownValue { value: word, accepted } => {
+                Some(format!("{}accepted: {accepted}", meant(word, accepted)))
             }
+            Self::UnknownName { name, known, .. } => Some(format!("{}accepted: {known}", meant(name, known))),
+            Self::Type { accepted, .. } => Some(format!("accepted: {accepted}")),
+            Self::Scene(SceneError::InitialOverlap(pairs)) => mend(pairs),
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
-            Self::UnknownName { known, .. } => Some(format!("accepted: {known}")),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
             Self::DuplicateName(_) => Some("names must differ".to_owned()),
@@ -391,27 +429,36 @@ pub(crate) fn nearest(name: &str, names: &[&str], none: &str) -> String {
     list(&sorted)
 }
 
-/// How many characters must be put in, left out or replaced to make `b` of `a` (Levenshtein's distance), of the first
-/// [`COMPARED`] characters of each.
-fn edits(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<_>, Vec<_>) = (a.chars().take(COMPARED).collect(), b.chars().take(COMPARED).collect());
-    // The row of distances from the beginnings of `a` to all beginnings of `b`.
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, from) in a.iter().enumerate() {
-        let mut diagonal = i;
-        let mut left = i + 1;
-        if let Some(first) = row.first_mut() {
-            *first = left;
-        }
-        for (to, above) in b.iter().zip(row.iter_mut().skip(1)) {
-            let replaced = diagonal + usize::from(from != to);
-            diagonal = *above;
-            left = replaced.min(*above + 1).min(left + 1);
-            *above = left;
-        }
-    }
-    row.last().copied().unwrap_or_default()
+/// The question whether one of a list of quoted words was meant; empty when none is like the word.
+fn meant(word: &str, list: &str) -> String {
+    let near = list.split('`').skip(1).step_by(2).map(|known| (edits(word, known), known)).min();
+    let is_slip = |edits: usize| edits > 0 && edits <= MOST_SLIPS && 2 * edits <= word.chars().count();
+    near.filter(|(edits, _)| is_slip(*edits)).map_or_else(String::new, |(_, known)| format!("did you mean `{known}`? "))
 }
+
+/// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's size,
+/// and what a file of few digits gives is below a thousandth.
+fn mend(pairs: &[OverlapAtStart]) -> Option<String> {
+    let deepest_m = pairs.iter().map(|pair| pair.depth_m).fold(0.0, f64::max);
+    let is_small = pairs.iter().all(|pair| pair.depth_m <= MENDED_OF_TOUCH * pair.allowed_m);
+    // Rounded up to two digits, so that it is enough.
+    let limit = format!("{:.1e}", 1.05 * deepest_m);
+    is_small
+        .then(|| format!("to have them moved apart: `--set start.separate={limit}`, or `[start] separate = {limit}`"))
+}
+
+/// Overlaps up to this many times the one that counts as touch are taken for the rounding of a file.
+const MENDED_OF_TOUCH: f64 = 1e6;
+
+/// How many slips of the pen (a character put in, left out, replaced, or exchanged with its neighbour) make `b` of `a`, of
+/// the first [`COMPARED`] characters of each.
+fn edits(a: &str, b: &str) -> usize {
+    let [a, b] = [a, b].map(|word| word.chars().take(COMPARED).collect::<String>());
+    strsim::osa_distance(&a, &b)
+}
+
+/// Most slips of the pen of a word that is taken for another.
+const MOST_SLIPS: usize = 3;
 
 /// Characters that are compared of each name: longer ones differ early or are not a slip of the pen, and a file may
 /// hold a million of them.

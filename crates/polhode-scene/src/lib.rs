@@ -40,7 +40,7 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | read | reads the file, up to a largest length | `load.rs`, `read.rs` |
-//! | document | parses the text and values set from outside, and keeps the place of every key | `document/mod.rs`, `document/tree.rs`, `document/overrides.rs` |
+//! | document | parses the text and values set from outside, and keeps the place of every key | `document/mod.rs`, `document/tree.rs`, `document/overrides.rs`, `document/repair.rs` |
 //! | format | turns keys into plain data | `format/scene.rs` |
 //! | build | makes bodies, forces and method through the constructors that check them | `build/scene.rs` |
 //! | meshes | reads the mesh files that bodies name | `mesh_file.rs` |
@@ -72,10 +72,15 @@ pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;
 pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError};
-pub use load::{LoadedScene, load, load_text, load_with};
+pub use load::{LoadedScene, load, load_text, load_with, load_with_meshes};
 pub use mesh_file::read_mesh;
 pub use mesh_report::{Filling, MeshReport};
-pub use output::{AtomicFile, OutputError, Outputs};
+pub use output::{AtomicFile, CsvStream, OutputError, Outputs, Unfinished};
 pub use report::{plan_json, plan_with_accelerations_json, report_json, scene_report_json};
 pub use schema::schema;
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

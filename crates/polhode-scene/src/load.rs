@@ -7,7 +7,7 @@ use crate::format::SceneFile;
 use crate::mesh_file::MeshFolder;
 use crate::read;
 use polhode::{Scene, SceneError};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Largest scene file read, bytes: a hundred thousand bodies need about 20 MB.
 pub const LARGEST_SCENE_FILE: u64 = 64 << 20;
@@ -19,9 +19,17 @@ pub struct LoadedScene {
     pub scene: Scene,
     document: Document,
     file: SceneFile,
+    meshes: MeshFolder,
 }
 
 impl LoadedScene {
+    /// The mesh files that the scene was made from; those inside the program are none.
+    pub fn mesh_files(&self) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        self.file.bodies.iter().filter_map(|body| body.shape.as_ref()).for_each(|shape| shape.add_files(&mut files));
+        files.into_iter().filter_map(|file| self.meshes.path(file)).collect()
+    }
+
     /// What the scene is, in a few words: its `title`, or else its name.
     pub fn title(&self) -> String {
         self.file.title.as_deref().and_then(on_one_line).unwrap_or_else(|| self.scene.name().to_owned())
@@ -79,10 +87,20 @@ pub fn load_text(origin: &str, text: &str, overrides: &[Override]) -> Result<Loa
     from_document(Document::new(origin, text.to_owned(), overrides), &folder, origin)
 }
 
+/// Loads a scene from text that has mesh files with it, each by the name that the scene gives it.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with_meshes(
+    origin: &str,
+    text: &str,
+    meshes: &'static [(&'static str, &'static [u8])],
+    overrides: &[Override],
+) -> Result<LoadedScene, SceneFileError> {
+    from_document(Document::new(origin, text.to_owned(), overrides), &MeshFolder::inside(meshes), origin)
+}
+
 fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
-    let file = document.read()?;
-    match build::scene(&file, folder, name) {
-        Ok(scene) => Ok(LoadedScene { scene, document, file }),
-        Err((path, refusal)) => Err(document.refuse(&path, refusal)),
-    }
+    let (file, scene) = document.read(|file| build::scene(file, folder, name))?;
+    Ok(LoadedScene { scene, document, file, meshes: folder.clone() })
 }

@@ -2,6 +2,7 @@
 
 use crate::error::MeshFileError;
 use polhode::mesh::{MeshFormat, TriangleMesh, format};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Largest mesh file read, bytes: some ten million triangles, beyond which a text file is the wrong way.
@@ -9,17 +10,44 @@ pub const LARGEST_MESH_FILE: u64 = 1 << 30;
 
 /// Where the mesh files of a scene are.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct MeshFolder(PathBuf);
+pub(crate) enum MeshFolder {
+    /// In a folder.
+    Disk(PathBuf),
+    /// With the text of the scene, by name.
+    Inside(&'static [(&'static str, &'static [u8])]),
+}
 
 impl MeshFolder {
     /// The folder of a scene file.
     pub(crate) fn beside(scene: &Path) -> Self {
-        Self(scene.parent().map(Path::to_owned).unwrap_or_default())
+        Self::Disk(scene.parent().map(Path::to_owned).unwrap_or_default())
+    }
+
+    /// Files that are there without a folder.
+    pub(crate) fn inside(files: &'static [(&'static str, &'static [u8])]) -> Self {
+        Self::Inside(files)
+    }
+
+    /// The path of a mesh file; none when it is in no folder.
+    pub(crate) fn path(&self, file: &str) -> Option<PathBuf> {
+        match self {
+            Self::Disk(folder) => Some(folder.join(file)),
+            Self::Inside(_) => None,
+        }
     }
 
     /// Reads a mesh file named relative to the folder.
     pub(crate) fn read(&self, file: &str) -> Result<TriangleMesh, MeshFileError> {
-        read_mesh(&self.0.join(file))
+        match self {
+            Self::Disk(folder) => read_mesh(&folder.join(file)),
+            Self::Inside(files) => {
+                let found = files.iter().find(|(name, _)| *name == file);
+                let missing = || io::Error::new(io::ErrorKind::NotFound, "it is not among the files of the example");
+                let (_, bytes) =
+                    found.ok_or_else(|| MeshFileError::Read { path: PathBuf::from(file), source: missing() })?;
+                parsed(Path::new(file), bytes)
+            }
+        }
     }
 }
 
@@ -33,8 +61,13 @@ pub fn read_mesh(path: &Path) -> Result<TriangleMesh, MeshFileError> {
         crate::read::Fault::Io(source) => MeshFileError::Read { path: path.to_owned(), source },
         crate::read::Fault::TooLarge => MeshFileError::TooLarge { path: path.to_owned(), limit: LARGEST_MESH_FILE },
     })?;
+    parsed(path, &bytes)
+}
+
+/// The mesh in a file of this name.
+fn parsed(path: &Path, bytes: &[u8]) -> Result<TriangleMesh, MeshFileError> {
     let format = MeshFormat::of_path(path)
-        .or_else(|| MeshFormat::of_content(&bytes))
+        .or_else(|| MeshFormat::of_content(bytes))
         .ok_or_else(|| MeshFileError::Format { path: path.to_owned() })?;
-    format::read(&bytes, format).map_err(|source| MeshFileError::Content { path: path.to_owned(), source })
+    format::read(bytes, format).map_err(|source| MeshFileError::Content { path: path.to_owned(), source })
 }

@@ -71,3 +71,8 @@ pub use rotation::{Rotation, RotationError};
 pub use split_mix::SplitMix64;
 pub use unit_vector::{UnitVector, UnitVectorError};
 pub use velocity::Velocity;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

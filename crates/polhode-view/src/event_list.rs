@@ -50,6 +50,7 @@ impl EventList {
             EventKind::Detach => format!("a contact of {a} and {b} opens"),
             EventKind::Stick => format!("a contact of {a} and {b} sticks"),
             EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),
+            EventKind::Jam => format!("a contact of {a} and {b} jams"),
         };
         self.events.push(ListedEvent { t: event.t, kind, bodies, text });
     }

@@ -46,3 +46,8 @@ pub use mesh_library::MeshLibrary;
 pub use page::{FrameSource, Page, PageRun};
 pub use recording::Recording;
 pub use shown_scene::ShownScene;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -169,7 +169,10 @@ pub enum SimulationError {
         now_s: f64,
     },
     /// A time of impact could not be found.
-    #[error("the search from t = {t} s for the time of impact of bodies {body_a} and {body_b} failed: {source}")]
+    #[error(
+        "the search from t = {t} s for the time of impact of bodies {body_a} and {body_b} failed: {}",
+        impact_fault(source)
+    )]
     ImpactSearch {
         /// When, s.
         t: f64,
@@ -180,4 +183,15 @@ pub enum SimulationError {
         /// Why.
         source: ImpactError,
     },
+}
+
+/// Why a search for an impact failed, in the words of a scene: its limit of evaluations is no key of one.
+fn impact_fault(source: &ImpactError) -> String {
+    match source {
+        ImpactError::EvaluationLimit { t, separation, limit } => format!(
+            "no result after {limit} evaluations, at t = {t} s with a separation of {separation:e} m: bodies that turn or \
+             move very fast for their size need too many; lower their speeds, or shorten method.step"
+        ),
+        other => other.to_string(),
+    }
 }

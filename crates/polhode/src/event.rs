@@ -21,6 +21,9 @@ pub enum EventKind {
     Stick,
     /// A contact point that stuck begins to slide.
     Slide,
+    /// An impulse at one contact point without a collision: the contact slides, and no system of finite forces
+    /// satisfies Coulomb's law (Painleve).
+    Jam,
 }
 
 impl EventKind {
@@ -35,6 +38,7 @@ impl EventKind {
             Self::Detach => "detach",
             Self::Stick => "stick",
             Self::Slide => "slide",
+            Self::Jam => "jam",
         }
     }
 }
@@ -54,7 +58,7 @@ pub struct Event {
     pub point: DVec3,
     /// Unit contact normal, from B to A, world; zero for an event without a contact.
     pub normal: DVec3,
-    /// Impulse on A along the normal, N s; zero unless the event is an impact.
+    /// Impulse on A along the normal, N s; zero unless the event is an impact or a jam.
     pub impulse: f64,
     /// Change of kinetic energy, J; negative when energy is lost.
     pub energy_change_j: f64,

@@ -174,6 +174,7 @@ mod settings;
 mod simulation;
 mod singular_force;
 mod snapshot;
+mod start_overlap;
 mod states_of;
 mod stepped;
 mod thesis;
@@ -205,3 +206,8 @@ pub use polhode_dynamics as dynamics;
 pub use polhode_mesh as mesh;
 pub use polhode_response as response;
 pub use polhode_spatial as spatial;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

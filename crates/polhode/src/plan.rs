@@ -316,9 +316,16 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
 
 /// The decision about friction.
 fn friction_decision(scene: &Scene) -> EffectDecision {
-    let largest = scene.colliding().largest_friction;
-    if largest > 0.0 {
-        let fact = format!("largest coefficient of static friction of a pair: {largest}");
+    let colliding = scene.colliding();
+    let largest = colliding.largest_friction;
+    if colliding.have_friction() {
+        let rotational = colliding.largest_rotational_friction;
+        let moments = if rotational > 0.0 {
+            format!(", largest friction of rolling or spinning: {rotational} m")
+        } else {
+            String::new()
+        };
+        let fact = format!("largest coefficient of static friction of a pair: {largest}{moments}");
         return decision(Effect::Friction, true, fact, "nothing: contacts stick or slide, by exact cones");
     }
     decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction")

@@ -22,7 +22,7 @@ use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
 use crate::tier::{Reached, Tier};
 use crate::world::{World, WorldBody};
-use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force};
+use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force, start_overlap};
 use polhode_contact::QueryError;
 use polhode_response::ComplementaritySolver;
 
@@ -101,6 +101,7 @@ impl Simulation {
         if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
             return Err(error);
         }
+        let separated = start_overlap::separate(&world, &settings, &mut states)?;
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -110,8 +111,15 @@ impl Simulation {
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
+        if let Some(what) = separated {
+            core.accounts.warn(0.0, what);
+        }
         let tier: Box<dyn Tier> = match settings.tier {
-            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
+            TierName::Accurate => {
+                let engine = Engine::new(&mut core, states.clone());
+                let all = |error| start_overlap::with_all_pairs(error, &core.world, &settings, &states);
+                Box::new(engine.map_err(all)?)
+            }
             TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };

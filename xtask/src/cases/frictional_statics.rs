@@ -162,7 +162,7 @@ pub(super) fn fc_14(context: &Context) -> CaseResult {
         context.reference.row("FC-14", "horizontal force / card weight at 15deg", push / super::bodies::GRAVITY)?,
     ];
     let card = Card::Box(0.002);
-    for degrees in [8.0, 15.0, 20.0, 30.0f64] {
+    for degrees in [8.0, 15.0, 20.0, 22.5, 25.0, 27.0, 29.0, 30.0, 31.0, 33.0, 35.0f64] {
         let quantity = format!("cards 2 mm thick: mu_min at {degrees}deg");
         let expected = card.least_friction(degrees.to_radians());
         rows.push(match least(card, degrees) {

@@ -3,11 +3,11 @@
 use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_invariances, frictional_impacts, frictional_statics, heavy_tops, impact_chains, impacts,
-    invariances, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times,
-    published_rotations, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc,
-    sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, stackings, stacks, table_edge,
-    thesis_tier, tunnelling, valleys, videos,
+    free_rotation, friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heavy_tops,
+    impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers,
+    pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact, rigid_ipc,
+    rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed,
+    spinning_scenes, stackings, stacks, structures, table_edge, thesis_tier, tunnelling, valleys, videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -129,10 +129,15 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "FC-19", rows: slipping_and_rolling::fc_19 },
     Case { name: "FC-20", rows: sliding::fc_20 },
     Case { name: "FC-21", rows: slopes::fc_21 },
+    Case { name: "structures: random", rows: structures::random },
+    Case { name: "structures: arches", rows: structures::arches },
+    Case { name: "structures: card houses", rows: structures::card_houses },
     Case { name: "random slopes", rows: slopes::random_slopes },
     Case { name: "slope of 26.565 degrees", rows: slopes::rigid_ipc_slope },
     Case { name: "ten hours on a slope", rows: slopes::ten_hours_on_a_slope },
     Case { name: "friction elsewhere", rows: friction_invariances::settings },
+    Case { name: "scenes of friction", rows: friction_scenes::rows },
+    Case { name: "scenes of spinning", rows: spinning_scenes::rows },
     Case { name: "SimBenchmark rolling", rows: slipping_and_rolling::simbenchmark_rolling },
     Case { name: "falling shapes", rows: falling_shapes::times },
     Case { name: "resting shapes", rows: falling_shapes::rest },
@@ -154,6 +159,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "CD-05", rows: long_runs::cd_05 },
     Case { name: "CD-06", rows: invariances::cd_06 },
     Case { name: "Rigid IPC scenes", rows: rigid_ipc::own },
+    Case { name: "Rigid IPC incline", rows: rigid_ipc::incline },
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
     Case { name: "snapshots", rows: snapshots::continued_runs },

@@ -12,6 +12,9 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
+/// Folder of what is built with the profile for development.
+const DEBUG_FOLDER: &str = "debug";
+
 /// Simulated seconds per second of wall time of the 4-diamond with every effect simulated.
 pub(super) fn diamond_4(_context: &Context) -> CaseResult {
     /// Asked for.
@@ -36,13 +39,16 @@ pub(super) fn peak_memory(context: &Context) -> CaseResult {
 
 /// Builds the program and returns where it is: beside this one, which was built with the same profile.
 pub(crate) fn build_program(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    let own = std::env::current_exe()?;
+    let folder = own.parent().ok_or("this program lies in no folder")?;
     let mut command = commands::cargo(root);
-    command.args(["build", "--release", "--quiet", "--package", "polhode-cli"]);
+    command.args(["build", "--quiet", "--package", "polhode-cli"]);
+    if !folder.ends_with(DEBUG_FOLDER) {
+        command.arg("--release");
+    }
     if !command.status()?.success() {
         return Err("the program polhode does not build".into());
     }
-    let own = std::env::current_exe()?;
-    let folder = own.parent().ok_or("this program lies in no folder")?;
     Ok(folder.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
 }
 

@@ -13,9 +13,10 @@ const LONGEST_FUNCTION: usize = 70;
 const LONG_BECAUSE: &str = "// Long because: ";
 
 /// Folders of oracles.
-const ORACLES: [&str; 2] = ["xtask/src/exact/", "xtask/src/interpenetration/"];
+const ORACLES: [&str; 3] = ["xtask/src/exact/", "xtask/src/interpenetration/", "xtask/src/statics/"];
 /// What oracles judge, as code names it; a mesh of triangles is data and may go in.
-const JUDGED: [&str; 4] = ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh"];
+const JUDGED: [&str; 6] =
+    ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh", "polhode_response", "polhode::response"];
 const DATA: &str = "polhode::mesh::TriangleMesh";
 
 /// A rule about one source file at a time.

@@ -3,7 +3,7 @@
 //! The suite (docs/REFERENCES.md, Ferguson) writes a scene as JSON: bodies with a mesh file, a place, velocities, what is
 //! held; degrees; y upwards. Here its axes and its gravity stay as they are. Where its format leaves a choice open,
 //! its own reader (`read_rb_scene.cpp`, `rigid_body.cpp`, `SimState.cpp`) decides. A restitution of -1 there means that
-//! no velocity is restored after the step: 0 here. Settings of its solver are reported as not used, keys that are not
+//! no velocity is restored after the step: 0 here. One coefficient of friction is that of all contacts, in both formats. Settings of its solver are reported as not used, keys that are not
 //! known are reported too, and what cannot be simulated yet is refused with file and key.
 //!
 //! | module | holds |
@@ -160,11 +160,8 @@ fn scene_text(
     let gravity = problem.vector("gravity")?.unwrap_or(DVec3::ZERO);
     let restitution = problem.number("coefficient_restitution")?.unwrap_or(0.0).max(0.0);
     let friction = problem.number("coefficient_friction")?.unwrap_or(0.0);
-    if friction != 0.0 {
-        notes.push(format!(
-            "{}: friction is left out: the suite is checked without it",
-            problem.key("coefficient_friction")
-        ));
+    if friction < 0.0 {
+        return Err(problem.refuse("coefficient_friction", format!("{friction} is negative")));
     }
     let mut bodies = Vec::new();
     let mut names = BTreeSet::new();
@@ -186,7 +183,7 @@ fn scene_text(
         duration,
         gravity: gravity.to_array(),
         output: OutputText { interval },
-        materials: BTreeMap::from([(MATERIAL, MaterialText { friction: 0.0, restitution })]),
+        materials: BTreeMap::from([(MATERIAL, MaterialText { friction, restitution })]),
         bodies,
         forces: forces.into_iter().flatten().collect(),
         no_contact,

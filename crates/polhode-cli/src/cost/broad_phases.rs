@@ -48,7 +48,7 @@ impl BroadPhaseStudy {
     ///
     /// # Errors
     /// When the scene is refused, its run fails, no body has a shape, or two broad phases find different pairs.
-    pub(super) fn run(source: &Source, samples: u32, effort: Effort) -> Result<Self, Failure> {
+    pub(super) fn run(source: &Source<'_>, samples: u32, effort: Effort) -> Result<Self, Failure> {
         let duration_s = source.load()?.scene.duration_s();
         let interval = (duration_s / f64::from(samples)).to_string();
         let scene = source.scene(&[Override::new("broad-phase study".to_owned(), "output.interval", &interval)]);

@@ -35,18 +35,18 @@ pub(crate) fn available() -> Result<(), Failure> {
 ///
 /// # Errors
 /// Why they could not be counted, in a line.
-pub(crate) fn count(source: &Source, candidate: &Candidate, sampling: &Override) -> Result<u64, String> {
+pub(crate) fn count(source: &Source<'_>, candidate: &Candidate, sampling: &Override) -> Result<u64, String> {
     let started = counted(source, candidate, sampling, None)?;
     let whole = counted(source, candidate, sampling, Some("--run"))?;
     // At least one: a cost is positive.
     Ok(whole.saturating_sub(started).max(1))
 }
 
-fn counted(source: &Source, candidate: &Candidate, sampling: &Override, run: Option<&str>) -> Result<u64, String> {
+fn counted(source: &Source<'_>, candidate: &Candidate, sampling: &Override, run: Option<&str>) -> Result<u64, String> {
     let program = std::env::current_exe().map_err(|error| fault(&error))?;
     let mut command = Command::new(VALGRIND);
     command.args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]);
-    command.arg(program).arg("probe").arg(&source.path).args(run);
+    command.arg(program).arg("probe").arg(source.text.name()).args(run);
     if source.effects == Effects::All {
         command.args(["--effects", "all"]);
     }

@@ -32,14 +32,16 @@ pub(super) fn value(study: &Study, target: Option<f64>) -> Value {
 
 fn reference(study: &Study, number: usize) -> Value {
     let reference: &Reference = &study.references[number];
-    let confirmed = study.confirmed(number);
+    let closest = study.closest_other(number);
+    let told = |(error, by): &(f64, String)| json!({ "error": error, "by": by });
     json!({
         "kind": reference.kind.word(),
         "method": reference.method,
         "model": changes(&reference.model),
         "error": reference.error,
         "basis": reference.basis,
-        "confirmed": confirmed.map(|(error, by)| json!({ "error": error, "by": by })),
+        "confirmed": closest.as_ref().filter(|(error, _)| super::text::confirms(*error)).map(told),
+        "closest_other": closest.as_ref().map(told),
         "length_m": reference.scales.length_m,
         "length_is": reference.scales.length_is,
         "speed_m_s": reference.scales.speed_m_s,

@@ -18,7 +18,6 @@
 //! | `runs` | all runs of a study |
 //! | `study` | all of it together |
 //! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
-//! | `progress` | a bar on a terminal |
 
 mod broad_phases;
 mod candidate;
@@ -31,7 +30,6 @@ mod instructions;
 mod json;
 mod ladder;
 mod options;
-mod progress;
 mod reference;
 mod runs;
 mod source;
@@ -39,11 +37,13 @@ mod study;
 mod text;
 mod timing;
 
+pub(crate) use error::energy_error;
 pub(crate) use instructions::probe;
 
-use crate::args::{CostArgs, SceneArgs};
+use crate::args::{ChangeArgs, CostArgs};
 use crate::failure::{self, Failure};
-use crate::stdout;
+use crate::scene::SceneText;
+use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
 use options::{Counting, Options};
@@ -76,7 +76,12 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     if counting == Counting::Instructions {
         instructions::available()?;
     }
-    let source = Source::new(&args.scene)?;
+    let text = SceneText::of(&args.scene.scene)?;
+    if counting == Counting::Instructions && matches!(text, SceneText::Stdin(_)) {
+        return Err(usage("--instructions runs the program again, which cannot read stdin twice: name a file"));
+    }
+    let source = Source::new(&text, &args.scene.changes)?;
+    check_outputs(args, &source)?;
     // A folder that does not exist is found before the work, not after it.
     let [csv, svg, html] = [&args.csv, &args.svg, &args.html].map(|path| open(path.as_ref()));
     let (csv, svg, html) = (csv?, svg?, html?);
@@ -101,7 +106,9 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
 
 /// Times the broad phases and tells it in every way asked for.
 fn broad_phases(args: &CostArgs) -> Result<(), Failure> {
-    let source = Source::new(&args.scene)?;
+    let text = SceneText::of(&args.scene.scene)?;
+    let source = Source::new(&text, &args.scene.changes)?;
+    check_outputs(args, &source)?;
     let [csv, html] = [&args.csv, &args.html].map(|path| open(path.as_ref()));
     let (csv, html) = (csv?, html?);
     let study = BroadPhaseStudy::run(&source, args.samples, effort(args))?;
@@ -111,6 +118,14 @@ fn broad_phases(args: &CostArgs) -> Result<(), Failure> {
         }
     }
     if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
+}
+
+/// That no output replaces what the study is made from.
+fn check_outputs(args: &CostArgs, source: &Source<'_>) -> Result<(), Failure> {
+    let mut read = source.load()?.mesh_files();
+    read.extend(source.text.file().map(Path::to_owned));
+    let outputs = [&args.csv, &args.svg, &args.html];
+    outputs.into_iter().flatten().try_for_each(|path| inputs::check_output(path, read.iter().map(PathBuf::as_path)))
 }
 
 fn effort(args: &CostArgs) -> Effort {
@@ -126,14 +141,18 @@ fn write(mut file: AtomicFile, text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// When no candidate reaches it.
-pub(crate) fn settings_for(scene: &SceneArgs, accuracy: f64) -> Result<Vec<Override>, Failure> {
+pub(crate) fn settings_for(
+    scene: &SceneText<'_>,
+    changes: &ChangeArgs,
+    accuracy: f64,
+) -> Result<Vec<Override>, Failure> {
     positive("--accuracy", Some(accuracy))?;
     let options = Options { samples: SEARCH_SAMPLES, effort: FEW_ROUNDS, budget_s: SEARCH_S, counting: Counting::Time };
-    let study = Study::run(&Source::new(scene)?, &[], &options)?;
+    let study = Study::run(&Source::new(scene, changes)?, &[], &options)?;
     let Some(entry) = study.cheapest(accuracy) else {
         return Err(Failure::Check(text::not_reached(&study, accuracy)));
     };
-    failure::note(&format!("note: {}", text::reached(&study, entry, accuracy)));
+    failure::remark(&format!("note: {}", text::reached(&study, entry, accuracy)));
     Ok(entry.candidate.changes.clone())
 }
 

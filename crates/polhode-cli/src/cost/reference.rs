@@ -80,7 +80,7 @@ pub(crate) struct Reference {
 /// # Errors
 /// Why there is none, in a line.
 pub(crate) fn find(
-    source: &Source,
+    source: &Source<'_>,
     model: &[Override],
     samples: u32,
     finest_step_s: Option<f64>,
@@ -153,17 +153,17 @@ pub(crate) fn is_closed_form(plan: &Plan, scene: &Scene) -> bool {
 }
 
 /// The impact law of the scene, which the reference shares; that of the tier when the scene as it is does not run.
-fn impact(source: &Source, scene: &Scene) -> Option<ImpactLaw> {
+fn impact(source: &Source<'_>, scene: &Scene) -> Option<ImpactLaw> {
     scene.method().impact.or_else(|| plan(source, scene).ok().map(|plan| plan.impact))
 }
 
-fn plan(source: &Source, scene: &Scene) -> Result<Plan, String> {
+fn plan(source: &Source<'_>, scene: &Scene) -> Result<Plan, String> {
     Ok(Simulation::new(scene, source.effects).map_err(|error| error.to_string())?.plan().clone())
 }
 
 /// What all tries for a reference have in common.
 struct Search<'a> {
-    source: &'a Source,
+    source: &'a Source<'a>,
     model: &'a [Override],
     impact: Option<ImpactLaw>,
     interval: Override,

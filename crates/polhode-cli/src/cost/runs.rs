@@ -4,10 +4,10 @@ use super::candidate::Candidate;
 use super::error::{Errors, energy_error};
 use super::instructions;
 use super::options::{Counting, Options};
-use super::progress::Progress;
 use super::reference::{self, Reference};
 use super::source::{Completed, Source};
 use super::timing::{self, Effort, Timing};
+use crate::progress::Progress;
 use polhode::scene::Integrator;
 use polhode::{Decision, Effect, EffectDecision, Plan, Scene};
 use polhode_scene::Override;
@@ -67,7 +67,7 @@ pub(super) struct Difference {
 
 /// The runs of a study.
 pub(super) struct Runs<'a> {
-    source: &'a Source,
+    source: &'a Source<'a>,
     options: &'a Options,
     progress: &'a Progress,
     spent: Spent,
@@ -76,7 +76,7 @@ pub(super) struct Runs<'a> {
 impl<'a> Runs<'a> {
     /// Nothing run yet.
     pub(super) fn new(
-        source: &'a Source,
+        source: &'a Source<'a>,
         options: &'a Options,
         progress: &'a Progress,
         candidates: &[Candidate],
@@ -96,7 +96,7 @@ impl<'a> Runs<'a> {
                 None => Err("there is no reference".to_owned()),
             };
             compared.push(Compared { candidate, reference, outcome });
-            self.progress.advance();
+            self.progress.part_done();
         }
         compared
     }
@@ -140,7 +140,7 @@ impl<'a> Runs<'a> {
         let enough_s = SHARE_OF_ROUNDS * self.options.budget_s / scenes.len().max(1) as f64;
         let effort = Effort { enough_s: self.options.effort.enough_s.min(enough_s), ..self.options.effort };
         self.progress.phase("timing", scenes.len() * effort.most_rounds);
-        let timed = timing::interleaved(self.source, &scenes, base, effort, || self.progress.advance());
+        let timed = timing::interleaved(self.source, &scenes, base, effort, || self.progress.part_done());
         for (number, timing) in numbers.into_iter().zip(timed) {
             match timing {
                 Ok(timing) => timings[number] = Some(timing),
@@ -157,7 +157,7 @@ impl<'a> Runs<'a> {
         }
         self.progress.phase("instructions", compared.len());
         let count = |entry: &Compared| {
-            self.progress.advance();
+            self.progress.part_done();
             entry.outcome.is_ok().then(|| {
                 let sampling: Override = reference::sampling(&self.source.scene(&entry.candidate.changes)?, 1);
                 instructions::count(self.source, &entry.candidate, &sampling)

@@ -1,18 +1,17 @@
 //! The scene under study: loaded anew with every candidate's changes, and run.
 
-use crate::args::SceneArgs;
+use crate::args::ChangeArgs;
 use crate::failure::Failure;
-use crate::scene;
+use crate::scene::{self, SceneText};
 use polhode::{BodySample, Effects, Flow, Observer, Outcome, Recorder, RunReport, Scene, Simulation};
-use polhode_scene::{LoadedScene, Override, SceneFileError, load_with};
-use std::path::PathBuf;
+use polhode_scene::{LoadedScene, Override, SceneFileError};
 use std::time::{Duration, Instant};
 
 /// A scene file with the changes of the command line.
 #[derive(Debug, Clone)]
-pub(crate) struct Source {
-    /// The scene file.
-    pub(crate) path: PathBuf,
+pub(crate) struct Source<'a> {
+    /// Where the scene's text is.
+    pub(crate) text: SceneText<'a>,
     /// Changes of the command line, the same for all candidates.
     pub(crate) given: Vec<Override>,
     /// Effects that are simulated.
@@ -30,16 +29,16 @@ pub(crate) struct Completed {
     pub(crate) took: Duration,
 }
 
-impl Source {
-    /// From the arguments of a command.
-    pub(crate) fn new(args: &SceneArgs) -> Result<Self, Failure> {
-        let given = scene::overrides(&args.changes)?;
-        Ok(Self { path: args.scene.clone(), given, effects: scene::effects(&args.changes) })
+impl<'a> Source<'a> {
+    /// A scene with the changes of a command.
+    pub(crate) fn new(text: &SceneText<'a>, changes: &ChangeArgs) -> Result<Self, Failure> {
+        let given = scene::overrides(changes)?;
+        Ok(Self { text: text.clone(), given, effects: scene::effects(changes) })
     }
 
     /// The scene as it is given.
     pub(crate) fn load(&self) -> Result<LoadedScene, Failure> {
-        Ok(load_with(&self.path, &self.given)?)
+        Ok(self.text.load(&self.given)?)
     }
 
     /// The scene with some values changed.
@@ -48,7 +47,7 @@ impl Source {
     /// Why the scene is refused, in a line.
     pub(crate) fn scene(&self, changes: &[Override]) -> Result<Scene, String> {
         let all: Vec<_> = self.given.iter().chain(changes).cloned().collect();
-        Ok(load_with(&self.path, &all).map_err(|error| reason(&error))?.scene)
+        Ok(self.text.load(&all).map_err(|error| reason(&error))?.scene)
     }
 
     /// Runs a scene and keeps its samples; stops it after `limit`, where there is one.

@@ -4,13 +4,13 @@ use super::candidate::Candidate;
 use super::error::Errors;
 use super::front::{self, Point};
 use super::options::{Counting, Options};
-use super::progress::Progress;
 use super::reference::{self, Reference};
 use super::runs::{Compared, Difference, Runs, Solver};
 use super::source::Source;
 use super::timing::Timing;
 use super::{candidate::Axis, ladder};
 use crate::failure::Failure;
+use crate::progress::Progress;
 use polhode::scene::Integrator;
 use polhode_scene::names;
 
@@ -83,9 +83,9 @@ impl Study {
     ///
     /// # Errors
     /// When the scene or `axes` are refused, or there is no reference to compare with.
-    pub(crate) fn run(source: &Source, axes: &[Axis], options: &Options) -> Result<Self, Failure> {
+    pub(crate) fn run(source: &Source<'_>, axes: &[Axis], options: &Options) -> Result<Self, Failure> {
         let scene = source.load()?.scene;
-        let progress = Progress::new();
+        let mut progress = Progress::new("reading the scene");
         let asked = super::candidate::product(axes).map_err(|fault| usage(&fault))?;
         progress.phase("reference", 1);
         let (references, candidates) = if axes.is_empty() {
@@ -152,7 +152,7 @@ impl Study {
     }
 
     /// How close to a reference a candidate comes that integrates in another way, with its name.
-    pub(crate) fn confirmed(&self, reference: usize) -> Option<(f64, String)> {
+    pub(crate) fn closest_other(&self, reference: usize) -> Option<(f64, String)> {
         let own = Solver::of(&self.references.get(reference)?.run.report.plan);
         let others = self.entries.iter().filter(|entry| entry.reference == reference).filter_map(|entry| {
             let measured = entry.outcome.as_ref().ok()?;
@@ -184,7 +184,7 @@ impl Study {
 }
 
 /// One reference for every model among the candidates, in the order in which they occur.
-fn references(source: &Source, candidates: &[Candidate], samples: u32) -> Result<Vec<Reference>, Failure> {
+fn references(source: &Source<'_>, candidates: &[Candidate], samples: u32) -> Result<Vec<Reference>, Failure> {
     let steps = candidates.iter().filter_map(|candidate| candidate.value("method.step")?.parse::<f64>().ok());
     let finest_step_s = steps.filter(|&step| step > 0.0).min_by(f64::total_cmp);
     let mut references: Vec<Reference> = Vec::new();

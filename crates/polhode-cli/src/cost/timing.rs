@@ -42,7 +42,7 @@ pub(crate) struct Timing {
 /// Times the scenes in rounds; one that fails has the reason instead. `base` is what ratios are relative to, and
 /// `advance` is told of every run.
 pub(crate) fn interleaved(
-    source: &Source,
+    source: &Source<'_>,
     scenes: &[Scene],
     base: usize,
     effort: Effort,

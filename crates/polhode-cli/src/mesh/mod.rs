@@ -12,7 +12,8 @@ mod studies;
 
 use crate::args::{MeshArgs, MeshRepairArgs};
 use crate::failure::Failure;
-use crate::{stdout, text};
+use crate::progress::Progress;
+use crate::{inputs, stdout, text};
 use output::MeshOutput;
 use parts::Parts;
 use polhode::mesh::{Amount, RepairOptions, RepairReport, TriangleMesh, in_principal_axes, recentered, repair};
@@ -33,6 +34,10 @@ pub(crate) fn mesh(args: &MeshArgs) -> Result<(), Failure> {
         (None, density) => Density::new(density.unwrap_or(DEFAULT_DENSITY))?.into(),
     };
     let output = MeshOutput::of(&args.output)?;
+    if let Some(path) = &args.output.output {
+        inputs::check_output(path, [args.file.as_path()])?;
+    }
+    let _progress = Progress::new("measuring the mesh");
     let mut mesh = read_mesh(&args.file)?;
     if let Some(factor) = args.frame.scale {
         mesh = mesh.scaled(factor)?;

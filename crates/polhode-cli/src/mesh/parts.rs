@@ -25,7 +25,15 @@ impl Parts {
         let failed = |error: &dyn std::fmt::Display| Failure::Check(format!("error: {error}"));
         Ok(Some(if args.approximate {
             let settings = ApproximateSettings::default();
-            Self::Approximate(approximate_decomposition(&solid, settings).map_err(|error| failed(&error))?)
+            let approximate = approximate_decomposition(&solid, settings).map_err(|error| failed(&error))?;
+            // Parts that fill the solid are better than as many or more that do not; more are not looked for.
+            let settings = DecompositionSettings { max_parts: approximate.parts.len().max(1) };
+            match convex_decomposition(&solid, settings) {
+                Ok(exact) if exact.unresolved == 0 && exact.parts.len() <= approximate.parts.len() => {
+                    Self::Exact(exact)
+                }
+                _ => Self::Approximate(approximate),
+            }
         } else {
             let settings = DecompositionSettings::default();
             Self::Exact(convex_decomposition(&solid, settings).map_err(|error| failed(&error))?)

@@ -8,8 +8,26 @@ use polhode_scene::{LoadedScene, names};
 /// Most bodies listed: more are for a file to hold.
 const MOST_BODIES: usize = 50;
 
+/// Width of a plan, characters.
+const WIDTH: usize = 100;
+
+/// What a run has come to: its report, and below it the plan.
+pub(crate) fn run(loaded: &LoadedScene, report: &RunReport, wall_s: f64) -> String {
+    format!("{}{}\n{}", heading(loaded), self::report(report, wall_s), methods_and_effects(&report.plan))
+}
+
 /// The scene with what it shows, and the plan: methods, then one line per effect.
 pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
+    format!("{}{}\n", heading(loaded), methods_and_effects(plan))
+}
+
+/// Name, title and description of the scene.
+fn heading(loaded: &LoadedScene) -> String {
+    let name = loaded.scene.name();
+    format!("scene {name}\n{}\n", Heading::of(std::iter::once(loaded)).lines(name))
+}
+
+fn methods_and_effects(plan: &Plan) -> String {
     let mut methods = Table::default();
     methods.row(["tier", &format!("{} ({})", names::tier(plan.tier), plan.tier_reason)]);
     methods.row(["integrator", &format!("{} ({})", names::integrator(plan.integrator), plan.integrator_reason)]);
@@ -21,11 +39,11 @@ pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
     methods.row(["tolerance", &number(plan.tolerance)]);
     let mut effects = Table::default();
     for effect in &plan.effects {
-        effects.row([effect.effect.name(), names::decision(effect.decision), &effect.fact, &effect.saves]);
+        let saves = if effect.saves.is_empty() { String::new() } else { format!("; {}", effect.saves) };
+        let fact = format!("{}{saves}", effect.fact);
+        effects.row([effect.effect.name(), names::decision(effect.decision), &fact]);
     }
-    let name = loaded.scene.name();
-    let heading = Heading::of(std::iter::once(loaded)).lines(name);
-    format!("scene {name}\n{heading}\nplan\n{}\neffects\n{}\n", methods.print(), effects.print())
+    format!("plan\n{}\neffects\n{}", methods.print_within(WIDTH), effects.print_within(WIDTH))
 }
 
 /// Accelerations at t = 0.
@@ -39,7 +57,7 @@ pub(crate) fn accelerations(scene: &Scene, accelerations: &[Acceleration]) -> St
 }
 
 /// The report of a run that took `wall_s` seconds.
-pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
+fn report(report: &RunReport, wall_s: f64) -> String {
     let mut run = Table::default();
     let ended = names::outcome(report.outcome);
     run.row(["simulated", &format!("{} of {} s, {ended}", number(report.simulated_s), number(report.duration_s))]);
@@ -54,23 +72,25 @@ pub(crate) fn report(report: &RunReport, wall_s: f64) -> String {
     energies.row(["kinetic", &joule(energy.kinetic_j)]);
     energies.row(["potential", &joule(energy.potential_j)]);
 
-    let mut page = format!(
-        "run\n{}\ncertificate (largest of the run)\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\n\
+    format!(
+        "run\n{}{}\ncertificate (largest of the run)\n{}\nenergy\n{}\nledger (lost, but for work done by forces)\n{}\n\
          ledger of momentum (lost, but for what gravity and fixed bodies gave)\n{}\n{}",
         run.print(),
+        warnings(report),
         certificate(report),
         energies.print(),
         ledger(&report.ledger),
         momentum_ledger(&report.ledger.momentum),
         bodies(report)
-    );
-    let warnings = report.warnings.iter().map(|warning| format!("\nwarning: {warning}"));
-    let tolerated = report.tolerated.iter().map(|tolerated| format!("\ntolerated: {tolerated}"));
-    page.extend(warnings.chain(tolerated));
-    if !(report.warnings.is_empty() && report.tolerated.is_empty()) {
-        page.push('\n');
-    }
-    page
+    )
+}
+
+/// What is to be known of the run before its numbers.
+fn warnings(report: &RunReport) -> String {
+    let warnings = report.warnings.iter().map(|warning| format!("warning: {warning}\n"));
+    let tolerated = report.tolerated.iter().map(|tolerated| format!("tolerated: {tolerated}\n"));
+    let all: String = warnings.chain(tolerated).collect();
+    if all.is_empty() { all } else { format!("\n{all}") }
 }
 
 /// What the run says of its own accuracy: what was lost first, the certificate next; closure stands with the ledgers, for it

@@ -32,13 +32,60 @@ impl Table {
         for row in &self.rows {
             let mut line = String::new();
             for (cell, &width) in row.iter().zip(&widths) {
-                let _ = write!(line, "  {cell:<width$}");
+                let _ = write!(line, "{GAP}{cell:<width$}");
             }
             text.push_str(line.trim_end());
             text.push('\n');
         }
         text
     }
+}
+
+impl Table {
+    /// The rows, with the last column broken between words so that no line is longer than `width` characters, but for
+    /// longer words.
+    pub(crate) fn print_within(&self, width: usize) -> String {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let cell_width = |column: usize| {
+            self.rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+        };
+        let before: usize = (0..columns.saturating_sub(1)).map(|column| cell_width(column) + GAP.len()).sum();
+        let mut broken = Self::default();
+        for row in &self.rows {
+            let Some((last, first)) = row.split_last().filter(|_| row.len() == columns) else {
+                broken.rows.push(row.clone());
+                continue;
+            };
+            for (number, line) in lines(last, width.saturating_sub(before + GAP.len())).into_iter().enumerate() {
+                let mut cells = if number == 0 { first.to_vec() } else { vec![String::new(); first.len()] };
+                cells.push(line);
+                broken.rows.push(cells);
+            }
+        }
+        broken.print()
+    }
+}
+
+/// What stands before every cell.
+const GAP: &str = "  ";
+
+/// A text in lines of at most `width` characters, but for longer words; at least one.
+pub(crate) fn lines(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let used = lines.last().map_or(0, |line| line.chars().count());
+        let fits = used == 0 || used + 1 + word.chars().count() <= width;
+        match lines.last_mut().filter(|_| fits) {
+            Some(line) => {
+                if used > 0 {
+                    line.push(' ');
+                }
+                line.push_str(word);
+            }
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 /// A number in at most [`DIGITS`] significant digits.

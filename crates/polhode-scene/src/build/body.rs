@@ -10,7 +10,7 @@ use crate::error::Refusal;
 use crate::format::{BodyEntry, Exactly};
 use crate::mesh_file::MeshFolder;
 use glam::DVec3;
-use polhode::spatial::Velocity;
+use polhode::spatial::{Inertia, Mass, MassProperties, Velocity};
 use polhode::{Body, SceneError};
 
 /// The body given at `path`.
@@ -55,6 +55,17 @@ pub(super) fn build(
     Ok(body)
 }
 
+/// A body in the place of one that is refused, so that what names it can be looked at.
+pub(super) fn stand_in(entry: &BodyEntry) -> Body {
+    let unit = Mass::new(1.0).ok().zip(Inertia::from_diagonal(DVec3::ONE).ok());
+    match unit {
+        Some((mass, inertia)) if !entry.fixed => {
+            Body::movable(&entry.name, MassProperties::new(mass, DVec3::ZERO, inertia))
+        }
+        _ => Body::fixed(&entry.name),
+    }
+}
+
 /// A fixed body has no mass, no velocity and no pivot.
 fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
     let moves = |velocity: &Option<Exactly<f64, 3>>| velocity.as_ref().is_some_and(|v| v.0 != [0.0; 3]);
@@ -62,6 +73,7 @@ fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
         (entry.mass.is_some(), "mass"),
         (entry.density.is_some(), "density"),
         (entry.inertia.is_some(), "inertia"),
+        (entry.center_of_mass.is_some(), "center_of_mass"),
         (entry.hollow, "hollow"),
         (entry.pivot.is_some(), "pivot"),
         (moves(&entry.velocity), "velocity"),

@@ -8,6 +8,30 @@ use glam::DVec3;
 /// A refusal and the path of the key it is about.
 pub(crate) type Fault = (KeyPath, Refusal);
 
+/// All that is refused of a scene.
+#[derive(Debug, Default)]
+pub(super) struct Faults(Vec<Fault>);
+
+impl Faults {
+    /// One more.
+    pub(super) fn add(&mut self, fault: Fault) {
+        self.0.push(fault);
+    }
+
+    /// What was made; nothing where it is refused, which is noted.
+    pub(super) fn note<T>(&mut self, made: Result<T, Fault>) -> Option<T> {
+        made.map_err(|fault| self.add(fault)).ok()
+    }
+
+    /// Nothing is refused.
+    ///
+    /// # Errors
+    /// All that is.
+    pub(super) fn none(self) -> Result<(), Vec<Fault>> {
+        if self.0.is_empty() { Ok(()) } else { Err(self.0) }
+    }
+}
+
 /// `value`, when it is positive and finite.
 pub(super) fn positive(value: f64, path: &KeyPath) -> Result<f64, Fault> {
     if value > 0.0 && value.is_finite() {

@@ -3,7 +3,7 @@
 //! One entry makes one force of the engine, except drag, which makes one for each of its bodies.
 
 use super::bodies::Bodies;
-use super::fault::{Fault, not_negative, vector};
+use super::fault::{Fault, Faults, not_negative, vector};
 use super::{signal, spring};
 use crate::document::KeyPath;
 use crate::error::Refusal;
@@ -18,17 +18,18 @@ use polhode::scene::{DragLaw, Force, Frame};
 const MOST_FORCES: usize = 1_000_000;
 
 /// The forces of the file.
-pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>) -> Result<Vec<Force>, Fault> {
+pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) -> Vec<Force> {
     let mut forces = Vec::new();
     for (index, entry) in file.forces.iter().enumerate() {
         let path = KeyPath::element("forces", index);
         if forces.len() + count(&entry.kind, bodies.all()) > MOST_FORCES {
             let found = format!("a scene of more than {MOST_FORCES} forces (drag counts once for each body)");
-            return Err((path, Refusal::Type { found, accepted: "fewer forces".to_owned() }));
+            faults.add((path, Refusal::Type { found, accepted: "fewer forces".to_owned() }));
+            break;
         }
-        forces.append(&mut of_entry(&entry.kind, bodies, &path.key("type"))?);
+        forces.extend(faults.note(of_entry(&entry.kind, bodies, &path.key("type"))).unwrap_or_default());
     }
-    Ok(forces)
+    forces
 }
 
 /// The entry of the file that force `number` of the engine comes from.

@@ -2,9 +2,10 @@
 //!
 //! A solid (or, with `hollow`, its surface) is filled evenly; `inertia`, about the centre of mass in the body's own
 //! axes, replaces the inertia of the shape. Points and bodies without a shape have no volume to fill: they need mass
-//! and inertia, and their centre of mass is their origin.
+//! and inertia, and their centre of mass is their origin. `center_of_mass` puts the centre of mass elsewhere, as in a
+//! loaded die: such a body is not filled evenly, so that its inertia must be given too.
 
-use super::fault::Fault;
+use super::fault::{Fault, vector};
 use super::matter::{Filling, Matter};
 use crate::document::KeyPath;
 use crate::error::Refusal;
@@ -15,6 +16,19 @@ use polhode::spatial::{Density, Inertia, Mass, MassProperties};
 
 /// Mass properties of the body given at `path`.
 pub(super) fn build(entry: &BodyEntry, matter: Option<&Matter>, path: &KeyPath) -> Result<MassProperties, Fault> {
+    let Some(center) = &entry.center_of_mass else { return about_own_center(entry, matter, path) };
+    let key = path.key("center_of_mass");
+    let center = vector(center, &key)?;
+    if entry.inertia.is_none() {
+        return Err((key, Refusal::Needs { what: "a body with `center_of_mass`", needed: "`inertia`" }));
+    }
+    let found = about_own_center(entry, matter, path)?;
+    let mass = Mass::new(found.mass()).map_err(|error| (path.clone(), error.into()))?;
+    Ok(MassProperties::new(mass, center, *found.inertia()))
+}
+
+/// Mass properties with the centre of mass that the shape has.
+fn about_own_center(entry: &BodyEntry, matter: Option<&Matter>, path: &KeyPath) -> Result<MassProperties, Fault> {
     let amount = amount(entry, path)?;
     let inertia = entry.inertia.as_ref().map(|inertia| self::inertia(inertia, &path.key("inertia"))).transpose()?;
     let Some(matter) = matter.filter(|matter| matter.has_volume()) else {

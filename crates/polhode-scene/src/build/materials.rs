@@ -1,6 +1,6 @@
 //! Materials and rules for pairs of them.
 
-use super::fault::Fault;
+use super::fault::{Fault, Faults};
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{MaterialEntry, PairEntry};
@@ -12,24 +12,31 @@ use std::collections::BTreeMap;
 pub(super) struct Materials(BTreeMap<String, Material>);
 
 impl Materials {
-    pub(super) fn build(entries: &BTreeMap<String, MaterialEntry>) -> Result<Self, Fault> {
+    /// All that are sound, and a stand-in without friction for each of the others.
+    pub(super) fn build(entries: &BTreeMap<String, MaterialEntry>, faults: &mut Faults) -> Self {
         let mut materials = BTreeMap::new();
         for (name, entry) in entries {
             let path = KeyPath::of(&["materials", name]);
             if name.is_empty() {
                 // The empty name is the engine's for bodies without a material.
                 let accepted = "a name that is not empty".to_owned();
-                return Err((path, Refusal::Type { found: "an empty name".to_owned(), accepted }));
+                faults.add((path, Refusal::Type { found: "an empty name".to_owned(), accepted }));
+                materials.insert(name.clone(), Material::default());
+                continue;
             }
             let material = Material::new(name, entry.friction.unwrap_or(0.0), entry.restitution.unwrap_or(0.0))
                 .and_then(|material| match entry.static_friction {
                     Some(static_friction) => material.with_static_friction(static_friction),
                     None => Ok(material),
                 })
-                .map_err(|error| fault(error, &path))?;
-            materials.insert(name.clone(), material);
+                .and_then(|material| {
+                    let [rolling, spinning] = [entry.rolling_friction, entry.spinning_friction];
+                    material.with_rotational_friction(rolling.unwrap_or(0.0), spinning.unwrap_or(0.0))
+                })
+                .map_err(|error| fault(error, &path));
+            materials.insert(name.clone(), faults.note(material).unwrap_or_default());
         }
-        Ok(Self(materials))
+        Self(materials)
     }
 
     /// The material of this name, given at `path`.
@@ -51,6 +58,7 @@ impl Materials {
                 Some(static_friction) => rule.with_static_friction(static_friction),
                 None => Ok(rule),
             })
+            .and_then(|rule| rule.with_rotational_friction(entry.rolling_friction, entry.spinning_friction))
             .map_err(|error| fault(error, path))
     }
 }
@@ -60,6 +68,8 @@ fn fault(error: SceneError, path: &KeyPath) -> Fault {
     let key = match &error {
         SceneError::Restitution { .. } => "restitution",
         SceneError::StaticFriction { .. } => "static_friction",
+        SceneError::RotationalFriction { kind: "rolling", .. } => "rolling_friction",
+        SceneError::RotationalFriction { .. } => "spinning_friction",
         _ => "friction",
     };
     (path.key(key), error.into())

@@ -5,10 +5,12 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
     BroadPhaseName, ContactName, CrowdingName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName,
-    RotationRateName, TierName,
+    RestitutionLawName, RotationRateName, TierName,
 };
 use polhode::SceneError;
-use polhode::scene::{ContactMethod, Crowding, ImpactLaw, Method, Orientation, Response, RotationRate, Tier};
+use polhode::scene::{
+    ContactMethod, Crowding, ImpactLaw, Method, Orientation, Response, RestitutionLaw, RotationRate, Tier,
+};
 
 /// The method that the file asks for.
 pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
@@ -28,6 +30,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         orientation: entry.orientation.map(orientation),
         rotation_rate: entry.rotation_rate.map(rotation_rate),
         impact: entry.impact.map(impact),
+        restitution_law: restitution_law(entry)?,
         contact: entry.contact.map(contact),
         response: entry.response.map(response),
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
@@ -93,6 +96,25 @@ const fn impact(name: ImpactName) -> ImpactLaw {
         ImpactName::Simultaneous => ImpactLaw::Simultaneous,
         ImpactName::Reflection => ImpactLaw::Reflection,
     }
+}
+
+/// The law of restitution, with the number that one of them takes.
+fn restitution_law(entry: &MethodEntry) -> Result<Option<RestitutionLaw>, Fault> {
+    let law = entry.restitution_law;
+    if entry.tangential_restitution.is_some() && law != Some(RestitutionLawName::ChatterjeeRuina) {
+        let found = law.map_or("no restitution_law", |_| "another restitution_law").to_owned();
+        let accepted = "restitution_law = \"chatterjee-ruina\" beside tangential_restitution".to_owned();
+        return Err((KeyPath::of(&["method", "tangential_restitution"]), Refusal::Type { found, accepted }));
+    }
+    Ok(law.map(|law| match law {
+        RestitutionLawName::Stronge => RestitutionLaw::Stronge,
+        RestitutionLawName::Poisson => RestitutionLaw::Poisson,
+        RestitutionLawName::Newton => RestitutionLaw::Newton,
+        RestitutionLawName::Whittaker => RestitutionLaw::Whittaker,
+        RestitutionLawName::ChatterjeeRuina => {
+            RestitutionLaw::ChatterjeeRuina { tangential_restitution: entry.tangential_restitution.unwrap_or(0.0) }
+        }
+    }))
 }
 
 const fn response(name: ResponseName) -> Response {

@@ -21,6 +21,7 @@ pub(super) fn body(entry: &BodyEntry, motion: &MotionEntry, pose: Pose, path: &K
         (entry.mass.is_some(), "mass"),
         (entry.density.is_some(), "density"),
         (entry.inertia.is_some(), "inertia"),
+        (entry.center_of_mass.is_some(), "center_of_mass"),
         (entry.hollow, "hollow"),
         (entry.pivot.is_some(), "pivot"),
         (entry.velocity.is_some(), "velocity"),

@@ -1,50 +1,76 @@
 //! A scene: its bodies, forces, materials and method, and where an error of the whole is shown.
 
 use super::bodies::Bodies;
-use super::fault::{Fault, positive, vector};
+use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
 use super::{body, force, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
-use polhode::{Scene, SceneError};
+use polhode::{Scene, SceneBuilder, SceneError};
 
 /// The scene that a file describes; `name` is used when the file gives none.
-pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Scene, Fault> {
+///
+/// # Errors
+/// All that is refused: at least one. What is refused is replaced, so that the rest can be looked at; errors of the whole
+/// are looked for when its parts are sound.
+pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Scene, Vec<Fault>> {
     if file.format != format::VERSION {
-        return Err((KeyPath::of(&["format"]), Refusal::Version(file.format)));
+        return Err(vec![(KeyPath::of(&["format"]), Refusal::Version(file.format))]);
     }
-    let mut builder = Scene::builder(file.name.as_deref().unwrap_or(name)).method(method::build(&file.method)?);
-    if let Some(duration) = file.duration {
-        builder = builder.duration_s(positive(duration, &KeyPath::of(&["duration"]))?);
-    }
-    if let Some(interval) = file.output.interval {
-        builder = builder.output_interval_s(positive(interval, &KeyPath::of(&["output", "interval"]))?);
-    }
-    if let Some(gravity) = &file.gravity {
-        builder = builder.gravity(vector(gravity, &KeyPath::of(&["gravity"]))?);
-    }
-    let materials = Materials::build(&file.materials)?;
+    let mut faults = Faults::default();
+    let mut builder = times(file, Scene::builder(file.name.as_deref().unwrap_or(name)), &mut faults);
+    let materials = Materials::build(&file.materials, &mut faults);
     for (index, entry) in file.pairs.iter().enumerate() {
-        builder = builder.pair_rule(materials.pair_rule(entry, &KeyPath::element("pairs", index))?);
+        if let Some(rule) = faults.note(materials.pair_rule(entry, &KeyPath::element("pairs", index))) {
+            builder = builder.pair_rule(rule);
+        }
     }
-    check_names(file)?;
+    check_names(file, &mut faults);
     let mut list = Vec::with_capacity(file.bodies.len());
     for (index, entry) in file.bodies.iter().enumerate() {
-        list.push(body::build(entry, &materials, folder, &KeyPath::element("bodies", index))?);
+        let body = faults.note(body::build(entry, &materials, folder, &KeyPath::element("bodies", index)));
+        list.push(body.unwrap_or_else(|| body::stand_in(entry)));
     }
     let bodies = Bodies::new(&list);
-    for force in force::build(file, &bodies)? {
+    for force in force::build(file, &bodies, &mut faults) {
         builder = builder.force(force);
     }
     for (index, group) in file.no_contact.iter().enumerate() {
-        builder = builder.no_contact(no_contact(group, &bodies, &KeyPath::element("no_contact", index))?);
+        if let Some(group) = faults.note(no_contact(group, &bodies, &KeyPath::element("no_contact", index))) {
+            builder = builder.no_contact(group);
+        }
     }
     for body in list {
         builder = builder.body(body);
     }
-    builder.build().map_err(|error| (path_of(&error, file), Refusal::Scene(error)))
+    faults.none()?;
+    builder.build().map_err(|error| vec![(path_of(&error, file), Refusal::Scene(error))])
+}
+
+/// Method, times, gravity and start.
+fn times(file: &SceneFile, mut builder: SceneBuilder, faults: &mut Faults) -> SceneBuilder {
+    if let Some(method) = faults.note(method::build(&file.method)) {
+        builder = builder.method(method);
+    }
+    let duration = file.duration.map(|duration| positive(duration, &KeyPath::of(&["duration"])));
+    if let Some(duration) = duration.and_then(|duration| faults.note(duration)) {
+        builder = builder.duration_s(duration);
+    }
+    let interval = file.output.interval.map(|interval| positive(interval, &KeyPath::of(&["output", "interval"])));
+    if let Some(interval) = interval.and_then(|interval| faults.note(interval)) {
+        builder = builder.output_interval_s(interval);
+    }
+    let gravity = file.gravity.as_ref().map(|gravity| vector(gravity, &KeyPath::of(&["gravity"])));
+    if let Some(gravity) = gravity.and_then(|gravity| faults.note(gravity)) {
+        builder = builder.gravity(gravity);
+    }
+    let separate = file.start.separate.map(|limit| not_negative(limit, &KeyPath::of(&["start", "separate"])));
+    if let Some(limit) = separate.and_then(|limit| faults.note(limit)) {
+        builder = builder.start_separation_m(limit);
+    }
+    builder
 }
 
 /// Where an error of the whole scene is best shown: at the body or the force it names, else at the top.
@@ -54,8 +80,14 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         index.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
     };
     match error {
+        SceneError::InitialOverlap(pairs) => pairs.first().map_or_else(KeyPath::root, |pair| body(&pair.body_b)),
+        SceneError::TooManySamples { duration_s, interval_s } => {
+            // What is farther from the usual is to blame.
+            let is_long = file.duration.is_some() && *duration_s >= 1.0 / interval_s;
+            KeyPath::of(if is_long { &["duration"] } else { &["output", "interval"] })
+        }
+        SceneError::TooManySteps { .. } => KeyPath::of(&["method", "step"]),
         SceneError::NotFinite { body: name, .. }
-        | SceneError::InitialOverlap { body_b: name, .. }
         | SceneError::DuplicateName(name)
         | SceneError::FixedBodyMoves(name)
         | SceneError::MovingSurface(name)
@@ -77,18 +109,16 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
 }
 
 /// Every body has a name of its own.
-fn check_names(file: &SceneFile) -> Result<(), Fault> {
+fn check_names(file: &SceneFile, faults: &mut Faults) {
     let mut seen = std::collections::BTreeSet::new();
     for (index, body) in file.bodies.iter().enumerate() {
         let path = KeyPath::element("bodies", index).key("name");
         if body.name.is_empty() {
-            return Err((path, SceneError::EmptyName(index).into()));
-        }
-        if !seen.insert(body.name.as_str()) {
-            return Err((path, Refusal::DuplicateName(body.name.clone())));
+            faults.add((path, SceneError::EmptyName(index).into()));
+        } else if !seen.insert(body.name.as_str()) {
+            faults.add((path, Refusal::DuplicateName(body.name.clone())));
         }
     }
-    Ok(())
 }
 
 /// Numbers of the bodies of a group that does not collide.

@@ -67,6 +67,12 @@ impl KeyPath {
     }
 }
 
+impl From<&[Step]> for KeyPath {
+    fn from(steps: &[Step]) -> Self {
+        Self(steps.to_vec())
+    }
+}
+
 /// A key as TOML writes it: bare where that is allowed, quoted otherwise.
 pub(crate) fn written(key: &str) -> String {
     let bare = !key.is_empty() && key.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');

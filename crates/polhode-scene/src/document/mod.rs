@@ -3,25 +3,28 @@
 //! A document is a set of texts: the file, and one text for each value that is set from outside it. The tree of
 //! values is parsed from them with the byte range of every key and value; the ranges of later texts continue those of
 //! earlier ones, so that every error, wherever it is found, can name its place and show its line. The tree borrows
-//! from the texts and is parsed anew when an error is to be placed, which happens at most once.
+//! from the texts and is parsed anew when an error is to be placed.
 //!
 //! | module | holds |
 //! |---|---|
 //! | `key_path` | [`KeyPath`]: where a value stands in the tree |
 //! | `overrides` | [`Override`]: values set from outside the file |
 //! | `source` | [`Sources`]: the texts, and from byte ranges to lines and columns |
+//! | `repair` | what is taken out of the tree to find the next error |
 //! | `tree` | from paths to ranges and back |
 
 mod key_path;
 mod overrides;
+mod repair;
 mod source;
 mod tree;
 
 pub(crate) use key_path::{KeyPath, Step};
 pub use overrides::Override;
+use repair::Damage;
 use source::Sources;
 
-use crate::error::{Place, Refusal, Refused, SceneFileError};
+use crate::error::{MOST_ERRORS, Place, Refusal, Refused, SceneFileError};
 use crate::format::SceneFile;
 use crate::format::planned::{self, Part};
 use serde::Deserialize;
@@ -45,33 +48,50 @@ impl Document {
         Self { sources }
     }
 
-    /// The document in the types of the format.
+    /// The document in the types of the format, and then what `check` makes of it. When something is refused, all that
+    /// is wrong is told, as far as it can be found at once.
     ///
     /// # Errors
-    /// When the text is not TOML, or a key or a value is unknown, missing, of the wrong type or not yet available.
-    pub(crate) fn read(&self) -> Result<SceneFile, SceneFileError> {
-        let tree = self.tree()?;
-        if let Some(request) = planned::requested(tree.get_ref()) {
-            let cause = Refusal::NotYetAvailable { what: request.what, instead: request.instead.to_owned() };
-            let spans = tree::spans(&tree, &request.path);
-            let span = match request.part {
-                Part::Key => spans.key,
-                Part::Value => spans.value,
-            };
-            return Err(self.refused(&span, tree::written(tree.get_ref(), &request.path), cause));
-        }
-        SceneFile::deserialize(toml::Deserializer::from(tree)).map_err(|error| {
-            let span = error.span().unwrap_or_default();
-            let (path, key) = self.tree().map_or_else(
-                |_| (KeyPath::root(), String::new()),
-                |tree| {
-                    let path = tree::path_at(&tree, &span);
-                    let key = tree::written(tree.get_ref(), &path);
-                    (path, key)
+    /// When the text is not TOML, a key or a value is unknown, missing, of the wrong type or not yet available, or
+    /// `check` refuses it.
+    pub(crate) fn read<T>(
+        &self,
+        check: impl Fn(&SceneFile) -> Result<T, Vec<(KeyPath, Refusal)>>,
+    ) -> Result<(SceneFile, T), SceneFileError> {
+        let mut tree = self.tree()?;
+        let (mut damage, mut refused) = (Damage::default(), Vec::new());
+        while refused.len() <= MOST_ERRORS {
+            let (path, span, cause) = match parse(&tree) {
+                Ok(file) => match check(&file) {
+                    Ok(checked) if refused.is_empty() => return Ok((file, checked)),
+                    Ok(_) => break,
+                    Err(faults) => {
+                        refused.extend(self.of_scene(&tree, &damage, faults));
+                        break;
+                    }
                 },
-            );
-            self.refused(&span, key, Refusal::from_message(error.message(), &path))
+                Err(fault) => fault,
+            };
+            let (key, follows) = (tree::written(tree.get_ref(), &path), damage.explains(&tree, &path, &cause));
+            let taken = damage.take(&mut tree, &path, &cause);
+            if !follows {
+                refused.push(self.located(&span, key, cause));
+            }
+            if !taken {
+                break;
+            }
+        }
+        Err(SceneFileError::of_all(refused))
+    }
+
+    /// The errors of a scene that the tree describes, without those that follow from others.
+    fn of_scene(&self, tree: &Spanned<DeTable<'_>>, damage: &Damage, faults: Vec<(KeyPath, Refusal)>) -> Vec<Refused> {
+        let own = faults.into_iter().filter(|(path, cause)| !damage.explains_later(tree, path, cause));
+        own.map(|(path, cause)| {
+            let span = tree::spans(tree, &path).value;
+            self.located(&span, tree::written(tree.get_ref(), &path), cause)
         })
+        .collect()
     }
 
     /// The error that `cause`, found at `path`, is.
@@ -103,8 +123,31 @@ impl Document {
     }
 
     fn refused(&self, span: &Range<usize>, key: String, cause: Refusal) -> SceneFileError {
+        SceneFileError::Refused(Box::new(self.located(span, key, cause)))
+    }
+
+    fn located(&self, span: &Range<usize>, key: String, cause: Refusal) -> Refused {
         let place: Place = self.sources.place(span, key);
         let rendered = self.sources.render(span, &place, &cause);
-        SceneFileError::Refused(Box::new(Refused { place, cause, rendered }))
+        Refused { place, cause, rendered, at: span.start }
     }
+}
+
+/// The tree in the types of the format; what is refused first, its path and the range to show.
+fn parse(tree: &Spanned<DeTable<'_>>) -> Result<SceneFile, (KeyPath, Range<usize>, Refusal)> {
+    if let Some(request) = planned::requested(tree.get_ref()) {
+        let cause = Refusal::NotYetAvailable { what: request.what, instead: request.instead.to_owned() };
+        let spans = tree::spans(tree, &request.path);
+        let span = match request.part {
+            Part::Key => spans.key,
+            Part::Value => spans.value,
+        };
+        return Err((request.path, span, cause));
+    }
+    SceneFile::deserialize(toml::Deserializer::from(tree.clone())).map_err(|error| {
+        let span = error.span().unwrap_or_default();
+        let path = tree::path_at(tree, &span);
+        let cause = Refusal::from_message(error.message(), &path);
+        (path, span, cause)
+    })
 }

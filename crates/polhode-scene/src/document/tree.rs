@@ -3,7 +3,7 @@
 use super::key_path::{self, KeyPath, Step};
 use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// Ranges of an entry.
 pub(super) struct Spans {
@@ -23,6 +23,41 @@ pub(super) fn spans(root: &Spanned<DeTable<'_>>, path: &KeyPath) -> Spans {
         container = Container::of(value.get_ref());
     }
     spans
+}
+
+/// Whether the value at `path` is a table.
+pub(super) fn is_table(root: &Spanned<DeTable<'_>>, path: &KeyPath) -> bool {
+    let mut container = Container::Table(root.get_ref());
+    for step in path.steps() {
+        let Some((_, value)) = container.entry(step) else { return false };
+        container = Container::of(value.get_ref());
+    }
+    matches!(container, Container::Table(_))
+}
+
+/// Takes the entry at `path` out; false when it is not there.
+pub(super) fn take(root: &mut DeTable<'_>, path: &KeyPath) -> bool {
+    let Some((last, above)) = path.steps().split_last() else { return false };
+    let Some((Step::Key(first), above)) = above.split_first() else {
+        return matches!(last, Step::Key(key) if root.remove(key.as_str()).is_some());
+    };
+    let mut value = root.get_mut(first.as_str()).map(Spanned::get_mut);
+    for step in above {
+        value = match (value, step) {
+            (Some(DeValue::Table(table)), Step::Key(key)) => table.get_mut(key.as_str()).map(Spanned::get_mut),
+            (Some(DeValue::Array(array)), Step::Index(index)) => array.get_mut(*index).map(Spanned::get_mut),
+            _ => None,
+        };
+    }
+    match (value, last) {
+        (Some(DeValue::Table(table)), Step::Key(key)) => table.remove(key.as_str()).is_some(),
+        (Some(DeValue::Array(array)), Step::Index(index)) if *index < array.len() => {
+            let all = std::mem::replace(array, DeArray::new()).into_iter().enumerate();
+            *array = all.filter(|(number, _)| number != index).map(|(_, value)| value).collect();
+            true
+        }
+        _ => false,
+    }
 }
 
 /// The path of the innermost key or value whose range holds `span`; the root when there is none.

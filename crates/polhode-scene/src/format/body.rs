@@ -24,6 +24,8 @@ pub struct BodyEntry {
     pub density: Option<f64>,
     /// Inertia about the centre of mass in the body's own axes, kg m^2; from the shape when absent.
     pub inertia: Option<InertiaEntry>,
+    /// Centre of mass in the body's own frame, m, with `inertia` about it; from the shape when absent.
+    pub center_of_mass: Option<Vector>,
     /// The mass is spread evenly over the surface of the shape instead of its volume.
     #[serde(default)]
     pub hollow: bool,
@@ -72,6 +74,17 @@ pub enum ShapeEntry {
     Convex(FileEntry),
     /// A mesh file: of a closed solid of any form, or, for a fixed or kinematic body, of a surface too.
     Mesh(FileEntry),
+}
+
+impl ShapeEntry {
+    /// Adds the names of its mesh files.
+    pub(crate) fn add_files<'a>(&'a self, files: &mut Vec<&'a str>) {
+        match self {
+            Self::Convex(entry) | Self::Mesh(entry) => files.push(&entry.file),
+            Self::Compound(entry) => entry.parts.iter().for_each(|part| part.shape.add_files(files)),
+            _ => {}
+        }
+    }
 }
 
 /// A box.

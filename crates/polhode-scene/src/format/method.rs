@@ -22,6 +22,12 @@ pub struct MethodEntry {
     pub rotation_rate: Option<RotationRateName>,
     /// What happens when bodies hit each other.
     pub impact: Option<ImpactName>,
+    /// The law of restitution of an impact with friction at a contact that is struck alone; stronge when absent.
+    pub restitution_law: Option<RestitutionLawName>,
+    /// By how much restitution reverses the slip of an impact, in [-1, 1]: 0 sticks, 1 is a super ball. It needs
+    /// `restitution_law = "chatterjee-ruina"`; 0 when absent.
+    #[schemars(range(min = -1, max = 1))]
+    pub tangential_restitution: Option<f64>,
     /// How the forces of resting contacts are found.
     pub contact: Option<ContactName>,
     /// How pairs that may touch are found; a choice of time alone.
@@ -101,6 +107,22 @@ pub enum ImpactName {
     Simultaneous,
     /// Generalised reflection: symmetric, and momentum still travels through chains.
     Reflection,
+}
+
+/// The law of restitution of an impact with friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestitutionLawName {
+    /// The normal impulse gives back e^2 of the work that it took. Energy never rises.
+    Stronge,
+    /// The normal impulse of restitution is e times that of compression.
+    Poisson,
+    /// The normal velocity is reversed by -e, along the path of the impact; energy may rise, with a warning.
+    Newton,
+    /// The same by algebra on the velocities before and after; energy may rise, with a warning.
+    Whittaker,
+    /// Algebra with restitution of slip as well: cheap, and energy never rises.
+    ChatterjeeRuina,
 }
 
 /// How the forces of resting contacts are found.

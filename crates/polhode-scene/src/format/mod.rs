@@ -6,7 +6,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`] |
+//! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`], [`StartEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
 //! | `integrator`, `broad_phase` | [`IntegratorName`], [`BroadPhaseName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
@@ -39,10 +39,11 @@ pub use force::{
 };
 pub use integrator::IntegratorName;
 pub use method::{
-    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RotationRateName, TierName,
+    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
+    RotationRateName, TierName,
 };
 pub use motion::{ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
-pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile};
+pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 
 /// Version of the format that this crate reads.

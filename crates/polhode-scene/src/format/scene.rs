@@ -46,6 +46,19 @@ pub struct SceneFile {
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,
+    /// How the scene starts.
+    #[serde(default)]
+    pub start: StartEntry,
+}
+
+/// How the scene starts.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartEntry {
+    /// Bodies that overlap at t = 0 by at most this, m, are moved apart, and the report says so; 0 when absent: bodies that
+    /// overlap by more than counts as touch (1e-9 of their size) are refused.
+    #[schemars(range(min = 0))]
+    pub separate: Option<f64>,
 }
 
 /// What is written.
@@ -68,6 +81,14 @@ pub struct MaterialEntry {
     /// geometric mean.
     #[schemars(range(min = 0))]
     pub static_friction: Option<f64>,
+    /// Friction of rolling, m: the moment that resists rolling is at most this times the normal force; 0 when absent.
+    /// Two materials: the geometric mean.
+    #[schemars(range(min = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Friction of spinning about the normal, m: the moment that resists it is at most this times the normal force; 0
+    /// when absent. Two materials: the geometric mean.
+    #[schemars(range(min = 0))]
+    pub spinning_friction: Option<f64>,
     /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
@@ -85,6 +106,12 @@ pub struct PairEntry {
     /// Coefficient of static friction, at least that of kinetic friction; the same when absent.
     #[schemars(range(min = 0))]
     pub static_friction: Option<f64>,
+    /// Friction of rolling, m.
+    #[schemars(range(min = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Friction of spinning, m.
+    #[schemars(range(min = 0))]
+    pub spinning_friction: Option<f64>,
     /// Coefficient of restitution in [0, 1].
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,

@@ -1,4 +1,7 @@
 //! A file that appears under its name when it is complete, and not before.
+//!
+//! While it grows it is locked. A temporary file of the same target that nobody has locked was left behind by a program
+//! that was killed; it is removed when the target is written again, so that such files never pile up.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -11,6 +14,15 @@ use tempfile::{Builder, TempPath};
 pub struct AtomicFile {
     target: PathBuf,
     open: Option<Open>,
+}
+
+/// A file that grows: where it is, and the name under which what has been written is kept.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unfinished {
+    /// Where it grows.
+    pub temporary: PathBuf,
+    /// Its name with `.partial` at its end.
+    pub partial: PathBuf,
 }
 
 /// The temporary file. Dropped, it removes the file.
@@ -36,11 +48,14 @@ impl AtomicFile {
         prefix.push(name);
         prefix.push(".");
         let mut builder = Builder::new();
-        builder.prefix(&prefix).suffix(".tmp");
+        builder.prefix(&prefix).suffix(SUFFIX);
         #[cfg(unix)]
         builder.permissions(as_other_files());
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        remove_stale(folder, &prefix.to_string_lossy());
         let (file, path) = builder.tempfile_in(folder)?.into_parts();
+        // Where a file system has no locks nothing is lost but the mark.
+        let _ = file.try_lock();
         Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path }) })
     }
 
@@ -63,11 +78,37 @@ impl AtomicFile {
     /// # Errors
     /// Those of writing and renaming.
     pub fn keep_partial(&mut self) -> io::Result<PathBuf> {
-        let mut partial = self.target.clone().into_os_string();
-        partial.push(".partial");
-        let partial = PathBuf::from(partial);
+        let partial = self.partial();
         self.move_to(&partial)?;
         Ok(partial)
+    }
+
+    /// Where the file grows, and where an unfinished one is kept.
+    pub fn unfinished(&self) -> Option<Unfinished> {
+        let open = self.open.as_ref()?;
+        Some(Unfinished { temporary: open.path.to_path_buf(), partial: self.partial() })
+    }
+
+    /// After a fault of writing (a full disk): lets `mend` make a readable file of what has reached the disk, and keeps it
+    /// under the name with `.partial` at its end, which is returned.
+    ///
+    /// # Errors
+    /// Those of `mend` and of renaming.
+    pub fn salvage(&mut self, mend: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<PathBuf> {
+        let Some(Open { writer, path }) = self.open.take() else { return Err(io::Error::other("the file is closed")) };
+        // What is still in memory finds no room.
+        let (mut file, _lost) = writer.into_parts();
+        mend(&mut file)?;
+        let partial = self.partial();
+        path.persist(&partial).map_err(|refused| refused.error)?;
+        Ok(partial)
+    }
+
+    /// The name with `.partial` at its end.
+    fn partial(&self) -> PathBuf {
+        let mut partial = self.target.clone().into_os_string();
+        partial.push(".partial");
+        PathBuf::from(partial)
     }
 
     fn move_to(&mut self, name: &Path) -> io::Result<()> {
@@ -105,6 +146,21 @@ impl Seek for AtomicFile {
         self.writer()?.seek(position)
     }
 }
+
+/// Removes temporary files of a target that nobody writes to any more.
+fn remove_stale(folder: &Path, prefix: &str) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let is_temporary = name.starts_with(prefix) && name.ends_with(SUFFIX);
+        if is_temporary && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+/// Ending of the names of temporary files.
+const SUFFIX: &str = ".tmp";
 
 /// Readable and writable by all whom the process's mask lets: a temporary file is by default its owner's alone, and keeps
 /// that under its final name.

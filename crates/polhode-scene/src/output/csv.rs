@@ -1,9 +1,10 @@
 //! Trajectories as CSV: one row per body and sample.
 
-use super::{Sink, TrajectoryFormat, numbers};
+use super::{Sink, TrajectoryFormat, cut_to_line, numbers};
 use crate::csv::{write_field, write_number};
 use polhode::BodySample;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read as _, Seek as _, SeekFrom};
 
 /// Columns of a trajectory: time (s), name of the body, position of its origin (m), orientation as a quaternion
 /// body -> world, velocity of its centre of mass (m/s), angular velocity (rad/s), all in the world.
@@ -27,6 +28,27 @@ impl Csv {
     }
 }
 
+/// Bytes of a file's end that are looked at first for its last sample.
+const FIRST_TAIL: u64 = 1 << 16;
+
+impl Csv {
+    /// Bytes of the last sample in the end of a file, when rows of it are missing; 0 when it is whole. None when the end of
+    /// the file does not hold it all, and is not all of the file.
+    fn part_of_a_sample(&self, tail: &[u8], is_all: bool) -> Option<u64> {
+        let mut rows = tail.split_inclusive(|&byte| byte == b'\n').rev();
+        let time = |row: &[u8]| row.iter().position(|&byte| byte == b',').map(|at| row[..at].to_vec());
+        let Some(last) = rows.next() else { return Some(0) };
+        let (mut count, mut length) = (1, last.len() as u64);
+        for row in rows.by_ref() {
+            if time(row) != time(last) {
+                return Some(if count == self.names.len() || time(last)? == b"t" { 0 } else { length });
+            }
+            (count, length) = (count + 1, length + row.len() as u64);
+        }
+        is_all.then_some(0)
+    }
+}
+
 impl TrajectoryFormat for Csv {
     fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()> {
         writeln!(out, "{}", COLUMNS.join(","))
@@ -47,5 +69,20 @@ impl TrajectoryFormat for Csv {
 
     fn end(&mut self, _out: &mut dyn Sink) -> io::Result<()> {
         Ok(())
+    }
+
+    fn mend(&mut self, file: &mut File) -> io::Result<()> {
+        cut_to_line(file)?;
+        let end = file.seek(SeekFrom::End(0))?;
+        let mut length = FIRST_TAIL.min(end);
+        loop {
+            let mut tail = vec![0; length as usize];
+            file.seek(SeekFrom::Start(end - length))?;
+            file.read_exact(&mut tail)?;
+            if let Some(part) = self.part_of_a_sample(&tail, length == end) {
+                return file.set_len(end - part);
+            }
+            length = (2 * length).min(end);
+        }
     }
 }

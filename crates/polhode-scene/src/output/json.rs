@@ -2,10 +2,11 @@
 //!
 //! `{"scene": .., "bodies": [name, ..], "columns": ["px", .., "wz"], "samples": [{"t": .., "states": [[13 numbers], ..]}, ..]}`
 
-use super::{COLUMNS, Sink, TrajectoryFormat, numbers};
+use super::{COLUMNS, Sink, TrajectoryFormat, cut_to_line, numbers};
 use polhode::BodySample;
 use serde_json::json;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 
 /// JSON, streamed sample by sample.
 #[derive(Debug)]
@@ -35,5 +36,19 @@ impl TrajectoryFormat for Json {
 
     fn end(&mut self, out: &mut dyn Sink) -> io::Result<()> {
         writeln!(out, "\n]}}")
+    }
+
+    fn mend(&mut self, file: &mut File) -> io::Result<()> {
+        // A line ends with the comma and the end of line that stand before the next sample: both make room for the end.
+        cut_to_line(file)?;
+        let end = file.seek(SeekFrom::End(0))?.saturating_sub(",\n".len() as u64);
+        let mut last = [0; 2];
+        file.seek(SeekFrom::Start(end))?;
+        file.read_exact(&mut last)?;
+        if last == *b",\n" {
+            file.set_len(end)?;
+        }
+        file.seek(SeekFrom::End(0))?;
+        file.write_all(b"\n]}\n")
     }
 }

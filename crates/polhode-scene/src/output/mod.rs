@@ -9,24 +9,28 @@
 //! |---|---|
 //! | `atomic_file` | a file that appears when it is complete |
 //! | `csv`, `npy`, `json` | the kinds of trajectory |
+//! | `csv_stream` | a trajectory as CSV to any writer |
 //! | `events` | events as CSV |
 //! | `outputs` | [`Outputs`]: the observer |
 
 pub mod atomic_file;
 mod csv;
+mod csv_stream;
 mod events;
 mod json;
 mod npy;
 mod outputs;
 
-pub use atomic_file::AtomicFile;
+pub use atomic_file::{AtomicFile, Unfinished};
 pub use csv::COLUMNS;
+pub use csv_stream::CsvStream;
 pub use events::EVENT_COLUMNS;
 pub use npy::{NPY_WIDTH, npy_row};
 pub use outputs::{OutputError, Outputs};
 
 use polhode::BodySample;
-use std::io::{self, Seek, Write};
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
 
 /// Where a trajectory is written to.
 pub(crate) trait Sink: Write + Seek {}
@@ -43,7 +47,32 @@ pub(crate) trait TrajectoryFormat: std::fmt::Debug {
 
     /// Writes what stands after the last sample; what has been written is then a complete file.
     fn end(&mut self, out: &mut dyn Sink) -> io::Result<()>;
+
+    /// Makes a complete file of one that ends anywhere, in no more room than it has.
+    fn mend(&mut self, file: &mut File) -> io::Result<()>;
 }
+
+/// Cuts a file of lines behind its last whole one.
+pub(crate) fn cut_to_line(file: &mut File) -> io::Result<()> {
+    let mut end = file.seek(SeekFrom::End(0))?;
+    let mut block = [0; BLOCK];
+    while end > 0 {
+        let start = end.saturating_sub(BLOCK as u64);
+        let part = &mut block[..(end - start) as usize];
+        file.seek(SeekFrom::Start(start))?;
+        file.read_exact(part)?;
+        if let Some(newline) = part.iter().rposition(|&byte| byte == b'\n') {
+            end = start + newline as u64 + 1;
+            break;
+        }
+        end = start;
+    }
+    file.set_len(end)?;
+    file.seek(SeekFrom::End(0)).map(drop)
+}
+
+/// Bytes that are read at once when the last line is looked for.
+const BLOCK: usize = 4096;
 
 /// The numbers of a sample in the order of the columns `px` to `wz`.
 pub(crate) fn numbers(sample: &BodySample) -> [f64; 13] {

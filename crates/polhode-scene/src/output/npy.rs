@@ -7,7 +7,8 @@
 
 use super::{Sink, TrajectoryFormat, numbers};
 use polhode::BodySample;
-use std::io::{self, SeekFrom};
+use std::fs::File;
+use std::io::{self, Seek as _, SeekFrom, Write as _};
 
 /// Length of the last axis.
 pub const NPY_WIDTH: usize = 14;
@@ -68,5 +69,14 @@ impl TrajectoryFormat for Npy {
         out.seek(SeekFrom::Start(0))?;
         out.write_all(&self.header())?;
         out.seek(SeekFrom::End(0)).map(drop)
+    }
+
+    fn mend(&mut self, file: &mut File) -> io::Result<()> {
+        let sample = (self.bodies * NPY_WIDTH * size_of::<f64>()).max(1) as u64;
+        let data = file.seek(SeekFrom::End(0))?.saturating_sub(HEADER_LENGTH as u64);
+        self.samples = self.samples.min(data / sample);
+        file.set_len(HEADER_LENGTH as u64 + self.samples * sample)?;
+        file.seek(SeekFrom::Start(0))?;
+        file.write_all(&self.header())
     }
 }

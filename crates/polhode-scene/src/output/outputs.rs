@@ -1,10 +1,10 @@
 //! The observer that writes files.
 
-use super::atomic_file::AtomicFile;
+use super::atomic_file::{AtomicFile, Unfinished};
 use super::csv::Csv;
 use super::json::Json;
 use super::npy::Npy;
-use super::{TrajectoryFormat, events};
+use super::{TrajectoryFormat, cut_to_line, events};
 use polhode::{BodySample, Event, Flow, Observer, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -33,12 +33,25 @@ pub enum OutputError {
         /// Why.
         source: io::Error,
     },
+    /// A file could not be written; what had been is kept.
+    #[error("{fault}; what was written is kept in {}", list(kept))]
+    Kept {
+        /// Why the run stopped.
+        fault: Box<OutputError>,
+        /// The files.
+        kept: Vec<PathBuf>,
+    },
+}
+
+/// Names of files, in a line.
+fn list(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
 impl OutputError {
     /// Whether writing failed, as opposed to what was asked for.
     pub fn is_input_output(&self) -> bool {
-        matches!(self, Self::Write { .. })
+        matches!(self, Self::Write { .. } | Self::Kept { .. })
     }
 }
 
@@ -86,16 +99,37 @@ impl Outputs {
     /// Completes all files and moves them to their names.
     ///
     /// # Errors
-    /// The first fault of writing; no file then appears, but those that were moved before the fault.
+    /// The first fault of writing. No file then appears under its own name but those that were moved before the fault; what
+    /// had been written of the others is kept as [`Outputs::keep_partial`] does.
     pub fn finish(mut self) -> Result<(), OutputError> {
-        if let Some(fault) = self.fault.take() {
-            return Err(fault);
-        }
+        let written = match self.fault.take() {
+            Some(fault) => Err(fault),
+            None => self.complete(),
+        };
+        written.map_err(|fault| self.salvaged(fault))
+    }
+
+    fn complete(&mut self) -> Result<(), OutputError> {
         self.end()?;
         for file in self.files() {
             file.commit().map_err(|source| fault(file.target(), source))?;
         }
         Ok(())
+    }
+
+    /// The fault, and what could be kept of the files after it.
+    fn salvaged(&mut self, fault: OutputError) -> OutputError {
+        let mut kept = Vec::new();
+        for (file, format) in &mut self.trajectories {
+            kept.extend(file.salvage(|open| format.mend(open)));
+        }
+        kept.extend(self.events.as_mut().and_then(|file| file.salvage(cut_to_line).ok()));
+        if kept.is_empty() { fault } else { OutputError::Kept { fault: Box::new(fault), kept } }
+    }
+
+    /// Where the files grow, for a program that must end at once.
+    pub fn unfinished(&mut self) -> Vec<Unfinished> {
+        self.files().filter_map(|file| file.unfinished()).collect()
     }
 
     /// After a run that failed: keeps what has been written under the names with `.partial` at their end, which are
@@ -104,6 +138,14 @@ impl Outputs {
     /// # Errors
     /// As [`Outputs::finish`].
     pub fn keep_partial(mut self) -> Result<Vec<PathBuf>, OutputError> {
+        let kept = match self.fault.take() {
+            Some(fault) => Err(fault),
+            None => self.kept(),
+        };
+        kept.map_err(|fault| self.salvaged(fault))
+    }
+
+    fn kept(&mut self) -> Result<Vec<PathBuf>, OutputError> {
         self.end()?;
         self.files().map(|file| file.keep_partial().map_err(|source| fault(file.target(), source))).collect()
     }

@@ -41,6 +41,15 @@ fn balls() {
     close(moments(&properties("shape.sphere.radius = 2\nmass = 3\nhollow = true")), DVec3::splat(8.0));
 }
 
+/// A loaded die: its centre of mass is where the file says, its inertia is about that point and is not moved.
+#[test]
+fn loaded_die() {
+    let die =
+        properties("shape.box.size = [1, 1, 1]\nmass = 6\ncenter_of_mass = [0.1, 0, -0.2]\ninertia = [1, 2, 2.5]");
+    assert_eq!((die.mass(), die.center_of_mass()), (6.0, DVec3::new(0.1, 0.0, -0.2)));
+    close(moments(&die), DVec3::new(1.0, 2.0, 2.5));
+}
+
 /// Bodies of revolution about z: a cylinder `m r^2/2` and `m (3 r^2 + h^2)/12`, a cone `3/10 m r^2` and
 /// `3/80 m (4 r^2 + h^2)`, a capsule of mass 1 and a torus `m (R^2 + 3/4 a^2)`; the origin is the centre of mass.
 #[test]

@@ -95,6 +95,20 @@ fn combinations() {
             "velocity",
             "no meaning for a fixed body",
         ),
+        (
+            "mass",
+            "mass = 1\ncenter_of_mass = [0, 0, 0.1]",
+            "bodies.brick.center_of_mass",
+            "center_of_mass",
+            "a body with `center_of_mass` needs `inertia`",
+        ),
+        (
+            "mass",
+            "fixed = true\ncenter_of_mass = [0, 0, 0.1]",
+            "bodies.brick.center_of_mass",
+            "center_of_mass",
+            "no meaning for a fixed body",
+        ),
         ("mass", "fixed = true\nhollow = true", "bodies.brick.hollow", "hollow", "no meaning for a fixed body"),
         (
             "position",
@@ -124,9 +138,15 @@ fn names() {
     check(&group, "no_contact.0.bodies.1", "wall", "accepted: `floor`, `brick`");
     let alone = format!("{BASE}\n[[no_contact]]\nbodies = [\"brick\"]\n");
     check(&alone, "no_contact.0.bodies", "bodies", "two or more");
+    let super_ball =
+        |law: &str| BASE.replace("format = 1", &format!("format = 1\nmethod.tangential_restitution = {law}"));
+    check(&super_ball("1.0"), "method.tangential_restitution", "tangential_restitution", "chatterjee-ruina");
+    let law = "2.0\nmethod.restitution_law = \"chatterjee-ruina\"";
+    check(&super_ball(law), "method.tangential_restitution", "2", "a number in [-1, 1]");
     let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"fire\"]\nrestitution = 0.1\n");
     check(&pair, "pairs.0.materials.1", "fire", "no material is named `fire`");
-    check(&BASE.replace("materials.ice", "materials.\"\""), "materials.\"\"", "materials", "a name that is not empty");
+    let nameless = BASE.replace("materials.ice", "materials.\"\"").replace("\"ice\"", "\"\"");
+    check(&nameless, "materials.\"\"", "materials", "a name that is not empty");
 }
 
 /// Materials out of range, in a material and in a pair.
@@ -141,6 +161,13 @@ fn materials() {
     check(&friction("nan"), "materials.ice.friction", "friction", "at least 0");
     let below = friction("0.3\nstatic_friction = 0.2");
     check(&below, "materials.ice.static_friction", "static_friction = 0.2", "at least its kinetic friction 0.3");
+    for (key, value) in [("rolling_friction", "-0.1"), ("rolling_friction", "nan"), ("spinning_friction", "inf")] {
+        let text = BASE.replace("restitution = 0.5", &format!("{key} = {value}"));
+        check(&text, &format!("materials.ice.{key}"), key, "a finite length of at least 0 m is needed");
+    }
+    for value in ["inf", "nan"] {
+        check(&friction(&format!("0.3\nstatic_friction = {value}")), "materials.ice.static_friction", value, "finite");
+    }
     let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"ice\"]\nfriction = -0.02\n");
     check(&pair, "pairs.0.friction", "friction = -0.02", "at least 0");
     let thesis = friction("0.3").replace("format = 1", "format = 1\nmethod.tier = \"thesis\"");
@@ -346,13 +373,13 @@ fn files() {
 #[test]
 fn errors_of_the_engine() {
     let loaded = load_text("test.toml", BASE, &[]).unwrap();
-    let overlap = polhode::SceneError::InitialOverlap {
+    let pair = polhode::scene::OverlapAtStart {
         body_a: "floor".to_owned(),
         body_b: "brick".to_owned(),
         depth_m: 0.1,
         allowed_m: 1e-9,
     };
-    let error = loaded.explain(overlap);
+    let error = loaded.explain(polhode::SceneError::InitialOverlap(vec![pair]));
     assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
-    assert!(error.to_string().contains("overlap by 1e-1 m"), "{error}");
+    assert!(error.to_string().contains("overlap by 1.000e-1 m"), "{error}");
 }

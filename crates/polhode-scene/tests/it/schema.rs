@@ -35,14 +35,15 @@ fn lists_what_is_accepted() {
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval friction \
         restitution tier step integrator orientation rotation_rate impact contact response broad_phase tolerance max_events_per_step crowding crowding_tolerance error fixed shape \
-        mass density inertia hollow position rotation_vector velocity angular_velocity material pivot motion sine frequency \
+        mass density inertia center_of_mass hollow position rotation_vector velocity angular_velocity material pivot motion sine frequency \
         axis angle times orientations rotation_vectors box sphere half_space \
         points convex mesh size radius normal positions file thesis stepped accurate quaternion \
         quaternion-unnormalized quaternion-three-numbers matrix matrix-unorthogonalized euler-angles angular-momentum \
         angular-velocity type point_gravity mutual_gravity force torque drag spring center mu constant body frame point \
         signal world sinusoid table polynomial amplitude frequency_hz phase law linear quadratic translational \
         rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set constraint impulse impulse-projection \
-        impulse-unconditional title description";
+        impulse-unconditional title description static_friction rolling_friction spinning_friction restitution_law \
+        tangential_restitution stronge poisson newton whittaker chatterjee-ruina";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");

@@ -195,10 +195,12 @@ impl CostChart {
 
     fn frame(&self) -> Frame {
         let points = || self.curves.iter().flat_map(|curve| &curve.points).filter(|point| is_drawn(point));
-        let reference = libm::log10(self.floor) - ROOM_BELOW;
+        let floor = libm::log10(self.floor);
+        let floor_and_room = [floor, floor - ROOM_BELOW];
         let target = self.target.iter().map(|target| libm::log10(target.error));
         let x = Decades::around(points().map(|point| libm::log10(point.cost)), ROOM);
-        let y = Decades::around(points().map(|point| libm::log10(point.error)).chain([reference]).chain(target), ROOM);
+        let y =
+            Decades::around(points().map(|point| libm::log10(point.error)).chain(floor_and_room).chain(target), ROOM);
         let names = self.curves.iter().map(|curve| text_width(&curve.name, LABEL));
         let room = names.fold(0.0, f64::max).min(MOST_LABEL) + LEADER + 3.0 * MARKER + 6.0;
         let axes = [self.units.millimetres, self.units.degrees].iter().flatten().count() as f64;
@@ -295,6 +297,8 @@ impl CostChart {
             svg.line(&line, Stroke::new(Ink::Text, 1.0).dashed(5.0, 4.0).opacity(0.65));
             labels.keep_off(line_pieces(&line));
             let width = text_width(&text, LABEL);
+            // A name above the upper edge would cover the marks there.
+            let below = if y + below - 7.0 < TOP { 9.0 } else { below };
             let at = |x: f64| Area { from: [x, y + below - 7.0], to: [x + 8.0 + width, y + below + 7.0] };
             // On the left, but on the right if markers are there; a target below what is known of the reference has its
             // name beside that of the reference.

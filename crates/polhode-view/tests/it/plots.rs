@@ -239,6 +239,14 @@ fn a_study_of_any_kind_gives_a_figure() {
     check(&dots(all).svg());
 }
 
+/// Nothing but the error of the reference and a target, below it or at the upper edge: both levels and their names are
+/// within the frame.
+#[test]
+fn levels_are_in_the_frame_without_any_curve() {
+    check(&cost_chart(&[], 1.4e-14).svg());
+    check(&cost_chart(&[], 0.4).svg());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 

@@ -11,6 +11,7 @@ mod stretches;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
+use crate::interaction::impact::raised_energy;
 use crate::observer::Observer;
 use crate::scene::ImpactLaw;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
@@ -105,6 +106,10 @@ impl Accounts {
                 report.impulses.last().map_or(0.0, |last| last.t),
                 "a contact problem of a time step was solved approximately",
             );
+        }
+        if report.raises_energy {
+            let law = world.scene.method().restitution_law.unwrap_or_default().name();
+            self.warn(report.impulses.last().map_or(0.0, |last| last.t), raised_energy(law));
         }
         for given in &report.impulses {
             let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };

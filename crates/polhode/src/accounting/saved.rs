@@ -187,6 +187,7 @@ fn save_event(event: &Event) -> content::Event {
         EventKind::Detach => content::EventKind::Detach,
         EventKind::Stick => content::EventKind::Stick,
         EventKind::Slide => content::EventKind::Slide,
+        EventKind::Jam => content::EventKind::Jam,
     };
     let (point, normal) = (point.to_array(), normal.to_array());
     content::Event { t, kind, body_a, body_b, point, normal, impulse, energy_change_j }
@@ -205,6 +206,7 @@ fn restored_event(saved: &content::Event, bodies: usize) -> Result<Event, Snapsh
         content::EventKind::Detach => EventKind::Detach,
         content::EventKind::Stick => EventKind::Stick,
         content::EventKind::Slide => EventKind::Slide,
+        content::EventKind::Jam => EventKind::Jam,
     };
     Ok(Event {
         t: saved.t,

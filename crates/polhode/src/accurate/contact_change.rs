@@ -1,6 +1,7 @@
 //! What changes at the contacts of an island where its active set ceases to be valid.
 
 use crate::collision::contact_set::ContactId;
+use crate::collision::turn::Turn;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,6 +17,10 @@ pub(super) struct ContactChange {
     pub(super) stopping: BTreeSet<ContactId>,
     /// Contacts that can stick no longer, and the direction in which they begin to slide (unit vectors, world).
     pub(super) slipping: BTreeMap<ContactId, DVec3>,
+    /// Rotations that vanish then.
+    pub(super) settling: BTreeSet<(ContactId, Turn)>,
+    /// Rotations that friction can hold no longer, and the direction in which they begin (unit vectors, world).
+    pub(super) turning: BTreeMap<(ContactId, Turn), DVec3>,
 }
 
 impl ContactChange {
@@ -24,5 +29,7 @@ impl ContactChange {
         self.departing.extend(other.departing.iter().copied());
         self.stopping.extend(other.stopping.iter().copied());
         self.slipping.extend(other.slipping.iter().map(|(&id, &direction)| (id, direction)));
+        self.settling.extend(other.settling.iter().copied());
+        self.turning.extend(other.turning.iter().map(|(&turn, &direction)| (turn, direction)));
     }
 }

@@ -80,7 +80,7 @@ impl Engine {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let of = (&ids[..], &sticking[..]);
+        let of = (&ids[..], &sticking[..], &[][..]);
         let slowed =
             projection::project_velocities(&core.world, &mut self.states, &group.bodies, of, Removal::Complete)
                 .map_err(|source| Core::response_error(instant.t, source))?;

@@ -244,7 +244,8 @@ impl Engine {
             let held = &island.active.held;
             // A contact that has just stopped sticks from now on, if at all.
             let sticking = island.active.sticking();
-            let projected = Projected { touching: held, held, sticking: &sticking };
+            let turns = island.active.held_turns();
+            let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
         }
         self.check(core, &island.bodies, &island.active.held, t)
@@ -336,7 +337,11 @@ impl Engine {
             let members = group.contacts.iter().map(|&i| &touches[i]);
             let active = ActiveContacts {
                 held: members.clone().map(|touch| touch.id).collect(),
-                friction: members.filter_map(|touch| Some((touch.id, touch.friction?))).collect(),
+                friction: members.clone().filter_map(|touch| Some((touch.id, touch.friction?))).collect(),
+                rotation: members
+                    .filter(|touch| !touch.rotation.is_empty())
+                    .map(|touch| (touch.id, touch.rotation))
+                    .collect(),
             };
             // Slips that end take short steps, whose length says nothing about the motion afterwards.
             if !change.stopping.is_empty() && !active.slides() {

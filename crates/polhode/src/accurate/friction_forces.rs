@@ -2,20 +2,23 @@
 //!
 //! Unknown are the normal forces `f_n` of all contacts, two tangential forces of each contact that sticks, and the
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
-//! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Where they do not determine the forces, those of least norm
-//! are taken (`polhode_response::least_norm_sliding_forces`). Without sliding that does not affect the motion; with
-//! contacts that slide in different directions it does.
+//! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
+//! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
+//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`). Without sliding that does
+//! not affect the motion; with contacts that slide in different directions it does.
 
+use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
+use crate::interaction::rotation_row::RotationRow;
 use crate::pivots::PivotKinematics;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SlidingRow, least_norm_forces, least_norm_sliding_forces};
 use polhode_spatial::DVec3;
-use std::collections::BTreeMap;
 
 /// An active contact with friction.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +30,25 @@ pub(super) struct FrictionContact {
     terms: TangentialKinematics,
     /// The direction in which it slides, and its coefficient; none when it sticks.
     sliding: Option<(DVec3, f64)>,
+    /// The angular velocity of A relative to B, rad/s.
+    rotation: DVec3,
+    /// Rotations that friction resists, with the direction and the friction (m) of those that turn.
+    turns: [Option<(Turn, Option<(DVec3, f64)>)>; 2],
+}
+
+impl FrictionContact {
+    /// The rows of rotations that are held.
+    fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
+        let held = self.turns.iter().flatten().filter(|(_, turning)| turning.is_none());
+        let axes = held.flat_map(|(turn, _)| turn.axes(self.geometry.normal, self.terms.basis));
+        axes.map(|axis| RotationRow { id: self.id, axis })
+    }
+
+    /// The rotations that turn: their rows and their friction, m.
+    fn turning(&self) -> impl Iterator<Item = (RotationRow, f64)> + '_ {
+        let turning = self.turns.iter().flatten().filter_map(|&(_, turning)| turning);
+        turning.map(|(axis, friction)| (RotationRow { id: self.id, axis }, friction))
+    }
 }
 
 /// Forces of contacts with friction and of pivots.
@@ -36,6 +58,8 @@ pub(super) struct FrictionForces {
     pub(super) normal: Vec<f64>,
     /// Forces along tangents, N: (contact, the contact with the tangent in the place of its normal, force on A).
     pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Of friction of rolling and spinning, N m, world, on A.
+    pub(super) moments: Vec<(ContactId, DVec3)>,
     /// Of the pivots, N.
     pub(super) pivots: Vec<(PivotKinematics, DVec3)>,
     /// Power that the contacts that slide dissipate, W.
@@ -47,10 +71,10 @@ pub(super) fn friction_contacts(
     world: &World,
     states: &[BodyState],
     contacts: &[(ContactId, ContactKinematics)],
-    modes: &BTreeMap<ContactId, FrictionMode>,
+    active: &ActiveContacts,
 ) -> Vec<FrictionContact> {
     let friction = |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
-        let mode = *modes.get(id)?;
+        let mode = *active.friction.get(id)?;
         let terms = world.tangential_kinematics(states, *id)?;
         let sliding = match mode {
             FrictionMode::Sticking => None,
@@ -59,7 +83,15 @@ pub(super) fn friction_contacts(
                 Some((slide.direction_of(terms.slip_velocity), coefficient))
             }
         };
-        Some(FrictionContact { contact, id: *id, geometry: kinematics.geometry, terms, sliding })
+        let rotation = if active.rotation.is_empty() { DVec3::ZERO } else { world.relative_rotation(states, *id) };
+        let modes = active.rotation.get(id).copied().unwrap_or_default();
+        let turns = Turn::ALL.map(|turn| {
+            let FrictionMode::Sliding(slide) = modes.get(turn)? else { return Some((turn, None)) };
+            let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
+            Some((turn, Some((direction, turn.friction(world, (id.a, id.b))?))))
+        });
+        let geometry = kinematics.geometry;
+        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, rotation, turns })
     };
     contacts.iter().enumerate().filter_map(friction).collect()
 }
@@ -85,35 +117,47 @@ pub(super) fn solve(
     let sticking: Vec<_> =
         sticking.flat_map(|contact| contact.terms.basis.map(|tangent| row(contact, tangent))).collect();
     assembly.push_tangents(states, sticking.into_iter())?;
+    assembly.push_rotations(friction.iter().flat_map(FrictionContact::held_rotations))?;
     let equations = assembly.problem.len();
     let slides = friction.iter().filter_map(|contact| Some((contact, contact.sliding?)));
     let slides: Vec<_> =
         slides.map(|(contact, (direction, mu))| (row(contact, direction), contact.contact, mu)).collect();
     assembly.push_tangents(states, slides.iter().map(|&(row, ..)| row))?;
+    let turning = friction.iter().flat_map(|contact| contact.turning().map(|(row, mu)| (row, contact.contact, mu)));
+    let turning: Vec<_> = turning.collect();
+    assembly.push_rotations(turning.iter().map(|&(row, ..)| row))?;
     let free = assembly.free_accelerations(world, states, loads);
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
-    let forces = if slides.is_empty() {
+    let forces = if slides.is_empty() && turning.is_empty() {
         least_norm_forces(&assembly.problem, &delassus, &constants)?.forces
     } else {
         constants.truncate(equations);
-        let sliding = slides.iter().enumerate().map(|(k, &(_, normal, coefficient))| SlidingRow {
+        let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
+        let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
+        let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {
             normal,
             tangent: equations + k,
             coefficient,
         });
         least_norm_sliding_forces(&delassus, &constants, &sliding.collect::<Vec<_>>())?
     };
-    let first = assembly.first_tangent();
-    let along = assembly.tangents().iter().zip(forces.iter().skip(first));
-    let tangential = along.map(|(row, &force)| (row.id, row.along, force)).collect();
+    let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
+    let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let slips = friction.iter().filter_map(|contact| {
         let (direction, mu) = contact.sliding?;
         Some(mu * forces.get(contact.contact)? * direction.dot(contact.terms.slip_velocity))
     });
+    let turns = friction.iter().flat_map(|contact| {
+        let power =
+            |(row, mu): (RotationRow, f64)| Some(mu * forces.get(contact.contact)? * row.axis.dot(contact.rotation));
+        contact.turning().filter_map(power)
+    });
+    let by_rotation: f64 = turns.sum();
     Ok(FrictionForces {
-        dissipation: slips.sum(),
+        dissipation: slips.sum::<f64>() + by_rotation,
+        moments,
         pivots: assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect(),
         tangential,
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),

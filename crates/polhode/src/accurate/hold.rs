@@ -6,14 +6,15 @@
 
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::turn::Turn;
 use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::Assembly;
-use crate::interaction::frictional_accelerations::{ContactTangent, FrictionalAccelerations};
+use crate::interaction::frictional_accelerations::{ContactTangent, ContactTurn, FrictionalAccelerations};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, WarmStart};
+use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus, WarmStart};
 use polhode_spatial::DVec3;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A contact breaks if its bodies accelerate apart by more than this, relative to the largest relative acceleration of
 /// the group's contacts without contact forces. The rounding error of the solution is some 1e-15.
@@ -39,8 +40,14 @@ pub(super) struct Forces {
     /// Largest sum of weight and field force on a body of the group, N: a scale for the rounding error of contact
     /// forces.
     pub(super) load: f64,
+    /// Friction of rolling and spinning.
+    turns: BTreeMap<(ContactId, Turn), ContactTurn>,
     /// Friction of the contacts, in their order; empty when none has friction.
     friction: Vec<Option<ContactFriction>>,
+    /// Whether other normal forces that hold all contacts as well would move the bodies in another way.
+    pub(super) motion_depends_on_choice: bool,
+    /// Whether contacts slide and no forces were found: they may jam.
+    pub(super) jams: bool,
     /// The modes that the contacts were known to have.
     known_modes: Vec<Option<FrictionMode>>,
 }
@@ -111,7 +118,20 @@ impl Forces {
         let friction = Vec::new();
         let contacts = contacts.len();
         let known_modes = Vec::new();
-        Ok(Self { solution, assembly, contacts, accelerations, t, opening, load, friction, known_modes })
+        Ok(Self {
+            solution,
+            assembly,
+            contacts,
+            accelerations,
+            t,
+            opening,
+            load,
+            friction,
+            known_modes,
+            jams: false,
+            motion_depends_on_choice: false,
+            turns: BTreeMap::new(),
+        })
     }
 
     /// The forces of contacts with friction.
@@ -125,7 +145,11 @@ impl Forces {
                 ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along) }
             })
         });
+        let slides = found.contacts.iter().flatten().any(|contact| contact.sliding.is_some());
         Self {
+            motion_depends_on_choice: found.motion_depends_on_choice,
+            jams: slides && found.solution.report.status != SolverStatus::Solved,
+            turns: found.turns,
             friction: friction.collect(),
             contacts: found.contacts.len(),
             solution: found.solution,
@@ -146,6 +170,29 @@ impl Forces {
             (Some(mode), _) => FoundMode::Known(mode),
             (None, Some(direction)) => FoundMode::Begins(direction),
             (None, None) => FoundMode::Sticks,
+        })
+    }
+
+    /// Whether a rotation at a contact is held or turns from this instant on; none without friction of its kind.
+    pub(super) fn turn_mode(&self, touch: &Touch, turn: Turn) -> Option<FoundMode> {
+        let found = self.turns.get(&(touch.id, turn))?;
+        Some(match (touch.rotation.get(turn), found.turning) {
+            (Some(mode @ FrictionMode::Sliding(_)), _) => FoundMode::Known(mode),
+            (_, Some(direction)) => FoundMode::Begins(direction),
+            (_, None) => FoundMode::Sticks,
+        })
+    }
+
+    /// The rotations at `contacts` that friction holds no longer, with the direction in which they begin.
+    pub(super) fn turning<'a>(
+        &'a self,
+        contacts: &'a [Touch],
+    ) -> impl Iterator<Item = ((ContactId, Turn), DVec3)> + 'a {
+        let held = contacts.iter().flat_map(|touch| Turn::ALL.map(|turn| (touch, turn)));
+        let held = held.filter(|(touch, turn)| touch.rotation.get(*turn) == Some(FrictionMode::Sticking));
+        held.filter_map(|(touch, turn)| {
+            let key = (touch.id, turn);
+            Some((key, self.turns.get(&key)?.turning?))
         })
     }
 

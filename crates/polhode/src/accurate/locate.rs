@@ -15,6 +15,7 @@ use super::pace::Pace;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::turn::Turn;
 use crate::core::Core;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
@@ -119,8 +120,10 @@ impl Engine {
         loop {
             let Some(closing) = self.closing_time(core, step, violated, states) else {
                 let stopping = stopping_contacts(core, step, violated, states);
-                if !stopping.is_empty() {
-                    return Ok(ContactChange { t: violated, stopping, ..ContactChange::default() });
+                step.states_at(&core.world, violated, states);
+                let settling: BTreeSet<_> = settled(core, step, violated, states).collect();
+                if !(stopping.is_empty() && settling.is_empty()) {
+                    return Ok(ContactChange { t: violated, stopping, settling, ..ContactChange::default() });
                 }
                 return breaking(core, step, violated, states);
             };
@@ -243,6 +246,7 @@ impl Engine {
         }
         if left.is_empty() {
             left.extend(stopped(core, step, t, states).filter(|id| !tolerated.contains(id)));
+            left.extend(settled(core, step, t, states).map(|(id, _)| id).filter(|id| !tolerated.contains(id)));
         }
         if left.is_empty() {
             left = breaking_contacts(core, step, t, states, &touches, tolerated)?;
@@ -318,7 +322,9 @@ impl Engine {
                 Ok(is_held && held_kinematics(core, states, id).is_none())
             }
             Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
-            Violation::Stops => Ok(stopped(core, step, t, states).any(|id| !tolerated.contains(&id))),
+            Violation::Stops => Ok(stopped(core, step, t, states)
+                .chain(settled(core, step, t, states).map(|(id, _)| id))
+                .any(|id| !tolerated.contains(&id))),
             Violation::Breaks => {
                 let touches = step.active.held.iter().map(|&id| {
                     let kinematics = core.world.kinematics(states, id)?;
@@ -371,7 +377,7 @@ enum Violation {
 
 /// An active contact of a step, with these kinematics.
 fn held_touch(step: &ConstrainedStep, id: ContactId, kinematics: ContactKinematics) -> Touch {
-    Touch::held(id, kinematics, step.active.friction.get(&id).copied())
+    Touch::held(id, kinematics, step.active.modes(id))
 }
 
 /// The slips of the contacts that slide in a step, m/s.
@@ -407,6 +413,23 @@ fn stopped<'a>(
     slips(core, step, states).filter(move |(_, slide, slip)| has_stopped(step, t, slide, *slip)).map(|(id, ..)| id)
 }
 
+/// The rotations that turn in a step and have vanished before `t` (s).
+fn settled<'a>(
+    core: &'a Core,
+    step: &'a ConstrainedStep,
+    t: f64,
+    states: &'a [BodyState],
+) -> impl Iterator<Item = (ContactId, Turn)> + 'a {
+    let turning =
+        step.active.rotation.iter().flat_map(|(&id, modes)| Turn::ALL.map(|turn| (id, turn, modes.get(turn))));
+    turning.filter_map(move |(id, turn, mode)| {
+        let Some(FrictionMode::Sliding(slide)) = mode else { return None };
+        let normal = core.world.kinematics(states, id)?.geometry.normal;
+        let part = turn.part(core.world.relative_rotation(states, id), normal);
+        has_stopped(step, t, &slide, part).then_some((id, turn))
+    })
+}
+
 /// If a slip has just vanished at `t` (s), all contacts whose slips vanish then.
 fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [BodyState]) -> BTreeSet<ContactId> {
     step.states_at(&core.world, t, states);
@@ -429,10 +452,19 @@ fn breaking_contacts(
     tolerated: &BTreeSet<ContactId>,
 ) -> Result<Vec<ContactId>, SimulationError> {
     let forces = forces_of(core, step, t, states, touches)?;
+    if forces.jams {
+        return Ok(sliding(touches).filter(|id| !tolerated.contains(id)).collect());
+    }
     let opens = touches.iter().zip(forces.opening_margins());
     let opens = opens.filter(|&(_, margin)| margin < 0.0).map(|(touch, _)| touch.id);
     let slips = forces.slipping(touches).map(|(id, _)| id);
-    Ok(opens.chain(slips).filter(|id| !tolerated.contains(id)).collect())
+    let turns = forces.turning(touches).map(|((id, _), _)| id);
+    Ok(opens.chain(slips).chain(turns).filter(|id| !tolerated.contains(id)).collect())
+}
+
+/// The contacts that slide.
+fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
+    touches.iter().filter(|touch| matches!(touch.friction, Some(FrictionMode::Sliding(_)))).map(|touch| touch.id)
 }
 
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
@@ -456,7 +488,7 @@ fn breaking(
 ) -> Result<ContactChange, SimulationError> {
     let late = (violated + EXTRAPOLATION * (step.end - step.t)).min(step.end);
     let mut openings = Vec::with_capacity(2);
-    let (mut departing, mut slipping) = (BTreeSet::new(), BTreeMap::new());
+    let (mut departing, mut slipping, mut turning) = (BTreeSet::new(), BTreeMap::new(), BTreeMap::new());
     for t in [violated, late] {
         step.states_at(&core.world, t, states);
         let contacts: Vec<Touch> = step
@@ -469,18 +501,23 @@ fn breaking(
             })
             .collect();
         let forces = forces_of(core, step, t, states, &contacts)?;
+        if forces.jams {
+            return Ok(ContactChange { t: violated, ..ContactChange::default() });
+        }
         let opening = contacts.iter().zip(forces.opening_margins()).filter(|&(_, margin)| margin < 0.0);
         departing.extend(opening.map(|(contact, _)| contact.id));
         slipping.extend(forces.slipping(&contacts));
+        turning.extend(forces.turning(&contacts));
         openings.push(forces.largest_opening(&contacts));
     }
     let (first, second) = (openings[0], openings[1]);
-    let change = ContactChange { t: violated, departing, slipping, ..ContactChange::default() };
+    let begins_to_turn = !turning.is_empty();
+    let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
     let is_sudden =
         |id: &ContactId| core.world.friction_of(id.a, id.b).is_some_and(|friction| friction.sliding < friction.at_rest);
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
-    if !any || second <= first || change.slipping.keys().any(is_sudden) {
+    if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {
         return Ok(change);
     }
     let back = first * (late - violated) / (second - first);
@@ -502,6 +539,8 @@ fn forces_of(
 ) -> Result<Forces, SimulationError> {
     let forces = Forces::solve(&core.world, t, states, &step.bodies, contacts, &mut core.solver)
         .map_err(|source| Core::response_error(t, source))?;
-    core.accounts.note_solve(t, &forces.solution.report)?;
+    if !forces.jams {
+        core.accounts.note_solve(t, &forces.solution.report)?;
+    }
     Ok(forces)
 }

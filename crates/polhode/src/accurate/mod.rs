@@ -20,6 +20,7 @@
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
 //! | `instant`, `events` | an event, the affected bodies, and their motion afterwards |
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
+//! | `jam`, `turning` | impacts without a collision; rotations that friction of rolling and spinning holds |
 //! | `contact_change` | what changes at the contacts of an island at the end of its active set |
 //! | `contacts` | the touching contacts at their last evaluation |
 //! | `pivot_views` | forces of pivots at the present |
@@ -47,6 +48,7 @@ mod hold;
 mod impact_search;
 mod instant;
 mod island;
+mod jam;
 mod locate;
 mod near_pairs;
 mod pace;
@@ -62,5 +64,6 @@ mod start;
 mod state_cache;
 mod system;
 mod tier;
+mod turning;
 
 pub(crate) use engine::Engine;

@@ -63,6 +63,7 @@ impl Engine {
         if !self.begun && core.world.has_friction {
             for touch in &mut contacts {
                 touch.friction = self.slide_of(core, scale_of(touch), touch);
+                touch.rotation = self.rotation_of(core, scale_of(touch), touch);
             }
         }
         let sustained = |touch: &Touch| {

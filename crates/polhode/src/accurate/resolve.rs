@@ -14,7 +14,7 @@ use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{impulse_event, pivot_support, strike, support};
+use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike, support};
 use crate::interaction::overlap::is_excess;
 use crate::interaction::projection::{self, Projected, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -48,6 +48,10 @@ const GATHERED_SLIP: f64 = 1e-12;
 
 /// What is counted where friction lowers the restitution of an impact.
 const LOWERED: &str = "restitution of impacts with friction was lowered: the full one would give back too much work";
+
+/// The warning of contacts that slide in different directions with forces that are not unique, before the names.
+const LEAST_NORM: &str =
+    "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -102,7 +106,8 @@ impl Engine {
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
             for touch in &mut contacts {
                 if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    touch.hold = instant.touches[index].hold;
+                    let Touch { hold, friction, rotation, .. } = instant.touches[index];
+                    (touch.hold, touch.friction, touch.rotation) = (hold, friction, rotation);
                     touch.known = true;
                 }
             }
@@ -143,7 +148,27 @@ impl Engine {
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
         }
-        let impulses = struck.impulses(group.contacts.iter().map(|&i| &instant.touches[i]));
+        self.book_struck(core, instant, &group.contacts, &struck, EventKind::Impact);
+        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
+        if outcome.status == ImpactStatus::LimitReached {
+            let names = core.world.names_of(&group.bodies);
+            let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
+            core.accounts.note_unsolved(instant.t, what);
+        }
+        Ok(())
+    }
+
+    /// Books the impulses of some contacts of an instant, and reports each as an event of this kind.
+    pub(super) fn book_struck(
+        &self,
+        core: &mut Core,
+        instant: &Instant,
+        contacts: &[usize],
+        struck: &Struck,
+        kind: EventKind,
+    ) {
+        let outcome = &struck.outcome;
+        let impulses = struck.impulses(contacts.iter().map(|&i| &instant.touches[i]));
         let work = core.world.prescribed_work(&self.states, impulses.clone());
         let about = core.accounts.books.ledger.momentum.about;
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
@@ -160,20 +185,18 @@ impl Engine {
             core.accounts.add_contact_event(
                 &core.world,
                 &self.states,
-                impulse_event(instant.t, &touch, application),
+                impulse_event(instant.t, kind, &touch, application),
                 touch.id,
             );
         }
-        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
-        if struck.restitution == Restitution::Lowered {
-            core.accounts.tolerate(instant.t, LOWERED);
+        match struck.restitution {
+            Restitution::Full => {}
+            Restitution::Lowered => core.accounts.tolerate(instant.t, LOWERED),
+            Restitution::RaisesEnergy => {
+                let law = core.world.scene.method().restitution_law.unwrap_or_default().name();
+                core.accounts.warn(instant.t, raised_energy(law));
+            }
         }
-        if outcome.status == ImpactStatus::LimitReached {
-            let names = core.world.names_of(&group.bodies);
-            let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
-            core.accounts.note_unsolved(instant.t, what);
-        }
-        Ok(())
     }
 
     /// Groups with a body that is not at rest or that touches a moving kinematic body.
@@ -189,7 +212,7 @@ impl Engine {
 
     /// Determines the active contacts of a group until the next event, and whether its bodies rest.
     fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
-        let (mut candidates, mut forces, mut has_ended) = self.candidates(core, instant, group)?;
+        let (mut candidates, mut forces, mut has_ended) = self.candidates_after_jams(core, instant, group)?;
         let mut impacts = 0;
         // Ending the bounces of one contact may make other contacts approach.
         while has_ended && group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
@@ -200,7 +223,7 @@ impl Engine {
             impacts += 1;
             self.strike_group(core, instant, group)?;
             self.refresh_kinematics(core, instant);
-            (candidates, forces, has_ended) = self.candidates(core, instant, group)?;
+            (candidates, forces, has_ended) = self.candidates_after_jams(core, instant, group)?;
         }
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
@@ -210,12 +233,15 @@ impl Engine {
             self.set_hold(core, instant, i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
             self.set_friction(core, instant, i, row.and_then(|row| forces.mode(row)));
+            if core.world.has_rotational_friction {
+                self.set_rotation(core, instant, i, row.map(|row| (row, &forces)));
+            }
         }
         self.settle(core, instant, group, &candidates, &forces)
     }
 
     /// Contacts of a group that may hold, their forces, and whether bounces have been ended.
-    fn candidates(
+    pub(super) fn candidates(
         &mut self,
         core: &mut Core,
         instant: &mut Instant,
@@ -260,13 +286,20 @@ impl Engine {
         let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
         let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
+        if forces.jams {
+            return Err(SimulationError::ContactSolve { t: instant.t, residual: forces.solution.report.residual });
+        }
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
+        if forces.motion_depends_on_choice {
+            let names = core.world.names_of(&group.bodies);
+            core.accounts.warn(instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
+        }
         Ok(forces)
     }
 
     /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its
     /// forces decide.
-    fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
+    pub(super) fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
         let change = &instant.change;
         let noise = slip_noise(core, instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
@@ -276,7 +309,7 @@ impl Engine {
             _ if change.stopping.contains(&touch.id) => None,
             _ => self.slide_of(core, instant.speed_scale, touch),
         };
-        Touch { friction, ..*touch }
+        Touch { friction, rotation: self.rotation_at(core, instant, touch), ..*touch }
     }
 
     /// The friction of a contact that has a slip; none without a slip or friction.
@@ -374,7 +407,7 @@ impl Engine {
             &core.world,
             &mut self.states,
             &group.bodies,
-            (&ids, &[]),
+            (&ids, &[], &[]),
             Removal::Complete,
         )
         .map_err(|source| Core::response_error(instant.t, source))?;
@@ -402,9 +435,11 @@ impl Engine {
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
+            let turns = component.contacts.iter().flat_map(|&i| instant.touches[i].held_turns());
+            let turns: Vec<_> = turns.collect();
             let sticks = |i: &&usize| instant.touches[**i].friction == Some(FrictionMode::Sticking);
             let sticking: Vec<_> = component.contacts.iter().filter(sticks).map(|&i| instant.touches[i].id).collect();
-            let projected = Projected { touching: &touching, held: &ids, sticking: &sticking };
+            let projected = Projected { touching: &touching, held: &ids, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;
             let scale = instant.speed_scale;
             let rests = allow_rest(core, instant.t, &ids)
@@ -522,7 +557,7 @@ impl Engine {
     }
 
     /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
-    fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+    pub(super) fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
         let speed = |body: usize| self.speed(core, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
@@ -595,7 +630,7 @@ fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
 }
 
 /// Rounding error of the slips of a contact of bodies whose largest speed has been `speed_scale`, m/s.
-fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
+pub(super) fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
     let size = |body: usize| if core.world.bodies[body].rigid.is_some() { core.world.bodies[body].size } else { 0.0 };
     let fall = core.world.gravity().length() * size(touch.id.a).max(size(touch.id.b));
     SLIP_NOISE * speed_scale + GATHERED_SLIP * fall.sqrt()

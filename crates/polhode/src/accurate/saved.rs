@@ -17,6 +17,7 @@ use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
@@ -35,6 +36,7 @@ impl Engine {
             held: touch.hold == Hold::Held,
             known: touch.known,
             friction: touch.friction.map(save_friction),
+            rotation: save_rotation(&touch.rotation),
         };
         content::Accurate {
             states: numbers::write_states(&self.states),
@@ -160,7 +162,8 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
         let hold = if touch.held { Hold::Held } else { Hold::Open };
         let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
         let friction = touch.friction.map(restored_friction);
-        Ok(Touch { id, kinematics, hold, known: touch.known, friction })
+        let rotation = restored_rotation(touch.rotation);
+        Ok(Touch { id, kinematics, hold, known: touch.known, friction, rotation })
     };
     let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
     if !touches.is_sorted_by(|x, y| x.id < y.id) {
@@ -177,17 +180,26 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
 fn restored_active(world: &World, saved: &content::Island) -> Result<ActiveContacts, SnapshotError> {
     let held = restored_ids(world, &saved.held)?;
     let friction = saved.friction.iter().map(|(id, mode)| Ok((restored_id(world, id)?, restored_friction(*mode))));
-    Ok(ActiveContacts { held, friction: friction.collect::<Result<_, SnapshotError>>()? })
+    let rotation = saved.rotation.iter().map(|(id, modes)| Ok((restored_id(world, id)?, restored_rotation(*modes))));
+    let rotation = rotation.collect::<Result<_, SnapshotError>>()?;
+    Ok(ActiveContacts { held, friction: friction.collect::<Result<_, SnapshotError>>()?, rotation })
 }
 
 /// What changes at the end of an island's step.
 fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChange, SnapshotError> {
     let slipping = saved.slipping.iter().map(|(id, to)| Ok((restored_id(world, id)?, DVec3::from_array(*to))));
+    let settling = saved.settling.iter().map(|(id, spins)| Ok((restored_id(world, id)?, restored_turn(*spins))));
+    let turning = saved
+        .turning
+        .iter()
+        .map(|(id, spins, to)| Ok(((restored_id(world, id)?, restored_turn(*spins)), DVec3::from_array(*to))));
     Ok(ContactChange {
         t: saved.due,
         departing: restored_ids(world, &saved.departing)?.into_iter().collect(),
         stopping: restored_ids(world, &saved.stopping)?.into_iter().collect(),
         slipping: slipping.collect::<Result<_, SnapshotError>>()?,
+        settling: settling.collect::<Result<_, SnapshotError>>()?,
+        turning: turning.collect::<Result<_, SnapshotError>>()?,
     })
 }
 
@@ -209,6 +221,22 @@ fn restored_friction(saved: content::Friction) -> FrictionMode {
     }
 }
 
+fn save_rotation(modes: &RotationModes) -> [Option<content::Friction>; 2] {
+    Turn::ALL.map(|turn| modes.get(turn).map(save_friction))
+}
+
+fn restored_rotation([rolling, spinning]: [Option<content::Friction>; 2]) -> RotationModes {
+    RotationModes::of(|turn| match turn {
+        Turn::Rolling => rolling.map(restored_friction),
+        Turn::Spinning => spinning.map(restored_friction),
+    })
+}
+
+/// A kind of rotation, of which a snapshot holds whether it is spinning.
+const fn restored_turn(spins: bool) -> Turn {
+    if spins { Turn::Spinning } else { Turn::Rolling }
+}
+
 fn save_island(island: &Island) -> content::Island {
     let ids = |ids: &BTreeSet<ContactId>| ids.iter().copied().map(save_contact).collect();
     content::Island {
@@ -228,6 +256,14 @@ fn save_island(island: &Island) -> content::Island {
         friction: island.active.friction.iter().map(|(&id, &mode)| (save_contact(id), save_friction(mode))).collect(),
         stopping: ids(&island.change.stopping),
         slipping: island.change.slipping.iter().map(|(&id, to)| (save_contact(id), to.to_array())).collect(),
+        rotation: island.active.rotation.iter().map(|(&id, modes)| (save_contact(id), save_rotation(modes))).collect(),
+        settling: island.change.settling.iter().map(|&(id, turn)| (save_contact(id), turn == Turn::Spinning)).collect(),
+        turning: island
+            .change
+            .turning
+            .iter()
+            .map(|(&(id, turn), to)| (save_contact(id), turn == Turn::Spinning, to.to_array()))
+            .collect(),
     }
 }
 

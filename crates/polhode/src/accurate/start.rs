@@ -9,7 +9,7 @@ use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::interaction::groups::{coupled_groups, groups};
 use crate::interaction::projection;
-use crate::scene::SceneError;
+use crate::scene::{OverlapAtStart, SceneError};
 use crate::world::INITIAL_OVERLAP_RELATIVE;
 use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
@@ -151,13 +151,9 @@ fn check_overlap(
     let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
     let allowed_m = INITIAL_OVERLAP_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
     if separation < -allowed_m {
-        return Err(SceneError::InitialOverlap {
-            body_a: core.world.bodies[a].name.clone(),
-            body_b: core.world.bodies[b].name.clone(),
-            depth_m: -deepest.min(separation),
-            allowed_m,
-        }
-        .into());
+        let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
+        let pair = OverlapAtStart { body_a, body_b, depth_m: -deepest.min(separation), allowed_m };
+        return Err(SceneError::InitialOverlap(vec![pair]).into());
     }
     Ok(())
 }

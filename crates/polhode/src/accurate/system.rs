@@ -22,6 +22,7 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::impact::{pivot_support, support};
+use crate::interaction::rotational_friction::{moment_support, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
@@ -87,6 +88,8 @@ struct HeldForces {
     forces: Vec<f64>,
     /// Of the contacts with friction, along tangents: the contact with the tangent in the place of its normal.
     tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Of friction of rolling and spinning, N m, world, on A.
+    moments: Vec<(ContactId, DVec3)>,
     /// Power lost to friction, W.
     dissipation: f64,
     /// Of the pivots.
@@ -186,8 +189,8 @@ impl<'a> ContactSystem<'a> {
         if !self.friction.is_empty() {
             let at = (t, &*self.states);
             let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
-            let FrictionForces { normal, tangential, pivots, dissipation } = found;
-            return Ok(HeldForces { forces: normal, tangential, dissipation, pivots, sums: None });
+            let FrictionForces { normal, tangential, moments, pivots, dissipation } = found;
+            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, pivots, sums: None });
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
@@ -211,6 +214,14 @@ impl<'a> ContactSystem<'a> {
                 let moment = (geometry.point - self.states[body].pose.translation).cross(vector);
                 self.add_load(body, vector, moment, rates);
             }
+        }
+    }
+
+    /// Adds the moments of friction of rolling and spinning to the rates.
+    fn add_moments(&self, held: &HeldForces, rates: &mut [f64]) {
+        for &(id, moment) in &held.moments {
+            self.add_load(id.a, DVec3::ZERO, moment, rates);
+            self.add_load(id.b, DVec3::ZERO, -moment, rates);
         }
     }
 
@@ -238,6 +249,11 @@ impl<'a> ContactSystem<'a> {
         let support = support(self.world, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
+        if !held.moments.is_empty() {
+            let moments = || held.moments.iter().copied();
+            rates[19] += moment_work(self.world, self.states, moments());
+            add(&mut rates[3..], moment_support(self.world, moments()).angular);
+        }
         if !held.pivots.is_empty() {
             let support = pivot_support(self.about, held.pivots.iter().map(|(pivot, force)| (pivot, *force)));
             add(&mut rates[..], support.linear);
@@ -301,8 +317,7 @@ impl System for ContactSystem<'_> {
             share_normals(self.world, &mut self.contacts);
         }
         if !self.active.friction.is_empty() {
-            let friction = &self.active.friction;
-            self.friction = friction_forces::friction_contacts(world, states, &self.contacts, friction);
+            self.friction = friction_forces::friction_contacts(world, states, &self.contacts, self.active);
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
@@ -312,6 +327,7 @@ impl System for ContactSystem<'_> {
             Some(sums) => self.add_sums(sums, rates),
             None => self.add_forces(&held, rates),
         }
+        self.add_moments(&held, rates);
         self.outside_rates(t, &held, &mut rates[self.bodies.len() * WIDTH..]);
         Ok(())
     }

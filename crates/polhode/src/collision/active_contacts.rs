@@ -2,6 +2,7 @@
 
 use super::contact_set::ContactId;
 use super::friction_mode::FrictionMode;
+use super::turn::{RotationModes, Turn};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeMap;
@@ -13,6 +14,8 @@ pub(crate) struct ActiveContacts {
     pub(crate) held: Vec<ContactId>,
     /// The modes of those with friction.
     pub(crate) friction: BTreeMap<ContactId, FrictionMode>,
+    /// The rotations of those with friction of rolling or spinning.
+    pub(crate) rotation: BTreeMap<ContactId, RotationModes>,
 }
 
 impl ActiveContacts {
@@ -27,13 +30,41 @@ impl ActiveContacts {
         self.friction.values().any(|mode| *mode != FrictionMode::Sticking)
     }
 
-    /// Gives contacts that slide the direction and speed of their slips in these states, at the start of a step.
+    /// The friction of a contact, as far as it is known.
+    pub(crate) fn modes(&self, id: ContactId) -> (Option<FrictionMode>, RotationModes) {
+        (self.friction.get(&id).copied(), self.rotation.get(&id).copied().unwrap_or_default())
+    }
+
+    /// The rotations that friction holds at zero, in order.
+    pub(crate) fn held_turns(&self) -> Vec<(ContactId, Turn)> {
+        let of = |(&id, modes): (&ContactId, &RotationModes)| {
+            let modes = *modes;
+            Turn::ALL
+                .into_iter()
+                .filter(move |&turn| modes.get(turn) == Some(FrictionMode::Sticking))
+                .map(move |turn| (id, turn))
+        };
+        self.rotation.iter().flat_map(of).collect()
+    }
+
+    /// Gives contacts that slide or turn the direction and speed of their slips in these states, at the start of a
+    /// step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
         for (&id, mode) in &mut self.friction {
             let FrictionMode::Sliding(slide) = mode else { continue };
             if let Some(terms) = world.tangential_kinematics(states, id) {
                 *slide = slide.renewed(terms.slip_velocity);
             }
+        }
+        for (&id, modes) in &mut self.rotation {
+            let Some(kinematics) = world.kinematics(states, id) else { continue };
+            let rotation = world.relative_rotation(states, id);
+            *modes = RotationModes::of(|turn| match modes.get(turn)? {
+                FrictionMode::Sticking => Some(FrictionMode::Sticking),
+                FrictionMode::Sliding(slide) => {
+                    Some(FrictionMode::Sliding(slide.renewed(turn.part(rotation, kinematics.geometry.normal))))
+                }
+            });
         }
     }
 }

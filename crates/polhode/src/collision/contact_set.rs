@@ -3,7 +3,8 @@
 //! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
 //! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
-use super::friction_mode::{FrictionCoefficients, FrictionMode};
+use super::friction_mode::{FrictionCoefficients, FrictionMode, RotationalFriction};
+use super::turn::{RotationModes, Turn};
 use crate::prescribed_state;
 use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{
@@ -44,12 +45,29 @@ pub(crate) struct Touch {
     pub(crate) known: bool,
     /// Whether it sticks or slides. None for a contact without friction, and where that is to be found from its forces.
     pub(crate) friction: Option<FrictionMode>,
+    /// Its rotations, likewise.
+    pub(crate) rotation: RotationModes,
 }
 
 impl Touch {
     /// An active contact.
-    pub(crate) fn held(id: ContactId, kinematics: ContactKinematics, friction: Option<FrictionMode>) -> Self {
-        Self { id, kinematics, hold: Hold::Held, known: true, friction }
+    pub(crate) fn held(
+        id: ContactId,
+        kinematics: ContactKinematics,
+        (friction, rotation): (Option<FrictionMode>, RotationModes),
+    ) -> Self {
+        Self { id, kinematics, hold: Hold::Held, known: true, friction, rotation }
+    }
+}
+
+impl Touch {
+    /// Its rotations that friction holds at zero.
+    pub(crate) fn held_turns(&self) -> impl Iterator<Item = (ContactId, Turn)> {
+        let (id, modes) = (self.id, self.rotation);
+        Turn::ALL
+            .into_iter()
+            .filter(move |&turn| modes.get(turn) == Some(FrictionMode::Sticking))
+            .map(move |turn| (id, turn))
     }
 }
 
@@ -129,7 +147,24 @@ impl World {
         }
         let material = self.scene.pair_material(a, b);
         let coefficients = FrictionCoefficients { at_rest: material.static_friction(), sliding: material.friction() };
-        (coefficients.at_rest > 0.0).then_some(coefficients)
+        let resists_rotation = self.has_rotational_friction && self.rotational_friction_of(a, b).is_some();
+        (coefficients.at_rest > 0.0 || resists_rotation).then_some(coefficients)
+    }
+
+    /// The friction of rolling and spinning of two bodies; none without either.
+    pub(crate) fn rotational_friction_of(&self, a: usize, b: usize) -> Option<RotationalFriction> {
+        if !self.has_rotational_friction {
+            return None;
+        }
+        let material = self.scene.pair_material(a, b);
+        let lengths =
+            RotationalFriction { rolling: material.rolling_friction(), spinning: material.spinning_friction() };
+        (lengths.rolling > 0.0 || lengths.spinning > 0.0).then_some(lengths)
+    }
+
+    /// The angular velocity of A relative to B, rad/s.
+    pub(crate) fn relative_rotation(&self, states: &[BodyState], id: ContactId) -> DVec3 {
+        self.velocity(id.a, &states[id.a]).angular - self.velocity(id.b, &states[id.b]).angular
     }
 
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`].
@@ -191,7 +226,14 @@ impl World {
             .filter_map(|feature| {
                 let id = ContactId { a, b, feature };
                 let kinematics = self.kinematics_in_space(states, id)?;
-                Some(Touch { id, kinematics, hold: Hold::Open, known: false, friction: None })
+                Some(Touch {
+                    id,
+                    kinematics,
+                    hold: Hold::Open,
+                    known: false,
+                    friction: None,
+                    rotation: RotationModes::default(),
+                })
             })
             .collect();
         let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);

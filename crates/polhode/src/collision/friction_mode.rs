@@ -20,6 +20,15 @@ pub(crate) struct FrictionCoefficients {
     pub(crate) sliding: f64,
 }
 
+/// Lengths (m) that give the largest moments of friction of a pair of bodies, times the normal force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RotationalFriction {
+    /// About axes in the tangent plane.
+    pub(crate) rolling: f64,
+    /// About the normal.
+    pub(crate) spinning: f64,
+}
+
 /// How an active contact with friction behaves along its tangent plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum FrictionMode {

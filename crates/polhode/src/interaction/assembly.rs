@@ -7,6 +7,7 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::interaction::constraint::ConstraintId;
+use crate::interaction::rotation_row::RotationRow;
 use crate::pivots::PivotKinematics;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
@@ -75,7 +76,7 @@ impl TangentRow {
 }
 
 /// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each
-/// pivot, in the order of the bodies, then rows along tangents of contacts with friction.
+/// pivot, in the order of the bodies, then rows along tangents of contacts with friction, then rows of their rotations.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
@@ -85,6 +86,10 @@ pub(crate) struct Assembly {
     contacts: usize,
     pivots: Vec<PivotKinematics>,
     tangents: Vec<TangentRow>,
+    /// The row of each.
+    tangent_rows: Vec<usize>,
+    rotations: Vec<RotationRow>,
+    rotation_rows: Vec<usize>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -128,11 +133,24 @@ impl Assembly {
             let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
             problem.push_block(id.block(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
         }
-        let tangents = Vec::new();
-        Ok(Self { problem, constraints, contacts, pivots, tangents, bodies: bodies.to_vec(), coordinates })
+        let (tangents, tangent_rows) = (Vec::new(), Vec::new());
+        let (rotations, rotation_rows) = (Vec::new(), Vec::new());
+        let bodies = bodies.to_vec();
+        Ok(Self {
+            problem,
+            constraints,
+            contacts,
+            pivots,
+            tangents,
+            tangent_rows,
+            rotations,
+            rotation_rows,
+            bodies,
+            coordinates,
+        })
     }
 
-    /// Adds rows along tangents of contacts between these bodies, after all others.
+    /// Adds rows along tangents of contacts between these bodies, after those of contacts and pivots.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -144,10 +162,44 @@ impl Assembly {
         let (bodies, coordinates) = (&self.bodies, self.coordinates);
         let mut rows = ContactRows { states, bodies, coordinates, row_a: Vec::new(), row_b: Vec::new() };
         for tangent in tangents {
+            self.tangent_rows.push(self.problem.len());
             rows.push(&mut self.problem, RowKind::Bilateral, tangent.id, &tangent.along)?;
             self.tangents.push(tangent);
         }
         Ok(())
+    }
+
+    /// Adds rows of rotations at contacts between these bodies, after those so far.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn push_rotations(&mut self, rotations: impl Iterator<Item = RotationRow>) -> Result<(), ResponseError> {
+        for rotation in rotations {
+            let rows: Vec<(usize, Vec<f64>)> = [(rotation.id.a, 1.0), (rotation.id.b, -1.0)]
+                .into_iter()
+                .filter_map(|(body, sign)| {
+                    let index = self.bodies.binary_search(&body).ok()?;
+                    let mut row = Vec::with_capacity(self.coordinates.width());
+                    self.coordinates.push(&mut row, DVec3::ZERO, rotation.axis * sign);
+                    Some((index, row))
+                })
+                .collect();
+            let entries: Vec<(usize, &[f64])> = rows.iter().map(|(index, row)| (*index, row.as_slice())).collect();
+            self.rotation_rows.push(self.problem.len());
+            self.problem.push_bilateral_row(&entries)?;
+            self.rotations.push(rotation);
+        }
+        Ok(())
+    }
+
+    /// The rows along tangents with their numbers (forces, velocities), from those of all rows.
+    pub(crate) fn of_tangents<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = (&'a TangentRow, f64)> {
+        self.tangents.iter().zip(&self.tangent_rows).filter_map(|(row, &index)| Some((row, *values.get(index)?)))
+    }
+
+    /// The rows of rotations with their numbers, likewise.
+    pub(crate) fn of_rotations<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = (&'a RotationRow, f64)> {
+        self.rotations.iter().zip(&self.rotation_rows).filter_map(|(row, &index)| Some((row, *values.get(index)?)))
     }
 
     /// The rows along tangents.
@@ -157,13 +209,15 @@ impl Assembly {
 
     /// Index of the first row along a tangent.
     pub(crate) fn first_tangent(&self) -> usize {
-        self.problem.len() - self.tangents.len()
+        self.problem.len() - self.rotations.len() - self.tangents.len()
     }
 
     /// The constraint of a row.
     pub(crate) fn constraint(&self, row: usize) -> Option<ConstraintId> {
-        if let Some(tangent) = row.checked_sub(self.first_tangent()) {
-            return self.tangents.get(tangent).map(|tangent| ConstraintId::Contact(tangent.id));
+        if row >= self.first_tangent() {
+            let tangent = self.tangent_rows.binary_search(&row).ok().map(|place| self.tangents[place].id);
+            let rotation = || self.rotation_rows.binary_search(&row).ok().map(|place| self.rotations[place].id);
+            return tangent.or_else(rotation).map(ConstraintId::Contact);
         }
         let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
         self.constraints.get(place).copied()
@@ -217,8 +271,13 @@ impl Assembly {
         for (constant, bias) in b.iter_mut().skip(self.contacts).zip(biases) {
             *constant += bias;
         }
-        for (constant, row) in b.iter_mut().skip(self.first_tangent()).zip(&self.tangents) {
+        for (&index, row) in self.tangent_rows.iter().zip(&self.tangents) {
+            let Some(constant) = b.get_mut(index) else { continue };
             *constant += row.acceleration_bias + world.prescribed_acceleration_of(t, states, row.id, &row.along);
+        }
+        for (&index, row) in self.rotation_rows.iter().zip(&self.rotations) {
+            let Some(constant) = b.get_mut(index) else { continue };
+            *constant += row.prescribed_acceleration(world, t);
         }
         Ok(b)
     }

@@ -13,7 +13,7 @@ use std::ops::Range;
 const MOST_ROWS: usize = 3;
 
 /// Blocks of rows.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct FrictionBlocks {
     blocks: Vec<FrictionBlock>,
     /// The rows of the assembly, in the order of the blocks.
@@ -61,13 +61,19 @@ impl FrictionBlocks {
         FrictionProblem::from_dense(self.blocks.clone(), &matrix, constants)
     }
 
-    /// Numbers in the order of the blocks, put into that of the assembly.
+    /// Numbers in the order of the blocks, put into that of the assembly; rows without a block have zero.
     pub(crate) fn in_rows(&self, of_blocks: &[f64]) -> Vec<f64> {
-        let mut of_rows = vec![0.0; of_blocks.len()];
+        let rows = self.rows.iter().max().map_or(0, |row| row + 1);
+        let mut of_rows = vec![0.0; rows];
         for (&row, &value) in self.rows.iter().zip(of_blocks) {
             of_rows[row] = value;
         }
         of_rows
+    }
+
+    /// Numbers of the rows of the assembly, put into the order of the blocks.
+    pub(crate) fn of_rows(&self, of_rows: &[f64]) -> Vec<f64> {
+        self.rows.iter().map(|&row| of_rows[row]).collect()
     }
 
     /// Solves for the reactions; `start` are reactions of a similar problem, in the order of the assembly.

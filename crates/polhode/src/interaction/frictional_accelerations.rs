@@ -8,8 +8,11 @@
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
-use crate::collision::contact_set::Touch;
+use super::rotation_row::RotationRow;
+use super::rotational_friction::{ResistedRotation, solve_with_rotations};
+use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::collision::turn::Turn;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
@@ -43,8 +46,12 @@ pub(crate) struct FrictionalAccelerations {
     pub(crate) accelerations: Vec<f64>,
     /// The largest relative acceleration without contact forces, m/s^2.
     pub(crate) scale: f64,
+    /// Whether contacts slide and other forces that hold all contacts as well would move the bodies in another way.
+    pub(crate) motion_depends_on_choice: bool,
     /// In the order of the contacts; none for a contact without friction.
     pub(crate) contacts: Vec<Option<ContactTangent>>,
+    /// What friction of rolling and spinning does.
+    pub(crate) turns: BTreeMap<(ContactId, Turn), ContactTurn>,
 }
 
 /// What friction does at a contact.
@@ -74,11 +81,21 @@ impl ContactTangent {
     }
 }
 
+/// What friction of rolling or spinning does at a contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactTurn {
+    /// The direction in which the bodies turn, or begin to turn, on each other (unit vector, world); none while
+    /// friction holds them.
+    pub(crate) turning: Option<DVec3>,
+}
+
 /// A contact with friction among the rows.
 #[derive(Debug, Clone, Copy)]
 struct Frictional {
     coefficients: FrictionCoefficients,
     terms: TangentialKinematics,
+    /// The angular velocity of A relative to B, rad/s.
+    rotation: DVec3,
     /// The direction in which it slides, and the coefficient there.
     sliding: Option<(DVec3, f64)>,
 }
@@ -91,7 +108,8 @@ impl Frictional {
             None | Some(FrictionMode::Sticking) => None,
             Some(FrictionMode::Sliding(slide)) => Some((slide.direction_of(terms.slip_velocity), coefficients.sliding)),
         };
-        Some(Self { coefficients, terms, sliding })
+        let rotation = world.relative_rotation(states, touch.id);
+        Some(Self { coefficients, terms, rotation, sliding })
     }
 
     /// What its rows ask for together.
@@ -152,18 +170,28 @@ impl FrictionalAccelerations {
             blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
         }
         blocks.push_held(contacts.len()..assembly.first_tangent());
+        let (turns, mut rotations) = rotations_of(&mut assembly, world, contacts, frictional)?;
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
         let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-        let holding = if any_slides {
-            all_hold((world, states, contacts), &assembly, &constants, frictional)?
+        let mut motion_depends_on_choice = false;
+        let holding = if !rotations.is_empty() {
+            None
+        } else if any_slides {
+            let held = all_hold((world, states, contacts), &assembly, &constants, frictional)?;
+            held.map(|(solution, depends)| {
+                motion_depends_on_choice = depends;
+                solution
+            })
         } else {
             all_stick(&assembly, &delassus, &constants, frictional)?
         };
         let solved = if let Some(holding) = holding {
             holding
+        } else if !rotations.is_empty() {
+            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         } else {
             let solved = blocks.solve(&delassus, &constants, None, &FrictionSettings::default())?;
             let of = (world, states, contacts);
@@ -182,9 +210,11 @@ impl FrictionalAccelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
+        let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law) };
+        let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let solution = contact_solution(&solved, assembly.first_tangent());
-        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly })
+        Ok(Self { contacts: tangential, solution, accelerations, scale, assembly, motion_depends_on_choice, turns })
     }
 }
 
@@ -221,13 +251,14 @@ fn all_stick(
     Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
 }
 
-/// The same where some contacts slide: the least forces with which every contact holds.
+/// The same where some contacts slide: the least forces with which every contact holds, and whether the motion
+/// depends on that choice.
 fn all_hold(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     constants: &[f64],
     frictional: &[Option<Frictional>],
-) -> Result<Option<RowSolution>, ResponseError> {
+) -> Result<Option<(RowSolution, bool)>, ResponseError> {
     let friction = frictional.iter().map(|friction| match friction {
         None => RowFriction::Frictionless,
         Some(Frictional { sliding: Some((_, coefficient)), .. }) => RowFriction::Slides(*coefficient),
@@ -236,7 +267,8 @@ fn all_hold(
     let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_RELATIVE * scale + rounding_of(delassus, forces);
     let friction: Vec<RowFriction> = friction.collect();
-    let Some(reactions) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
+    let Some(least) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
+    let reactions = least.forces;
     let mut velocities = assembly.problem.delassus().times(&reactions)?;
     for (velocity, constant) in velocities.iter_mut().zip(constants) {
         *velocity += constant;
@@ -255,7 +287,7 @@ fn all_hold(
     let slides = |friction: &Option<Frictional>| friction.as_ref().is_some_and(|friction| friction.sliding.is_some());
     let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
     let statuses = frictional.iter().map(status).collect();
-    Ok(Some(RowSolution { reactions, velocities, statuses, report }))
+    Ok(Some((RowSolution { reactions, velocities, statuses, report }, least.motion_depends_on_choice)))
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
@@ -305,6 +337,48 @@ fn refined(
         solved.velocities[row] = 0.0;
     }
     Ok(solved)
+}
+
+/// Adds the rows of rotations that friction resists. Returns the rotations, and what friction asks of each.
+fn rotations_of(
+    assembly: &mut Assembly,
+    world: &World,
+    contacts: &[Touch],
+    frictional: &[Option<Frictional>],
+) -> Result<(Vec<(ContactId, Turn)>, Vec<ResistedRotation>), ResponseError> {
+    let (mut turns, mut found) = (Vec::new(), Vec::new());
+    if !world.has_rotational_friction {
+        return Ok((turns, found));
+    }
+    for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
+        let Some(frictional) = frictional else { continue };
+        for turn in Turn::ALL {
+            let Some(friction) = turn.friction(world, (touch.id.a, touch.id.b)) else { continue };
+            let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
+            let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
+            let along = match touch.rotation.get(turn) {
+                Some(FrictionMode::Sliding(slide)) => {
+                    let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);
+                    let direction = slide.direction_of(rotation);
+                    Some(axes.iter().map(|axis| axis.dot(direction)).collect())
+                }
+                Some(FrictionMode::Sticking) | None => None,
+            };
+            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id: touch.id, axis }))?;
+            turns.push((touch.id, turn));
+            found.push(ResistedRotation { normal, rows, friction, turns: along });
+        }
+    }
+    Ok((turns, found))
+}
+
+/// The direction in which a rotation turns; none while it is held.
+fn turning(assembly: &Assembly, law: &ResistedRotation) -> Option<DVec3> {
+    let mut of_rows = vec![0.0; assembly.problem.len()];
+    for (row, part) in law.rows.clone().zip(law.turns.as_ref()?) {
+        of_rows[row] = *part;
+    }
+    assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()
 }
 
 /// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one.

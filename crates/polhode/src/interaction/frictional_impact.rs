@@ -3,13 +3,16 @@
 //! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
 //! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
 //! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
-//! kinetic friction.
+//! kinetic friction. A scene may name another law for one contact alone ([`RestitutionLaw`]).
+//!
+//! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
+//! Coulomb's law (Painleve).
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::scene::ImpactLaw;
-use crate::world::World;
+use crate::scene::{ImpactLaw, RestitutionLaw};
+use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::FrictionBlock;
@@ -33,6 +36,15 @@ pub(crate) struct FrictionalImpact {
     pub(crate) restitution: Restitution,
 }
 
+/// Why contacts are struck.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Cause<'a> {
+    /// They approach.
+    Collision,
+    /// They jam at this time (s) under these loads.
+    Jam(f64, &'a Loads),
+}
+
 /// Whether an impact gave the restitution asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Restitution {
@@ -41,6 +53,8 @@ pub(crate) enum Restitution {
     Full,
     /// Less: with friction the full one would have given back more than `e^2` of the work of compression, or energy.
     Lowered,
+    /// The law of restitution has raised the energy.
+    RaisesEnergy,
 }
 
 /// Whether one of some contacts has friction.
@@ -48,8 +62,7 @@ pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
     world.has_friction && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some())
 }
 
-/// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending); `before` are the velocities
-/// of their rows, m/s.
+/// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -58,7 +71,7 @@ pub(crate) fn solve(
     states: &[BodyState],
     bodies: &[usize],
     contacts: &[Touch],
-    law: ImpactLaw,
+    (law, cause): (ImpactLaw, Cause<'_>),
 ) -> Result<FrictionalImpact, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
@@ -88,10 +101,18 @@ pub(crate) fn solve(
         contacts: &problem,
         restitution: &restitution,
         law: if law == ImpactLaw::Propagation { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
-        single: FrictionalImpactLaw::Stronge,
+        single: single_law(world.scene.method().restitution_law.unwrap_or_default()),
         settings: &MultipleImpactSettings::default(),
     };
-    let struck = impact.resolve()?;
+    let struck = match cause {
+        Cause::Collision => impact.resolve()?,
+        Cause::Jam(t, loads) => {
+            let free = assembly.free_accelerations(world, states, loads);
+            let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+            let accelerations = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+            impact.without_collision(&blocks.of_rows(&accelerations))?
+        }
+    };
     let impulses = blocks.in_rows(&struck.impulses);
     let first = assembly.first_tangent();
     let along = assembly.tangents().iter().zip(impulses.iter().skip(first));
@@ -113,9 +134,25 @@ pub(crate) fn solve(
         residual: struck.residual,
         impulses: impulses.into_iter().take(first).collect(),
     };
-    let is_lowered = struck.status == MultipleImpactStatus::RestitutionLowered;
-    let restitution = if is_lowered { Restitution::Lowered } else { Restitution::Full };
+    let restitution = match struck.status {
+        _ if struck.energy_rises => Restitution::RaisesEnergy,
+        MultipleImpactStatus::RestitutionLowered => Restitution::Lowered,
+        _ => Restitution::Full,
+    };
     Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution })
+}
+
+/// The law of the response.
+const fn single_law(law: RestitutionLaw) -> FrictionalImpactLaw {
+    match law {
+        RestitutionLaw::Stronge => FrictionalImpactLaw::Stronge,
+        RestitutionLaw::Poisson => FrictionalImpactLaw::Poisson,
+        RestitutionLaw::Newton => FrictionalImpactLaw::Newton,
+        RestitutionLaw::Whittaker => FrictionalImpactLaw::Whittaker,
+        RestitutionLaw::ChatterjeeRuina { tangential_restitution } => {
+            FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution }
+        }
+    }
 }
 
 /// The status as impacts without friction state it; [`Restitution`] says whether restitution was lowered.

@@ -4,8 +4,9 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::constraint::ConstraintId;
-use crate::interaction::frictional_impact::{self, FrictionalImpact, Restitution};
+use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
+use crate::interaction::rotational_friction::{apply_moments, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::states_of::{set_states, states_of};
@@ -92,8 +93,8 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
-/// Applies impulses of contacts and of pivots to some bodies. Returns whether the energy increased by no more than the
-/// work of prescribed motions. Otherwise the states are unchanged.
+/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
+/// energy increased by no more than the work of prescribed motions. Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],
@@ -102,13 +103,16 @@ pub(crate) fn apply_without_gain<'a>(
         impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
         impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
     ),
+    moments: &[(ContactId, DVec3)],
 ) -> bool {
     let start = states_of(states, bodies);
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
-    let work = world.prescribed_work(states, impulses.clone());
+    let by_moments = moment_work(world, states, moments.iter().copied());
+    let work = world.prescribed_work(states, impulses.clone()) + by_moments;
     apply_impulses(world, states, impulses);
     apply_pivot_impulses(world, states, pivots);
+    apply_moments(world, states, moments.iter().copied());
     let gain = kinetic(states) - before - work;
     let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
     if !is_sound {
@@ -133,7 +137,7 @@ pub(crate) fn strike(
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     if frictional_impact::have_friction(world, &members) {
-        return strike_with_friction(world, states, &group.bodies, &members, law);
+        return strike_with_friction(world, states, &group.bodies, &members, (law, Cause::Collision));
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
@@ -167,7 +171,7 @@ pub(crate) fn strike(
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let pivots = assembly.pivot_forces(&outcome.impulses);
-            if apply_without_gain(world, states, &group.bodies, (impulses, pivots)) {
+            if apply_without_gain(world, states, &group.bodies, (impulses, pivots), &[]) {
                 break;
             }
         }
@@ -185,13 +189,13 @@ pub(crate) fn strike(
     Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0, restitution })
 }
 
-/// [`strike`] where contacts have friction.
-fn strike_with_friction(
+/// [`strike`] where contacts have friction; also where they jam.
+pub(crate) fn strike_with_friction(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
     members: &[Touch],
-    law: ImpactLaw,
+    law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
     let FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution } =
         frictional_impact::solve(world, states, bodies, members, law)?;
@@ -201,7 +205,12 @@ fn strike_with_friction(
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
         let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));
-        if apply_without_gain(world, states, bodies, (impulses, pivots)) {
+        if restitution == Restitution::RaisesEnergy {
+            apply_impulses(world, states, impulses);
+            apply_pivot_impulses(world, states, pivots);
+            return Ok(struck);
+        }
+        if apply_without_gain(world, states, bodies, (impulses, pivots), &[]) {
             return Ok(struck);
         }
     }
@@ -209,12 +218,20 @@ fn strike_with_friction(
     Ok(struck)
 }
 
+/// The warning of an impact whose energy its law of restitution has raised.
+pub(crate) fn raised_energy(law: &str) -> String {
+    format!(
+        "the restitution law {law} has raised the energy of an impact with friction, as it may where slip stops or \
+         reverses: stronge never does"
+    )
+}
+
 /// The event of one impulse at one contact point.
-pub(crate) fn impulse_event(t: f64, touch: &Touch, application: &Application) -> Event {
+pub(crate) fn impulse_event(t: f64, kind: EventKind, touch: &Touch, application: &Application) -> Event {
     let geometry = touch.kinematics.geometry;
     Event {
         t,
-        kind: EventKind::Impact,
+        kind,
         body_a: touch.id.a,
         body_b: Some(touch.id.b),
         point: geometry.point,

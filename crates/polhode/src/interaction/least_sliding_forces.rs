@@ -9,7 +9,7 @@ use super::assembly::Assembly;
 use crate::collision::contact_set::Touch;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_forces};
+use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 use std::ops::Range;
 
 /// Friction of a contact among the rows of an assembly.
@@ -34,6 +34,15 @@ impl RowFriction {
     }
 }
 
+/// The least forces with which all contacts hold.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LeastSlidingForces {
+    /// Of all rows, N.
+    pub(crate) forces: Vec<f64>,
+    /// Whether other forces that hold all contacts as well would move the bodies in another way.
+    pub(crate) motion_depends_on_choice: bool,
+}
+
 /// Forces (N) of all rows of `assembly`, whose contacts have this friction and whose rows have these constant terms
 /// (m/s^2); none if they are not an answer. `rounding` is what an acceleration of zero may be (m/s^2) for these forces.
 ///
@@ -45,7 +54,7 @@ pub(crate) fn least_sliding_forces(
     constants: &[f64],
     friction: &[RowFriction],
     rounding: impl Fn(&Delassus, &[f64]) -> f64,
-) -> Result<Option<Vec<f64>>, ResponseError> {
+) -> Result<Option<LeastSlidingForces>, ResponseError> {
     let first_tangent = assembly.first_tangent();
     // Rows that are held first, then those along which contacts slide.
     let mut order: Vec<usize> = (0..first_tangent).collect();
@@ -95,5 +104,6 @@ pub(crate) fn least_sliding_forces(
     for (&row, &force) in order.iter().zip(&forces) {
         of_rows[row] = force;
     }
-    Ok(Some(of_rows))
+    let motion_depends_on_choice = motion_depends_on_choice(&delassus, held, &sliding)?;
+    Ok(Some(LeastSlidingForces { forces: of_rows, motion_depends_on_choice }))
 }

@@ -16,3 +16,5 @@ mod least_sliding_forces;
 pub(crate) mod locator;
 pub(crate) mod overlap;
 pub(crate) mod projection;
+pub(crate) mod rotation_row;
+pub(crate) mod rotational_friction;

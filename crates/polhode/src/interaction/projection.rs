@@ -5,9 +5,12 @@
 //! motion as a force. The ledger books their change of energy.
 
 use crate::collision::contact_set::ContactId;
+use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow, apply_impulses, apply_pivot_impulses, largest_change};
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::overlap::Overlaps;
+use crate::interaction::rotation_row::RotationRow;
+use crate::interaction::rotational_friction::{apply_moments, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
@@ -94,6 +97,8 @@ pub(crate) struct Projected<'a> {
     pub(crate) held: &'a [ContactId],
     /// Those of them whose slip is made zero.
     pub(crate) sticking: &'a [ContactId],
+    /// Rotations that are made zero.
+    pub(crate) turns: &'a [(ContactId, Turn)],
 }
 
 /// Projects touching contacts of a group of bodies onto zero separation, then removes the relative velocities of the
@@ -107,7 +112,7 @@ pub(crate) fn project(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    Projected { touching, held, sticking }: Projected<'_>,
+    Projected { touching, held, sticking, turns }: Projected<'_>,
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let mut done = project_positions(world, states, bodies, touching)?;
@@ -120,7 +125,7 @@ pub(crate) fn project(
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
     done.jumped.dedup_by_key(|contact| contact.bodies());
-    let removed = project_velocities(world, states, bodies, (&drifting, sticking), Removal::OfDrift)?;
+    let removed = project_velocities(world, states, bodies, (&drifting, sticking, turns), Removal::OfDrift)?;
     done.farthest = done.farthest.or(removed.fastest);
     done.work_j = removed.work_j;
     Ok(done)
@@ -287,23 +292,27 @@ pub(crate) fn project_velocities(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    (contacts, sticking): (&[ContactId], &[ContactId]),
+    (contacts, sticking, turns): (&[ContactId], &[ContactId], &[(ContactId, Turn)]),
     removal: Removal,
 ) -> Result<RemovedVelocities, ResponseError> {
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(world, states, id)).collect();
+    let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(world, states, turn)).collect();
     let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
         && slips.iter().all(|&(_, slip)| slip == 0.0)
+        && turns.iter().all(|&(_, rate)| rate == 0.0)
         && world.pivots(states, bodies).all(stands)
     {
         return Ok(RemovedVelocities::default());
     }
     let mut assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
+    assembly.push_rotations(turns.iter().map(|&(row, _)| row))?;
     let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
     rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
     rates.extend(slips.iter().map(|&(_, slip)| slip));
+    rates.extend(turns.iter().map(|&(_, rate)| rate));
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
     let allowed = match removal {
         Removal::Complete => f64::INFINITY,
@@ -315,7 +324,9 @@ pub(crate) fn project_velocities(
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
     apply_impulses(world, states, impulses.clone());
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
-    let work_j = world.prescribed_work(states, impulses);
+    let moments: Vec<_> = assembly.of_rotations(&multipliers).map(|(row, p)| (row.id, row.axis * p)).collect();
+    apply_moments(world, states, moments.iter().copied());
+    let work_j = world.prescribed_work(states, impulses) + moment_work(world, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
     Ok(RemovedVelocities { fastest: farthest(speeds.chain(pivots)), work_j })
@@ -331,6 +342,17 @@ fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(Tangent
         })
     });
     rows.into_iter().flatten().collect()
+}
+
+/// Rows of a rotation, each with its rate, rad/s.
+fn turn_rows(world: &World, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
+    let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
+    let rows = both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, terms.basis));
+    let row = |axis| {
+        let row = RotationRow { id, axis };
+        (row, row.rate(world, states))
+    };
+    rows.into_iter().flatten().map(row).collect()
 }
 
 /// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body

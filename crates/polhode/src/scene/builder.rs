@@ -37,6 +37,7 @@ impl SceneBuilder {
                 forces: Vec::new(),
                 pair_rules: Vec::new(),
                 no_contact: Vec::new(),
+                start_separation_m: 0.0,
             },
         }
     }
@@ -89,6 +90,12 @@ impl SceneBuilder {
         self
     }
 
+    /// Overlap of bodies at the start that is removed by moving them apart, at most, m: 0, the default, allows none.
+    pub fn start_separation_m(mut self, limit_m: f64) -> Self {
+        self.scene.start_separation_m = limit_m;
+        self
+    }
+
     /// The scene.
     ///
     /// # Errors
@@ -99,6 +106,11 @@ impl SceneBuilder {
         let scene = self.scene;
         positive("duration", scene.duration_s)?;
         positive("output.interval", scene.output_interval_s)?;
+        let separation_m = scene.start_separation_m;
+        if !(separation_m >= 0.0 && separation_m.is_finite()) {
+            let accepted = "a finite number of at least 0";
+            return Err(SceneError::Number { key: "start.separate", value: separation_m, accepted });
+        }
         if !scene.gravity.is_finite() {
             return Err(SceneError::Number {
                 key: "gravity",
@@ -122,7 +134,7 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
-        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().largest_friction > 0.0 {
+        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {
             return Err(SceneError::ThesisFriction);
         }
         Ok(scene)

@@ -40,6 +40,16 @@ pub enum SceneError {
         /// The coefficient of kinetic friction.
         kinetic: f64,
     },
+    /// Friction of rolling or spinning is negative or not finite.
+    #[error("{kind}_friction of material {material} is {value}: a finite length of at least 0 m is needed")]
+    RotationalFriction {
+        /// The material.
+        material: String,
+        /// `rolling` or `spinning`.
+        kind: &'static str,
+        /// The value found, m.
+        value: f64,
+    },
     /// Friction in the tier of the thesis, which has none.
     #[error("the tier `thesis` has no friction: use tier `accurate` or `stepped`, or friction 0 in all materials")]
     ThesisFriction,
@@ -154,21 +164,63 @@ pub enum SceneError {
         /// Why.
         source: ShapeError,
     },
-    /// Two bodies overlap at the start by more than counts as touch.
+    /// Bodies overlap at the start by more than counts as touch.
+    #[error("{}: move them apart, or name both in a no_contact group", overlapping(_0))]
+    InitialOverlap(Vec<OverlapAtStart>),
+    /// A run would have more samples than it can ever write.
     #[error(
-        "bodies {body_a} and {body_b} overlap by {depth_m:e} m at the start, and at most {allowed_m:e} m counts as \
-         touch: move them apart, or name both in a no_contact group"
+        "a run of duration = {duration_s:e} s with a sample every output.interval = {interval_s:e} s has more than 1e12 \
+         samples: shorten the duration, or lengthen the interval"
     )]
-    InitialOverlap {
-        /// One body.
-        body_a: String,
-        /// The other body.
-        body_b: String,
-        /// How deep they overlap, m.
-        depth_m: f64,
-        /// Largest overlap that counts as touch, m.
-        allowed_m: f64,
+    TooManySamples {
+        /// The duration, s.
+        duration_s: f64,
+        /// Time between samples, s.
+        interval_s: f64,
     },
+    /// A run would have more steps than it can ever make.
+    #[error(
+        "a run of duration = {duration_s:e} s in steps of method.step = {step_s:e} s has more than 1e12 steps: shorten \
+         the duration, or lengthen the step"
+    )]
+    TooManySteps {
+        /// The duration, s.
+        duration_s: f64,
+        /// The step, s.
+        step_s: f64,
+    },
+}
+
+/// Two bodies that overlap at the start by more than counts as touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OverlapAtStart {
+    /// One body.
+    pub body_a: String,
+    /// The other body.
+    pub body_b: String,
+    /// How deep they overlap, m.
+    pub depth_m: f64,
+    /// Largest overlap that counts as touch, m.
+    pub allowed_m: f64,
+}
+
+/// Most pairs that a message names: more do not help.
+const MOST_PAIRS: usize = 20;
+
+/// That bodies overlap, in a sentence for each pair.
+fn overlapping(pairs: &[OverlapAtStart]) -> String {
+    let sentence = |pair: &OverlapAtStart| {
+        let OverlapAtStart { body_a, body_b, depth_m, allowed_m } = pair;
+        format!(
+            "bodies {body_a} and {body_b} overlap by {depth_m:.3e} m at the start, and at most {allowed_m:.3e} m counts \
+             as touch"
+        )
+    };
+    let mut sentences: Vec<_> = pairs.iter().take(MOST_PAIRS).map(sentence).collect();
+    if pairs.len() > MOST_PAIRS {
+        sentences.push(format!("and {} more pairs overlap", pairs.len() - MOST_PAIRS));
+    }
+    sentences.join("; ")
 }
 
 /// `value` when it is positive and finite.

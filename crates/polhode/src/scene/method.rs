@@ -43,6 +43,39 @@ impl ImpactLaw {
     }
 }
 
+/// The law of restitution of an impact with friction at one contact that is struck alone. All but the last two follow
+/// the velocity along the impact (Routh, Keller), so that slip may stop, turn and reverse in it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum RestitutionLaw {
+    /// The normal impulse gives back `e^2` of the work that it took (Stronge). Never raises the energy.
+    #[default]
+    Stronge,
+    /// The normal impulse of restitution is `e` times that of compression (Poisson).
+    Poisson,
+    /// The normal velocity is reversed by `-e` (Newton). May raise the energy where slip stops or reverses.
+    Newton,
+    /// Newton's law by algebra on the velocities before and after (Whittaker). May raise the energy.
+    Whittaker,
+    /// Algebra alone with restitution of slip as well (Chatterjee and Ruina): cheap, and never raises the energy.
+    ChatterjeeRuina {
+        /// `e_t` in [-1, 1]: the slip is reversed by `-e_t` where friction suffices. 0 sticks, 1 is a super ball.
+        tangential_restitution: f64,
+    },
+}
+
+impl RestitutionLaw {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stronge => "stronge",
+            Self::Poisson => "poisson",
+            Self::Newton => "newton",
+            Self::Whittaker => "whittaker",
+            Self::ChatterjeeRuina { .. } => "chatterjee-ruina",
+        }
+    }
+}
+
 /// How the forces of resting contacts are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactMethod {
@@ -114,6 +147,8 @@ pub struct Method {
     pub rotation_rate: Option<RotationRate>,
     /// Impact law.
     pub impact: Option<ImpactLaw>,
+    /// Law of restitution of impacts with friction.
+    pub restitution_law: Option<RestitutionLaw>,
     /// Contact forces.
     pub contact: Option<ContactMethod>,
     /// How bodies that touch act on each other.
@@ -152,6 +187,12 @@ impl Method {
                     accepted: "a number in (0, 0.1]",
                 });
             }
+        }
+        if let Some(RestitutionLaw::ChatterjeeRuina { tangential_restitution: value }) = self.restitution_law
+            && !(-1.0..=1.0).contains(&value)
+        {
+            let (key, accepted) = ("method.tangential_restitution", "a number in [-1, 1]");
+            return Err(SceneError::Number { key, value, accepted });
         }
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })

@@ -27,13 +27,14 @@ mod pairs;
 
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
-pub use error::SceneError;
+pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
 pub use method::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RestitutionLaw,
+    RotationRate, Tier,
 };
 pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
@@ -58,6 +59,7 @@ pub struct Scene {
     pub(crate) forces: Vec<Force>,
     pub(crate) pair_rules: Vec<PairRule>,
     pub(crate) no_contact: Vec<Vec<usize>>,
+    pub(crate) start_separation_m: f64,
 }
 
 impl Scene {
@@ -79,6 +81,11 @@ impl Scene {
     /// Acceleration of gravity, m/s^2.
     pub fn gravity(&self) -> DVec3 {
         self.gravity
+    }
+
+    /// Overlap of bodies at the start that is removed by moving them apart, at most, m.
+    pub fn start_separation_m(&self) -> f64 {
+        self.start_separation_m
     }
 
     /// The method asked for.
@@ -122,16 +129,15 @@ impl Scene {
 
     /// Checks that a run has at most [`MOST_STEPS`] samples and steps, so that it ends.
     fn check_counts(&self) -> Result<(), SceneError> {
-        let too_many = |interval: f64| self.duration_s / interval > MOST_STEPS;
+        let duration_s = self.duration_s;
+        let too_many = |interval_s: f64| duration_s / interval_s > MOST_STEPS;
         if too_many(self.output_interval_s) {
-            let (key, accepted) = ("output.interval", "at least duration / 1e12");
-            return Err(SceneError::Number { key, value: self.output_interval_s, accepted });
+            return Err(SceneError::TooManySamples { duration_s, interval_s: self.output_interval_s });
         }
-        if let Some(value) = self.method.step_s.filter(|&step| too_many(step)) {
-            let (key, accepted) = ("method.step", "at least duration / 1e12");
-            return Err(SceneError::Number { key, value, accepted });
+        match self.method.step_s.filter(|&step_s| too_many(step_s)) {
+            Some(step_s) => Err(SceneError::TooManySteps { duration_s, step_s }),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Checks body number `number`, which a program adds to a simulation.

@@ -16,6 +16,8 @@ pub(crate) struct CollidingPairs {
     pub(crate) largest_restitution: f64,
     /// Largest coefficient of static friction of a pair; zero if there is no pair.
     pub(crate) largest_friction: f64,
+    /// Largest friction of rolling or spinning of a pair, m; zero if there is no pair.
+    pub(crate) largest_rotational_friction: f64,
 }
 
 /// What decides whether a body with a shape may collide with another one, and with which restitution.
@@ -26,10 +28,17 @@ struct Class {
     groups: Vec<usize>,
 }
 
+impl CollidingPairs {
+    /// Whether a pair has friction of any kind.
+    pub(crate) fn have_friction(&self) -> bool {
+        self.largest_friction > 0.0 || self.largest_rotational_friction > 0.0
+    }
+}
+
 impl Scene {
     /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
     pub(crate) fn colliding(&self) -> CollidingPairs {
-        let mut materials: BTreeMap<(&str, [u64; 3]), (usize, usize)> = BTreeMap::new();
+        let mut materials: BTreeMap<(&str, [u64; 5]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -45,7 +54,13 @@ impl Scene {
         {
             let own = &self.bodies[body].material;
             let number = materials.len();
-            let coefficients = [own.restitution(), own.friction(), own.static_friction()];
+            let coefficients = [
+                own.restitution(),
+                own.friction(),
+                own.static_friction(),
+                own.rolling_friction(),
+                own.spinning_friction(),
+            ];
             let key = (own.name(), coefficients.map(f64::to_bits));
             let (material, _) = *materials.entry(key).or_insert((number, body));
             let class = Class { material, is_fixed: self.bodies[body].is_fixed(), groups };
@@ -66,6 +81,8 @@ impl Scene {
             let material = self.pair_material(examples[x].1, examples[y].1);
             found.largest_restitution = found.largest_restitution.max(material.restitution());
             found.largest_friction = found.largest_friction.max(material.static_friction());
+            let rotational = material.rolling_friction().max(material.spinning_friction());
+            found.largest_rotational_friction = found.largest_rotational_friction.max(rotational);
         }
         found
     }

@@ -185,6 +185,7 @@ pub(crate) enum EventKind {
     Detach,
     Stick,
     Slide,
+    Jam,
 }
 
 /// The data from which the tier continues.
@@ -293,6 +294,11 @@ pub(crate) struct Island {
     pub(crate) stopping: Vec<Contact>,
     /// Directions in which contacts begin to slide.
     pub(crate) slipping: Vec<(Contact, Vector)>,
+    /// Rolling, then spinning.
+    pub(crate) rotation: Vec<(Contact, [Option<Friction>; 2])>,
+    pub(crate) settling: Vec<(Contact, bool)>,
+    /// Directions in which rotations (spinning: true) begin.
+    pub(crate) turning: Vec<(Contact, bool, Vector)>,
 }
 
 /// [`FrictionMode`](crate::collision::friction_mode::FrictionMode).
@@ -335,6 +341,8 @@ pub(crate) struct Touch {
     pub(crate) held: bool,
     pub(crate) known: bool,
     pub(crate) friction: Option<Friction>,
+    /// Rolling, then spinning.
+    pub(crate) rotation: [Option<Friction>; 2],
 }
 
 /// Pairs that may touch, and the search for their impacts.

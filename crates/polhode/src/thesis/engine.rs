@@ -6,6 +6,7 @@ use crate::accounting::books::Received;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
+use crate::event::EventKind;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::interaction::acceleration_problem::AccelerationProblem;
@@ -161,7 +162,7 @@ impl ThesisEngine {
             core.accounts.note_impact(&core.world, core.t, core.settings.impact, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];
-                core.accounts.add_event(impulse_event(core.t, touch, application));
+                core.accounts.add_event(impulse_event(core.t, EventKind::Impact, touch, application));
             }
         }
         core.accounts.emit_events(core.t, observer);

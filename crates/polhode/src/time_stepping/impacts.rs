@@ -11,6 +11,8 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::turn::RotationModes;
+use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike, support};
 use crate::world::World;
@@ -80,6 +82,7 @@ impl TimeStepper {
             hold: Hold::Open,
             known: false,
             friction: None,
+            rotation: RotationModes::default(),
         };
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
@@ -102,6 +105,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     let outcome = &struck.outcome;
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
+    report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let impulses = struck.impulses(touches.iter());
     let given = support(world, report.books.ledger.momentum.about, impulses.clone());
     let work = world.prescribed_work(states, impulses);

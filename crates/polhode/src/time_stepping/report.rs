@@ -49,6 +49,8 @@ pub(crate) struct TimeStepReport {
     pub(crate) residual: f64,
     /// Number of approximations: solutions of a fallback solver, impact laws that did not finish.
     pub(crate) fallbacks: u64,
+    /// Whether a law of restitution has raised the energy of an impact.
+    pub(crate) raises_energy: bool,
     /// Number of contacts in the problems, the largest of any step.
     pub(crate) contacts: usize,
     /// Steps made.
@@ -69,6 +71,7 @@ impl TimeStepReport {
             max_projection_m: 0.0,
             residual: 0.0,
             fallbacks: 0,
+            raises_energy: false,
             contacts: 0,
             steps: 0,
             at_rest: false,
@@ -86,6 +89,7 @@ impl TimeStepReport {
         self.max_projection_m = self.max_projection_m.max(later.max_projection_m);
         self.residual = self.residual.max(later.residual);
         self.fallbacks += later.fallbacks;
+        self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);
         self.steps += later.steps;
     }

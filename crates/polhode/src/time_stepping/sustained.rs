@@ -27,11 +27,12 @@ use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid};
 use super::step::TimeStepper;
-use super::sustained_friction::{self, TangentialImpulse, TangentialRow};
+use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{apply_without_gain, support};
+use crate::interaction::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
@@ -144,7 +145,8 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction)?;
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
-            return Ok(SolvedGroup { group, impulses: found.normal, tangential: found.tangential });
+            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, .. } = found;
+            return Ok(SolvedGroup { group, impulses, tangential, moments });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         assembly.problem.delassus_into(&mut self.delassus);
@@ -165,7 +167,7 @@ impl TimeStepper {
                 *impulse *= share;
             }
         }
-        Ok(SolvedGroup { group, impulses, tangential: Vec::new() })
+        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new() })
     }
 }
 
@@ -193,8 +195,11 @@ fn rows(
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
     let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
     let mut slip_rates = accelerations[assembly.first_tangent()..].as_chunks::<2>().0.iter();
-    let mut with_rates = |row: TangentialRow| slip_rates.next().map(|&rates| row.with_rates(rates, h));
-    let friction: Vec<_> = friction.into_iter().map(|row| row.and_then(&mut with_rates)).collect();
+    let mut with_rates = |row: TangentialRow, acceleration: f64| {
+        slip_rates.next().map(|&rates| row.with_rates(rates, h, 0.5 * h * acceleration))
+    };
+    let friction = friction.into_iter().zip(&accelerations);
+    let friction: Vec<_> = friction.map(|(row, &acceleration)| with_rates(row?, acceleration)).collect();
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
@@ -248,9 +253,12 @@ fn note(
 ) -> Vec<usize> {
     let mut carrying = Vec::new();
     for group in solved {
-        let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near));
-        let work = world.prescribed_work(states, group.impulses_of(rows, near));
-        let changes = (group.energy_change(world, states, rows, near), group.lost_to_friction_j(world, states));
+        let moments = || group.moments.iter().map(SustainedMoment::on_a);
+        let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near))
+            + moment_support(world, moments());
+        let work = world.prescribed_work(states, group.impulses_of(rows, near)) + moment_work(world, states, moments());
+        let lost_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);
+        let changes = (group.energy_change(world, states, rows, near), lost_j);
         report.books.impact(changes, given, work);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
@@ -282,6 +290,8 @@ struct SolvedGroup {
     impulses: Vec<f64>,
     /// Of the contacts with friction.
     tangential: Vec<TangentialImpulse>,
+    /// Of friction of rolling and spinning, N m s, world, on A.
+    moments: Vec<SustainedMoment>,
 }
 
 impl SolvedGroup {
@@ -319,13 +329,21 @@ impl SolvedGroup {
         self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
+    /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
+    fn lost_to_moments_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        let lost = |moment: &SustainedMoment| moment.lost_j(world, states);
+        self.moments.iter().map(lost).collect::<CompensatedSum>().value()
+    }
+
     /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
     fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
         let impulses = (self.impulses_of(rows, near), std::iter::empty());
-        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses);
+        let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
+        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, &moments);
         if !is_sound {
             self.impulses.fill(0.0);
             self.tangential.clear();
+            self.moments.clear();
         }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);

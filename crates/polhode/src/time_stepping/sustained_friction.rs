@@ -7,17 +7,33 @@
 //! `u+ = -r`, and the ways of both halves of the step cancel.
 //!
 //! Impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained, `r` is shortened to
-//! the length of `u-` where it is longer. Static and kinetic friction are not distinguished: the kinetic coefficient acts.
+//! the length of `u-` where it is longer.
+//!
+//! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
+//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and
+//! sticks from the next step on.
+//!
+//! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
+//! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
 
 use crate::collision::contact_set::ContactId;
+use crate::collision::friction_mode::FrictionCoefficients;
+use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::friction_blocks::FrictionBlocks;
+use crate::interaction::rotation_row::RotationRow;
+use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{FrictionBlock, FrictionSettings};
+use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings};
 use polhode_response::{Delassus, ResponseError, SolverReport};
 use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// A slip below this fraction of what a step may change it by is none (1e-9 to 1e-4): contacts that stick are left with
+/// the residual of the solver.
+const STICKING_RELATIVE: f64 = 1e-6;
 
 /// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The terms of contacts that depend
 /// on each other, as the four corners of a box, contradict each other by such a share where a body turns or gaps differ:
@@ -31,14 +47,21 @@ const LAST_SWEEPS: u32 = 100;
 /// Friction of a contact in the middle of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialRow {
-    /// Coefficient of kinetic friction.
-    coefficient: f64,
+    coefficients: FrictionCoefficients,
+    /// Whether it has no slip at the start of the step.
+    sticks: bool,
     /// Rows along both tangents.
     along: [TangentRow; 2],
     /// `u-` along the tangents, m/s.
     slip: [f64; 2],
     /// `r` along the tangents, m/s.
     half_change: [f64; 2],
+    /// The normal, for rotations.
+    normal: DVec3,
+    /// `w-`, the angular velocity of A relative to B, rad/s.
+    rotation: DVec3,
+    /// Friction of rolling and of spinning, m.
+    rotational: [Option<f64>; 2],
 }
 
 impl TangentialRow {
@@ -49,11 +72,14 @@ impl TangentialRow {
         id: ContactId,
         kinematics: &ContactKinematics,
     ) -> Option<Self> {
-        let coefficient = world.friction_of(id.a, id.b)?.sliding;
+        let coefficients = world.friction_of(id.a, id.b)?;
         let terms = world.tangential_kinematics(states, id)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
-        Some(Self { coefficient, along, slip, half_change: [0.0; 2] })
+        let rotational = Turn::ALL.map(|turn| turn.friction(world, (id.a, id.b)));
+        let rotation = world.relative_rotation(states, id);
+        let normal = kinematics.geometry.normal;
+        Some(Self { coefficients, sticks: false, along, slip, half_change: [0.0; 2], normal, rotation, rotational })
     }
 
     /// The rows along both tangents.
@@ -61,11 +87,16 @@ impl TangentialRow {
         self.along
     }
 
-    /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s).
-    pub(super) fn with_rates(self, rates: [f64; 2], h: f64) -> Self {
-        let whole = Self { half_change: rates.map(|rate| 0.5 * h * rate), ..self };
+    /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s) in whose first half
+    /// the separation changes its rate by `half_fall` (m/s).
+    pub(super) fn with_rates(self, rates: [f64; 2], h: f64, half_fall: f64) -> Self {
+        let change = rates.map(|rate| 0.5 * h * rate);
+        let at_start = libm::hypot(self.slip[0] - change[0], self.slip[1] - change[1]);
+        let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest * half_fall.abs();
+        let sticks = at_start <= STICKING_RELATIVE * given;
+        let whole = Self { half_change: change, sticks, ..self };
         let share = whole.share();
-        Self { half_change: whole.half_change.map(|change| share * change), ..self }
+        Self { half_change: change.map(|change| share * change), ..whole }
     }
 
     /// `r` as a vector, m/s.
@@ -83,6 +114,28 @@ impl TangentialRow {
     pub(super) fn share(&self) -> f64 {
         let [before, length] = [self.slip, self.half_change].map(|[x, y]| libm::hypot(x, y));
         if length > before { before / length } else { 1.0 }
+    }
+
+    /// The coefficient that limits its force at first.
+    fn coefficient(&self) -> f64 {
+        if self.sticks { self.coefficients.at_rest } else { self.coefficients.sliding }
+    }
+
+    /// Whether its kinetic coefficient is another than the one at first.
+    fn is_held_by_static_friction(&self) -> bool {
+        self.sticks && self.coefficients.sliding < self.coefficients.at_rest
+    }
+
+    /// The axes of its rows of rotation of each kind that friction resists, with that friction (m).
+    fn rotations(&self) -> impl Iterator<Item = (f64, Vec<DVec3>)> + '_ {
+        let basis = self.along.map(|row| row.along.normal);
+        let of = move |(turn, friction): (Turn, &Option<f64>)| Some(((*friction)?, turn.axes(self.normal, basis)));
+        Turn::ALL.into_iter().zip(&self.rotational).filter_map(of)
+    }
+
+    /// `w-` of these rows.
+    fn rotation_constants(&self) -> Vec<f64> {
+        self.rotations().flat_map(|(_, axes)| axes).map(|axis| axis.dot(self.rotation)).collect()
     }
 
     fn constants(&self) -> [f64; 2] {
@@ -115,12 +168,36 @@ impl TangentialImpulse {
     }
 }
 
+/// The impulse of a moment of friction of rolling or spinning.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SustainedMoment {
+    id: ContactId,
+    /// On A, N m s, world.
+    moment: DVec3,
+    /// `w-`, rad/s.
+    rotation_before: DVec3,
+}
+
+impl SustainedMoment {
+    /// The contact, and the impulse on A.
+    pub(super) fn on_a(&self) -> (ContactId, DVec3) {
+        (self.id, self.moment)
+    }
+
+    /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
+    pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        -0.5 * self.moment.dot(self.rotation_before + world.relative_rotation(states, self.id))
+    }
+}
+
 /// Impulses of contacts, some of them with friction.
 #[derive(Debug)]
 pub(super) struct FrictionalImpulses {
     /// Along the normals, N s.
     pub(super) normal: Vec<f64>,
     pub(super) tangential: Vec<TangentialImpulse>,
+    /// Of friction of rolling and spinning, N m s, world, on A.
+    pub(super) moments: Vec<SustainedMoment>,
     pub(super) report: SolverReport,
 }
 
@@ -134,22 +211,85 @@ pub(super) fn solve(
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
 ) -> Result<FrictionalImpulses, ResponseError> {
-    let mut blocks = FrictionBlocks::default();
-    for (normal, friction) in friction.iter().enumerate() {
+    let mut rows = Vec::with_capacity(friction.len());
+    for friction in friction {
         let first = assembly.problem.len();
         assembly.push_tangents(states, friction.iter().flat_map(TangentialRow::along))?;
         constants.extend(friction.iter().flat_map(TangentialRow::constants));
         let tangents = first..assembly.problem.len();
-        let coefficient = friction.map_or(0.0, |friction| friction.coefficient);
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: coefficient };
-        blocks.push(block, std::iter::once(normal).chain(tangents));
+        rows.push(tangents);
     }
+    let mut rotations = resisted_rotations(&mut assembly, friction)?;
+    constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
     let delassus: Delassus = assembly.problem.delassus();
     let settings =
         FrictionSettings { acceptance: ACCEPTED_RESIDUAL, last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() };
-    let solved = blocks.solve(&delassus, &constants, None, &settings)?;
+    let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
+    let solved = loop {
+        let blocks = blocks(&friction, &rows);
+        let solved = if rotations.is_empty() {
+            blocks.solve(&delassus, &constants, None, &settings)?
+        } else {
+            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
+        };
+        if !slide_under_static_friction(&mut friction, &solved.statuses) {
+            break solved;
+        }
+    };
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
     let pairs = friction.iter().flatten().zip(along.as_chunks::<2>().0);
     let tangential = pairs.map(|(&row, &impulse)| TangentialImpulse { row, impulse }).collect();
-    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, report: solved.report })
+    let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
+    let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
+        let rotation_before = rotation(row.id).unwrap_or_default();
+        SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
+    });
+    let moments = moments.collect();
+    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, report: solved.report })
+}
+
+/// Adds the rows of rotations that friction resists.
+fn resisted_rotations(
+    assembly: &mut Assembly,
+    friction: &[Option<TangentialRow>],
+) -> Result<Vec<ResistedRotation>, ResponseError> {
+    let mut resisted = Vec::new();
+    for (normal, friction) in friction.iter().enumerate() {
+        let Some(friction) = friction else { continue };
+        let id = friction.along[0].id;
+        for (length, axes) in friction.rotations() {
+            let first = assembly.problem.len();
+            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id, axis }))?;
+            let rows = first..assembly.problem.len();
+            resisted.push(ResistedRotation { normal, rows, friction: length, turns: None });
+        }
+    }
+    Ok(resisted)
+}
+
+/// The blocks of contacts with these rows along tangents.
+fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> FrictionBlocks {
+    let mut blocks = FrictionBlocks::default();
+    for (normal, (friction, tangents)) in friction.iter().zip(rows).enumerate() {
+        let coefficient = friction.map_or(0.0, |friction| friction.coefficient());
+        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: coefficient };
+        blocks.push(block, std::iter::once(normal).chain(tangents.clone()));
+    }
+    blocks
+}
+
+/// Gives contacts that slide although static friction holds them their kinetic coefficient. Returns whether there are
+/// any.
+fn slide_under_static_friction(friction: &mut [Option<TangentialRow>], statuses: &[ContactStatus]) -> bool {
+    let mut any = false;
+    for (friction, status) in friction.iter_mut().zip(statuses) {
+        let Some(friction) = friction.as_mut().filter(|friction| friction.is_held_by_static_friction()) else {
+            continue;
+        };
+        if *status == ContactStatus::Slide {
+            friction.sticks = false;
+            any = true;
+        }
+    }
+    any
 }

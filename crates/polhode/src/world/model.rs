@@ -47,6 +47,8 @@ pub(crate) struct World {
     pub(super) collides: bool,
     /// Whether any two bodies that may collide have friction.
     pub(crate) has_friction: bool,
+    /// Whether any two have friction of rolling or spinning.
+    pub(crate) has_rotational_friction: bool,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -89,7 +91,8 @@ impl World {
             field_buffers: FieldBuffers::default(),
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
-            has_friction: scene.colliding().largest_friction > 0.0,
+            has_friction: scene.colliding().have_friction(),
+            has_rotational_friction: scene.colliding().largest_rotational_friction > 0.0,
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -130,7 +133,9 @@ impl World {
         self.bodies.push(added);
         self.scene.bodies.push(body);
         self.collides = self.scene.any_may_collide();
-        self.has_friction = self.scene.colliding().largest_friction > 0.0;
+        let colliding = self.scene.colliding();
+        self.has_friction = colliding.have_friction();
+        self.has_rotational_friction = colliding.largest_rotational_friction > 0.0;
         self.make_fields()?;
         Ok((number, state))
     }

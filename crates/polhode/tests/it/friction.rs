@@ -19,17 +19,17 @@ pub(crate) fn rough(friction: f64) -> Material {
 }
 
 /// A material of these two coefficients.
-fn sticky(static_friction: f64, kinetic: f64) -> Material {
+pub(crate) fn sticky(static_friction: f64, kinetic: f64) -> Material {
     Material::new("sticky", kinetic, 0.0).unwrap().with_static_friction(static_friction).unwrap()
 }
 
 /// Turns x into downhill, y into level, z into the normal of a slope.
-fn slope(angle: f64, azimuth: f64) -> Rotation {
+pub(crate) fn slope(angle: f64, azimuth: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::Z * azimuth) * Rotation::from_rotation_vector(DVec3::Y * angle)
 }
 
 /// One body and the ground: the body's pose and velocity are given in the directions of the slope.
-fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
+pub(crate) fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
     let (pose, velocity) = (*body.initial_pose(), *body.initial_velocity());
     let body = body
         .pose(Pose::new(slope * pose.rotation, slope.rotate(pose.translation)))
@@ -41,13 +41,13 @@ fn on_slope(slope: Rotation, body: Body, material: &Material) -> SceneBuilder {
 }
 
 /// A box of 1 kg that lies on the plane z = 0, turned by `heading`, with a velocity.
-fn lying(size: DVec3, heading: f64, velocity: DVec3) -> Body {
+pub(crate) fn lying(size: DVec3, heading: f64, velocity: DVec3) -> Body {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Z * heading), DVec3::Z * (0.5 * size.z));
     brick("box", size, DVec3::ZERO).pose(pose).velocity(Velocity::new(velocity, DVec3::ZERO))
 }
 
 /// A ball of 1 kg whose moment about any axis is `k m r^2`, on the plane z = 0.
-fn round(k: f64, radius: f64, velocity: Velocity) -> Body {
+pub(crate) fn round(k: f64, radius: f64, velocity: Velocity) -> Body {
     let inertia = Inertia::from_diagonal(DVec3::splat(k * radius * radius)).unwrap();
     Body::movable("ball", MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia))
         .geometry(Shape::sphere(radius).unwrap().into())

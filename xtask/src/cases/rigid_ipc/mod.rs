@@ -1,7 +1,7 @@
 //! Unit scenes of Rigid IPC (docs/REFERENCES.md, Ferguson), whose claim is: no intersection at any step.
 //!
-//! Each scene is taken over by the importer, run with default settings and without friction, and every sample is
-//! checked for bodies in each other by [`crate::interpenetration`]. A scene passes when it runs to its end, no two bodies
+//! Each scene is taken over by the importer, run with default settings (no scene but the incline has friction), and
+//! every sample is checked for bodies in each other by [`crate::interpenetration`]. A scene passes when it runs to its end, no two bodies
 //! are deeper in each other than the tolerance at any sample, none is inside a solid or beyond a surface, and energy is
 //! not created. Rotations that the suite holds (in its tunnels) are free here, which is harder.
 //!
@@ -9,7 +9,10 @@
 //! `rigid-ipc` of the folder that `POLHODE_DATA` names. The plain command runs the first [`PART_S`] of each,
 //! `--full` all of it.
 
+mod incline;
 mod own_scenes;
+
+pub(super) use incline::incline;
 
 use super::{Amount, CaseResult, Context, Run};
 use crate::interpenetration::{self, Form};

@@ -1,0 +1,62 @@
+//! Examples below the help of each command.
+
+pub(crate) const RUN: &str = "\
+Examples:
+  polhode run scene.toml -o motion.csv -o page.html
+  polhode run example:diamond-4 --duration 2
+  polhode run - --set gravity=[0,0,-1.62] -o - < scene.toml > motion.csv";
+
+pub(crate) const RESUME: &str = "\
+Example:
+  polhode resume scene.checkpoint -o rest.csv";
+
+pub(crate) const PLAN: &str = "\
+Examples:
+  polhode plan scene.toml
+  polhode plan example:box-drop --json";
+
+pub(crate) const COST: &str = "\
+Examples:
+  polhode cost scene.toml --html cost.html
+  polhode cost scene.toml --target 1e-6
+  polhode cost scene.toml --vary method.integrator=rk4,dop853 --vary method.step=0.01,0.001";
+
+pub(crate) const CHECK: &str = "\
+Examples:
+  polhode check scene.toml
+  polhode check scene.toml --set bodies.brick.mass=2";
+
+pub(crate) const MESH: &str = "\
+Examples:
+  polhode mesh part.stl --density 7850
+  polhode mesh part.obj --repair -o mended.obj
+  polhode mesh part.obj --decompose -o parts.obj";
+
+pub(crate) const SCHEMA: &str = "\
+Example:
+  polhode schema > scene.schema.json";
+
+pub(crate) const COMPARE: &str = "\
+Examples:
+  polhode compare a.csv b.csv --atol 1e-9
+  polhode compare a.csv b.csv -o differences.svg";
+
+pub(crate) const VIEW: &str = "\
+Examples:
+  polhode view scene.toml -o page.html
+  polhode view scene.toml motion.csv -o motion.gif
+  polhode view scene.toml --still t=1.5 --camera top";
+
+pub(crate) const NEW: &str = "\
+Examples:
+  polhode new my-scene
+  polhode new my-scene --from diamond-4";
+
+pub(crate) const SCENES: &str = "\
+Example:
+  polhode scenes";
+
+pub(crate) const COMPLETIONS: &str = "\
+Examples:
+  polhode completions bash > ~/.local/share/bash-completion/completions/polhode
+  polhode completions zsh > ~/.zfunc/_polhode";

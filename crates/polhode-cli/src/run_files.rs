@@ -1,0 +1,148 @@
+//! The files that a run writes: trajectories, events, pictures, plots, and CSV on stdout.
+
+use crate::args::RunOutputArgs;
+use crate::checkpoints::Checkpoints;
+use crate::failure::{self, Failure};
+use crate::heading::Heading;
+use crate::inputs;
+use crate::pictures::{ENDINGS, Kind, Options, Pictures};
+use crate::plots::{Plots, is_plot};
+use crate::scene::STANDARD;
+use polhode::{Observer, Plan, RunReport, Simulation};
+use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs, Unfinished};
+use polhode_view::FrameSource;
+use serde_json::Value;
+use std::io::{self, BufWriter, Stdout};
+use std::path::{Path, PathBuf};
+
+/// All that a run is written to.
+pub(crate) struct RunFiles {
+    outputs: Outputs,
+    pictures: Pictures,
+    plots: Plots,
+    /// CSV on stdout.
+    stream: Option<CsvStream<BufWriter<Stdout>>>,
+}
+
+/// Whether a path stands for stdout.
+pub(crate) fn is_stdout(path: &Path) -> bool {
+    path.as_os_str() == STANDARD
+}
+
+impl RunFiles {
+    /// Opens what is asked for; `inputs` are the files that the run is made from.
+    ///
+    /// # Errors
+    /// When an output would replace an input, is named twice, is of no known kind or cannot be opened.
+    pub(crate) fn create(
+        asked: &RunOutputArgs,
+        inputs: &[PathBuf],
+        loaded: &LoadedScene,
+        checkpoints: &Checkpoints,
+    ) -> Result<Self, Failure> {
+        check_stdout(asked)?;
+        let (to_stdout, output): (Vec<_>, Vec<_>) = asked.output.iter().cloned().partition(|path| is_stdout(path));
+        check_names(&output, asked.events.as_deref(), inputs, checkpoints)?;
+        let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
+        let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
+        let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
+        let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
+        let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
+        let plots = Plots::create(&plotted, &asked.plot)?;
+        let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
+        let outputs = Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref());
+        let outputs = outputs.map_err(|error| match error {
+            OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg, or - for stdout")),
+            error => error.into(),
+        })?;
+        pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
+        let begin = |_| CsvStream::begin(&loaded.scene, BufWriter::new(io::stdout()));
+        let stream = to_stdout.first().map(begin).transpose()?;
+        Ok(Self { outputs, pictures, plots, stream })
+    }
+
+    /// Begins at the present time of a simulation.
+    pub(crate) fn begin(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
+        self.plots.begin(&loaded.scene, simulation);
+    }
+
+    /// All who are told of the run.
+    pub(crate) fn observers(&mut self) -> Vec<&mut dyn Observer> {
+        let mut all: Vec<&mut dyn Observer> = vec![&mut self.outputs, &mut self.pictures, &mut self.plots];
+        all.extend(self.stream.as_mut().map(|stream| stream as &mut dyn Observer));
+        all
+    }
+
+    /// Where trajectories and events grow.
+    pub(crate) fn unfinished(&mut self) -> Vec<Unfinished> {
+        self.outputs.unfinished()
+    }
+
+    /// Completes all files and moves them to their names.
+    ///
+    /// # Errors
+    /// When something cannot be written.
+    pub(crate) fn finish(self, report: &RunReport) -> Result<(), Failure> {
+        self.outputs.finish()?;
+        show(self.pictures, &crate::pictures::outcome(report), &crate::pictures::report_in_page(report))?;
+        self.plots.finish(report)?;
+        Ok(self.stream.map_or(Ok(()), CsvStream::finish)?)
+    }
+
+    /// Keeps what has been written of a run that did not come to its end, says where, and lets pictures and plots say why.
+    /// What goes wrong here is told, but is not why the run ended.
+    pub(crate) fn keep(self, plan: &Plan, why: &str) {
+        let kept = self.outputs.keep_partial().map_err(Failure::from);
+        let told = kept.map(|paths| {
+            for path in paths {
+                failure::note(&format!("note: what was computed is in {}", path.display()));
+            }
+        });
+        let shown = show(self.pictures, &crate::pictures::failed(why), &Value::Null);
+        let plotted = self.plots.finish_stopped(plan, why);
+        let streamed = self.stream.map_or(Ok(()), CsvStream::finish).map_err(Failure::from);
+        for other in [told, shown, plotted, streamed].into_iter().filter_map(Result::err) {
+            failure::note(other.message());
+        }
+    }
+}
+
+/// Completes what shows the run, whether it has ended well or not: a page says itself where the run stopped.
+fn show(mut pictures: Pictures, outcome: &str, report: &Value) -> Result<(), Failure> {
+    pictures.end_run(outcome)?;
+    pictures.finish(report)
+}
+
+/// That stdout is asked for by one thing at the most.
+fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
+    let count = asked.output.iter().filter(|path| is_stdout(path)).count();
+    let refused = if asked.events.as_deref().is_some_and(is_stdout) {
+        "error: --events -: only trajectories go to stdout, by -o -; give a file"
+    } else if count > 1 {
+        "error: -o - is named twice: every output needs a place of its own"
+    } else if count == 1 && asked.json {
+        "error: -o - and --json both want stdout: write one of them to a file"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::Usage(refused.to_owned()))
+}
+
+/// That outputs are none of the inputs, and have names of their own.
+fn check_names(
+    output: &[PathBuf],
+    events: Option<&Path>,
+    inputs: &[PathBuf],
+    checkpoints: &Checkpoints,
+) -> Result<(), Failure> {
+    let all: Vec<&Path> = output.iter().map(PathBuf::as_path).chain(events).collect();
+    for (number, &path) in all.iter().enumerate() {
+        inputs::check_output(path, inputs.iter().map(PathBuf::as_path))?;
+        let is_named = |other: &&Path| inputs::is_same(path, other);
+        if checkpoints.path().iter().any(is_named) || all[..number].iter().any(is_named) {
+            let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
+            return Err(Failure::Usage(what));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,73 @@
+//! Impacts without a collision: contacts that slide and jam.
+//!
+//! Where the friction of a sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`), no
+//! system of finite forces may satisfy Coulomb's law (Painleve 1895). The bodies are then driven into each other by an
+//! impulse until the slip has stopped (`polhode_response::impact::friction`). Where the law leaves open whether the
+//! contact jams, slides on or opens, it opens: that is the answer with the least forces.
+//!
+//! Fails where a jam has no impulse either: the caller then advances the bodies by time steps.
+
+use super::engine::{Engine, Mode};
+use super::hold::Forces;
+use super::instant::Instant;
+use crate::SimulationError;
+use crate::collision::contact_set::Touch;
+use crate::core::Core;
+use crate::event::EventKind;
+use crate::interaction::frictional_impact::Cause;
+use crate::interaction::groups::Group;
+use crate::interaction::impact::strike_with_friction;
+use polhode_response::impact::ImpactStatus;
+
+/// Most jams of a group at one instant. Each stops the slip of a contact at least.
+const MOST_JAMS: usize = 8;
+
+impl Engine {
+    /// [`Self::candidates`], after the jams of a group.
+    pub(super) fn candidates_after_jams(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        group: &Group,
+    ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
+        let mut found = self.candidates(core, instant, group);
+        for _ in 0..MOST_JAMS {
+            let is_unsolved = matches!(found, Err(SimulationError::ContactSolve { .. }));
+            if !(is_unsolved && self.strike_jam(core, instant, group)?) {
+                break;
+            }
+            found = self.candidates(core, instant, group);
+        }
+        found
+    }
+
+    /// Applies the impulses of a jam, if the contacts of a group jam. Returns whether they do.
+    fn strike_jam(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<bool, SimulationError> {
+        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+        let members: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
+        let touches: Vec<Touch> =
+            members.iter().map(|&i| self.with_friction_mode(core, instant, &instant.touches[i])).collect();
+        if touches.iter().all(|touch| touch.friction.is_none()) {
+            return Ok(false);
+        }
+        for &body in &group.bodies {
+            self.book_flight(core, body, instant.t);
+        }
+        let loads = core.world.loads_on(instant.t, &self.states, &group.bodies);
+        let law = (core.settings.impact, Cause::Jam(instant.t, &loads));
+        let struck = strike_with_friction(&core.world, &mut self.states, &group.bodies, &touches, law)
+            .map_err(|source| Core::response_error(instant.t, source))?;
+        if matches!(struck.outcome.status, ImpactStatus::NoApproach | ImpactStatus::NotSolved) {
+            return Ok(false);
+        }
+        for &body in &group.bodies {
+            if matches!(self.tracks[body].mode, Mode::Rest) {
+                instant.woken.insert(body);
+            }
+            self.tracks[body].mode = Mode::Constrained;
+        }
+        self.book_struck(core, instant, &members, &struck, EventKind::Jam);
+        self.refresh_kinematics(core, instant);
+        Ok(true)
+    }
+}

@@ -1,0 +1,68 @@
+//! Rotations of two bodies on each other at a contact: rolling and spinning, and whether friction holds them.
+
+use super::friction_mode::FrictionMode;
+use crate::world::World;
+use polhode_spatial::DVec3;
+
+/// A kind of rotation of two bodies on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Turn {
+    /// About an axis in the tangent plane.
+    Rolling,
+    /// About the normal.
+    Spinning,
+}
+
+impl Turn {
+    /// Both kinds.
+    pub(crate) const ALL: [Self; 2] = [Self::Rolling, Self::Spinning];
+
+    /// Axes of its rows at a contact with this normal and tangents.
+    pub(crate) fn axes(self, normal: DVec3, basis: [DVec3; 2]) -> Vec<DVec3> {
+        match self {
+            Self::Rolling => basis.to_vec(),
+            Self::Spinning => vec![normal],
+        }
+    }
+
+    /// The length of its friction between two bodies, m; none without it.
+    pub(crate) fn friction(self, world: &World, (a, b): (usize, usize)) -> Option<f64> {
+        let friction = world.rotational_friction_of(a, b)?;
+        let length = match self {
+            Self::Rolling => friction.rolling,
+            Self::Spinning => friction.spinning,
+        };
+        (length > 0.0).then_some(length)
+    }
+
+    /// The part of a relative angular velocity (rad/s) that is of this kind.
+    pub(crate) fn part(self, rotation: DVec3, normal: DVec3) -> DVec3 {
+        let along = normal * normal.dot(rotation);
+        match self {
+            Self::Rolling => rotation - along,
+            Self::Spinning => along,
+        }
+    }
+}
+
+/// Whether the rotations at a contact are held or turn, by kind; none without friction of the kind, and where that is
+/// to be found from its moments. The slip of such a mode is an angular velocity, rad/s.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct RotationModes([Option<FrictionMode>; 2]);
+
+impl RotationModes {
+    /// Those that `of` gives for each kind.
+    pub(crate) fn of(of: impl FnMut(Turn) -> Option<FrictionMode>) -> Self {
+        Self(Turn::ALL.map(of))
+    }
+
+    /// That of a kind.
+    pub(crate) fn get(&self, turn: Turn) -> Option<FrictionMode> {
+        self.0[turn as usize]
+    }
+
+    /// Whether there is none of either kind.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+}

@@ -1,0 +1,145 @@
+//! Friction of rolling and of spinning, against closed forms: balls that roll to a halt, stop spinning, and are held
+//! on a slope; in the tier `accurate` to rounding, in time steps to the error of a step.
+
+use crate::checks::assert_closes;
+use crate::friction::{on_slope, round, slope};
+use crate::snapshots;
+use crate::support::{accurate, run};
+use polhode::scene::{Material, Method, Tier};
+use polhode::spatial::{DVec3, Rotation, Velocity};
+use polhode::{Body, Effects, EventKind, Scene};
+
+const G: f64 = 9.81;
+
+/// Radius of the balls, m, and their moment of inertia over `m R^2`.
+const RADIUS: f64 = 0.2;
+const K: f64 = 0.4;
+
+/// A material of these frictions of rolling and spinning, m.
+fn felt(friction: f64, rolling: f64, spinning: f64) -> Material {
+    Material::new("felt", friction, 0.0).unwrap().with_rotational_friction(rolling, spinning).unwrap()
+}
+
+fn rolling(speed: f64) -> Body {
+    round(K, RADIUS, Velocity::new(DVec3::X * speed, DVec3::Y * (speed / RADIUS)))
+}
+
+fn stepped() -> Method {
+    Method { tier: Some(Tier::Stepped), ..Method::default() }
+}
+
+/// How far the body has moved in the scene, m.
+fn path(scene: &Scene) -> (f64, DVec3, Vec<(f64, EventKind)>) {
+    let (report, recorder) = run(scene, Effects::Planned);
+    // The momentum of a body that never moves has no scale.
+    if !report.bodies[0].1.velocity.is_zero() {
+        assert_closes(&report);
+    }
+    let start = scene.bodies()[0].initial_pose().translation;
+    let moved = recorder.samples.last().unwrap()[0].pose.translation - start;
+    let events = recorder.events.iter().map(|event| (event.t, event.kind)).collect();
+    (moved.length(), report.bodies[0].1.velocity.angular, events)
+}
+
+/// A ball that rolls without slip slows down at `c g / (R (1 + k))` and stays where it halts, after `v^2 / 2a`. What
+/// friction took is its energy.
+#[test]
+fn ball_rolls_to_a_halt() {
+    let (speed, friction) = (1.0, 0.01);
+    let deceleration = friction * G / (RADIUS * (1.0 + K));
+    let (time, distance) = (speed / deceleration, speed * speed / (2.0 * deceleration));
+    for (method, tolerance) in [(accurate(), 1e-11), (stepped(), 1e-5)] {
+        let exact = method.tier == Some(Tier::Accurate);
+        let scene = on_slope(Rotation::IDENTITY, rolling(speed), &felt(0.5, friction, 0.0)).method(method);
+        let scene = scene.duration_s(1.2 * time).output_interval_s(0.1).build().unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        let moved = recorder.samples.last().unwrap()[0].pose.translation.x;
+        assert!((moved / distance - 1.0).abs() < tolerance, "{moved} {distance}");
+        assert!(report.bodies[0].1.velocity.is_zero(), "{:?}", report.bodies[0].1);
+        assert_closes(&report);
+        let lost = report.ledger.friction.value() / (0.5 * (1.0 + K) * speed * speed);
+        assert!((lost - 1.0).abs() < tolerance.max(1e-9), "{lost}");
+        if exact {
+            let rest = recorder.events.iter().find(|event| event.kind == EventKind::Rest).unwrap().t;
+            assert!((rest / time - 1.0).abs() < 1e-11, "{rest} {time}");
+        }
+    }
+}
+
+/// A ball that spins on the spot stops after `k R^2 w / (c g)`.
+#[test]
+fn spinning_ball_stops() {
+    let (spin, friction) = (20.0, 0.01);
+    let time = K * RADIUS * RADIUS * spin / (friction * G);
+    for (method, tolerance) in [(accurate(), 1e-11), (stepped(), 1e-3)] {
+        let body = round(K, RADIUS, Velocity::new(DVec3::ZERO, DVec3::Z * spin));
+        for (share, left) in [(0.5, 0.5), (1.1, 0.0)] {
+            let scene = on_slope(Rotation::IDENTITY, body.clone(), &felt(0.5, 0.0, friction)).method(method.clone());
+            let (moved, w, _) = path(&scene.duration_s(share * time).build().unwrap());
+            assert!((w.z / spin - left).abs() < tolerance && moved < 1e-12, "{w:?} {moved}");
+            assert!(left > 0.0 || w == DVec3::ZERO, "{w:?}");
+        }
+    }
+}
+
+/// A ball is held on a slope below `tan a = c / R`, and beyond it rolls down with `(g sin a - c g cos a / R) / (1 +
+/// k)`.
+#[test]
+fn friction_of_rolling_holds_a_ball_on_a_slope() {
+    let friction = 0.02;
+    let limit = (friction / RADIUS).atan();
+    // The first of the time steps, of 1e-3 s, errs by its acceleration times the square of its length.
+    for (method, tolerance) in [(accurate(), 1e-11), (stepped(), 1e-6)] {
+        for (angle, rolls) in [(limit * (1.0 - 1e-6), false), (limit * 1.5, true)] {
+            let body = round(K, RADIUS, Velocity::ZERO);
+            let material = felt(0.5, friction, 0.01);
+            let scene = on_slope(slope(angle, 0.3), body, &material).method(method.clone());
+            let (moved, w, _) = path(&scene.duration_s(0.5).build().unwrap());
+            let acceleration = G * (angle.sin() - friction / RADIUS * angle.cos()) / (1.0 + K);
+            let expected = if rolls { 0.5 * acceleration * 0.25 } else { 0.0 };
+            assert!((moved - expected).abs() < tolerance, "{moved} {expected}");
+            assert!(rolls || moved < 1e-12, "{moved}");
+            assert!(rolls || w == DVec3::ZERO, "{w:?}");
+        }
+    }
+}
+
+/// A ball that slides without spin begins to roll when its slip has vanished: with the moment of friction of rolling
+/// later than without. While it slides, `v' = -mu g` and `k R^2 w' = (mu R - c) g`.
+#[test]
+fn sliding_ball_begins_to_roll_against_friction_of_rolling() {
+    let (speed, mu, friction) = (2.0, 0.2, 0.01);
+    let body = round(K, RADIUS, Velocity::new(DVec3::X * speed, DVec3::ZERO));
+    let spin_rate = (mu * RADIUS - friction) * G / (K * RADIUS * RADIUS);
+    let time = speed / (mu * G + RADIUS * spin_rate);
+    let scene = on_slope(Rotation::IDENTITY, body, &felt(mu, friction, 0.0)).duration_s(0.9 * time);
+    let (report, _) = run(&scene.clone().build().unwrap(), Effects::Planned);
+    let (t, end) = (0.9 * time, report.bodies[0].1.velocity);
+    assert!((end.linear.x - (speed - mu * G * t)).abs() < 1e-11, "{end:?}");
+    assert!((end.angular.y - spin_rate * t).abs() < 1e-10, "{end:?}");
+    let (_, _, events) = path(&scene.duration_s(1.1 * time).build().unwrap());
+    let sticks = events.iter().find(|(_, kind)| *kind == EventKind::Stick).unwrap().0;
+    assert!((sticks / time - 1.0).abs() < 1e-11, "{sticks} {time}");
+}
+
+/// Where friction of rolling is stronger than the moment of sliding friction (`c > mu R`), a ball slides to a halt
+/// without turning.
+#[test]
+fn ball_that_cannot_roll_slides() {
+    let (speed, mu) = (1.0, 0.1);
+    let body = round(K, RADIUS, Velocity::new(DVec3::X * speed, DVec3::ZERO));
+    for (method, tolerance) in [(accurate(), 1e-11), (stepped(), 1e-5)] {
+        let scene = on_slope(Rotation::IDENTITY, body.clone(), &felt(mu, 1.1 * mu * RADIUS, 0.0)).method(method);
+        let (moved, w, _) = path(&scene.duration_s(1.5).build().unwrap());
+        let distance = speed * speed / (2.0 * mu * G);
+        assert!((moved / distance - 1.0).abs() < tolerance && w == DVec3::ZERO, "{moved} {distance} {w:?}");
+    }
+}
+
+/// A run with friction of rolling and spinning goes on from a snapshot with the same bits.
+#[test]
+fn run_goes_on_with_the_same_bits() {
+    let body = round(K, RADIUS, Velocity::new(DVec3::new(2.0, 1.0, 0.0), DVec3::new(3.0, 1.0, 20.0)));
+    let scene = on_slope(slope(0.1, 0.3), body, &felt(0.2, 0.01, 0.02)).duration_s(3.0).build().unwrap();
+    snapshots::check_restored_runs(&scene, Effects::Planned);
+}
