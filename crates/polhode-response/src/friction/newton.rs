@@ -11,6 +11,7 @@
 //! Source: Alart and Curnier 1991; Qi and Sun 1993 (semismooth Newton). Converges quadratically once every contact has its status;
 //! from afar it may cycle, and then says so.
 
+use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::largest;
 use crate::friction::block::MOST_ROWS;
 use crate::friction::coulomb_cone::rows_of;
@@ -22,6 +23,9 @@ use crate::friction::problem::FrictionProblem;
 /// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
 /// direction that moves something.
 const LEAST_DAMPING: f64 = 1e-10;
+
+/// Equations below this fraction of the largest depend on the others (no unit): quadratic in distances.
+const DEPENDENT: f64 = 1e-9;
 
 /// What a step leaves of the function's square when it went well (no unit).
 const WELL: f64 = 0.25;
@@ -59,6 +63,9 @@ impl Damping {
     }
 }
 
+/// Steps after which a residual that is accepted and has not halved is rounding.
+const IDLE_STEPS: usize = 4;
+
 /// Steps whose largest function the next one may reach.
 const MEMORY: usize = 6;
 
@@ -82,12 +89,33 @@ pub(crate) struct Iterate {
 /// Limits of one run.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NewtonLimits {
-    /// Steps.
-    pub(crate) steps: usize,
+    /// Most steps.
+    pub(crate) most: usize,
     /// The residual to reach.
     pub(crate) tolerance: f64,
-    /// The damping of the steps.
-    pub(crate) damping: Damping,
+    /// The residual below which rounding may keep the method from reaching it.
+    pub(crate) acceptance: f64,
+    /// What the steps are.
+    pub(crate) steps: NewtonSteps,
+}
+
+/// How redundant contacts, which make `G` singular, are dealt with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum NewtonSteps {
+    /// By damping; the factorisation is sparse.
+    Damped(Damping),
+    /// By the step of least norm among all that satisfy the independent equations; the factorisation is dense. It finds its
+    /// way where damping holds back contacts of stacked boxes.
+    LeastNorm,
+}
+
+impl NewtonLimits {
+    /// Whether the residual is as small as wanted, or as rounding allows.
+    pub(crate) fn are_reached(&self, problem: &FrictionProblem, iterate: &Iterate) -> bool {
+        let residual = iterate.residual;
+        residual <= self.tolerance
+            || (residual <= self.acceptance && residual <= problem.rounding_of(&iterate.reactions))
+    }
 }
 
 /// The method for one problem.
@@ -122,14 +150,23 @@ impl<'a> Newton<'a> {
         let (mut reactions, mut velocities) = (iterate.reactions.clone(), iterate.velocities.clone());
         let (mut trial, mut trial_velocities) = (Vec::new(), Vec::new());
         let mut squares = vec![self.linearise(&reactions, &velocities)];
-        let mut share = limits.damping.first;
+        let damping = match limits.steps {
+            NewtonSteps::Damped(damping) => damping,
+            NewtonSteps::LeastNorm => Damping::STEADY,
+        };
+        let mut share = damping.first;
         let mut current = iterate.residual;
-        for step in 0..limits.steps {
-            if iterate.residual <= limits.tolerance {
+        let (mut halved, mut half) = (0, 0.5 * current);
+        for step in 0..limits.most {
+            let is_idle = step - halved >= IDLE_STEPS && iterate.residual <= limits.acceptance;
+            if is_idle || limits.are_reached(self.problem, iterate) {
                 return step;
             }
-            self.damping = (share * current).clamp(LEAST_DAMPING, 1.0);
-            let change = self.step(&velocities);
+            self.damping = match limits.steps {
+                NewtonSteps::Damped(_) => (share * current).clamp(LEAST_DAMPING, 1.0),
+                NewtonSteps::LeastNorm => 0.0,
+            };
+            let change = self.step(&velocities, limits.steps);
             let recent = squares.iter().rev().take(MEMORY).fold(0.0, |most: f64, square| most.max(*square));
             let mut length = 1.0;
             let mut square = f64::INFINITY;
@@ -147,7 +184,7 @@ impl<'a> Newton<'a> {
                 return step + 1;
             }
             let went_well = squares.last().is_some_and(|last| square < WELL * last);
-            share = limits.damping.next(share, length == 1.0, went_well);
+            share = damping.next(share, length == 1.0, went_well);
             std::mem::swap(&mut reactions, &mut trial);
             std::mem::swap(&mut velocities, &mut trial_velocities);
             squares.push(square);
@@ -157,8 +194,11 @@ impl<'a> Newton<'a> {
                 iterate.velocities.copy_from_slice(&velocities);
                 iterate.residual = current;
             }
+            if current <= half {
+                (halved, half) = (step + 1, 0.5 * current);
+            }
         }
-        limits.steps
+        limits.most
     }
 
     /// The status of every block at the last linearisation.
@@ -181,7 +221,7 @@ impl<'a> Newton<'a> {
     }
 
     /// The step `dr` of the linearised law.
-    fn step(&mut self, velocities: &[f64]) -> Vec<f64> {
+    fn step(&mut self, velocities: &[f64], steps: NewtonSteps) -> Vec<f64> {
         let matrix = self.problem.matrix();
         let mut change = vec![0.0; velocities.len()];
         for (block, law) in self.laws.iter().enumerate() {
@@ -191,10 +231,26 @@ impl<'a> Newton<'a> {
         // What the shifts do to the velocities is known beforehand.
         let mut known = Vec::new();
         matrix.times_plus(&change, &vec![0.0; velocities.len()], &mut known);
+        let (unknowns, places) = match steps {
+            NewtonSteps::Damped(_) => self.sparse_step(&known),
+            NewtonSteps::LeastNorm => self.least_norm_step(&known),
+        };
+        for (block, law) in self.laws.iter().enumerate() {
+            let range = matrix.range(block);
+            for (row, target) in change[range].iter_mut().enumerate() {
+                *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
+            }
+        }
+        if largest(&change).is_finite() { change } else { vec![0.0; velocities.len()] }
+    }
+}
+
+impl Newton<'_> {
+    /// The unknowns of the damped step, and the place of the first of each block; `known` is what shifts do to velocities.
+    fn sparse_step(&mut self, known: &[f64]) -> (Vec<f64>, Vec<usize>) {
         let mut factors = std::mem::take(&mut self.factors);
         factors.factor(self.order, &NewtonSystem { newton: self });
-        let mut unknowns = vec![0.0; factors.unknowns()];
-        let mut places = vec![0; matrix.len()];
+        let mut places = vec![0; self.laws.len()];
         for (node, blocks) in self.order.nodes.iter().enumerate() {
             let mut at = factors.start(node);
             for &block in blocks {
@@ -202,21 +258,45 @@ impl<'a> Newton<'a> {
                 at += self.laws[block].unknowns;
             }
         }
-        for (block, law) in self.laws.iter().enumerate() {
-            let shifted = rows_of(&known[matrix.range(block)]);
-            for k in 0..law.unknowns {
-                unknowns[places[block] + k] = law.right[k] - inner(law.rows[k], shifted);
-            }
-        }
+        let mut unknowns = self.right_sides(known, &places, factors.unknowns());
         factors.solve(self.order, &mut unknowns);
-        for (block, law) in self.laws.iter().enumerate() {
-            let range = matrix.range(block);
-            for (row, target) in change[range].iter_mut().enumerate() {
-                *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
+        self.factors = factors;
+        (unknowns, places)
+    }
+
+    /// The same for the step of least norm.
+    fn least_norm_step(&self, known: &[f64]) -> (Vec<f64>, Vec<usize>) {
+        let mut places = Vec::with_capacity(self.laws.len());
+        let mut size = 0;
+        for law in &self.laws {
+            places.push(size);
+            size += law.unknowns;
+        }
+        let system = NewtonSystem { newton: self };
+        // Row by row: the transposed matrix column by column.
+        let mut dense = vec![0.0; size * size];
+        for (row, &at) in places.iter().enumerate().filter(|&(row, _)| self.laws[row].unknowns > 0) {
+            for &column in system.neighbours(row) {
+                if self.laws[column].unknowns > 0 {
+                    system.write(row, column, size, &mut dense[at * size + places[column]..]);
+                }
             }
         }
-        self.factors = factors;
-        if largest(&change).is_finite() { change } else { vec![0.0; velocities.len()] }
+        let right = self.right_sides(known, &places, size);
+        let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT).solve_transpose(&right);
+        (unknowns, places)
+    }
+
+    /// The right sides of the equations for the unknowns at these places.
+    fn right_sides(&self, known: &[f64], places: &[usize], count: usize) -> Vec<f64> {
+        let mut right = vec![0.0; count];
+        for (block, law) in self.laws.iter().enumerate() {
+            let shifted = rows_of(&known[self.problem.matrix().range(block)]);
+            for k in 0..law.unknowns {
+                right[places[block] + k] = law.right[k] - inner(law.rows[k], shifted);
+            }
+        }
+        right
     }
 }
 

@@ -7,13 +7,16 @@
 use crate::certificate::nan_max;
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::FrictionBlock;
+use crate::friction::block::{FrictionBlock, MOST_ROWS};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::{natural_map, rows_of};
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
 const IMMOVABLE: f64 = 1e-3;
+
+/// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
+const ROUNDING_UNITS: f64 = 8.0;
 
 /// A frictional contact problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,6 +139,23 @@ impl FrictionProblem {
         let size = largest(&self.constant);
         let most = (0..self.len()).map(|block| self.block_residual(block, reactions, velocities)).fold(0.0, nan_max);
         if most == 0.0 { 0.0 } else { most / size }
+    }
+
+    /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more.
+    pub(crate) fn rounding_of(&self, reactions: &[f64]) -> f64 {
+        let size = largest(&self.constant);
+        let terms = |row: usize| {
+            let mut sums = [0.0; MOST_ROWS];
+            for block in self.matrix.blocks(row) {
+                let own = &reactions[self.matrix.range(block.column)];
+                for (sum, line) in sums.iter_mut().zip(block.values.chunks_exact(own.len().max(1))) {
+                    *sum += line.iter().zip(own).map(|(g, r)| (g * r).abs()).sum::<f64>();
+                }
+            }
+            largest(&sums)
+        };
+        let most = (0..self.len()).map(terms).fold(size, f64::max);
+        if size > 0.0 { ROUNDING_UNITS * f64::EPSILON * most / size } else { 0.0 }
     }
 
     /// The natural map of one block, in units of velocity.

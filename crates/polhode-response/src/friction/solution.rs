@@ -13,6 +13,8 @@ pub enum FrictionMethod {
     WarmNewton,
     /// Newton's method from some sweeps of block Gauss-Seidel.
     Newton,
+    /// Newton's method without damping, with the least of all steps where contacts are redundant.
+    LeastNormNewton,
     /// Newton's method once more, with damping that gives way: large mass ratios.
     YieldingNewton,
     /// Newton's method from a convex cone programme.
@@ -28,6 +30,7 @@ impl FrictionMethod {
             Self::GaussSeidel => "gauss-seidel",
             Self::WarmNewton => "warm-newton",
             Self::Newton => "newton",
+            Self::LeastNormNewton => "least-norm-newton",
             Self::YieldingNewton => "yielding-newton",
             Self::ConeProgrammeNewton => "cone-programme-newton",
             Self::GaussSeidelNewton => "gauss-seidel-newton",

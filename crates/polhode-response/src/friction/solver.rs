@@ -1,6 +1,7 @@
 //! The chain of methods for contacts with friction, and one residual for all of them.
 //!
-//! Newton's method from the start given; some sweeps of block Gauss-Seidel and Newton's method; the convex cone programme and
+//! Newton's method from the start given; some sweeps of block Gauss-Seidel and Newton's method; the same with steps of least
+//! norm; the convex cone programme and
 //! Newton's method; many sweeps and Newton's method. What is best of all is returned, with its residual and what became of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
@@ -9,7 +10,7 @@ use crate::friction::cone_programme::LiftedForm;
 use crate::friction::coulomb_cone::{project, rows_of};
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::gauss_seidel::GaussSeidel;
-use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits};
+use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonSteps};
 use crate::friction::problem::FrictionProblem;
 use crate::friction::settings::FrictionSettings;
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
@@ -25,6 +26,9 @@ const NEARLY_SOLVED: f64 = 1e-4;
 
 /// Convex programmes, each with the correction of the last: more of them lead on slowly.
 const CORRECTIONS: usize = 4;
+
+/// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
+const MOST_DENSE_ROWS: usize = 120;
 
 /// Sweeps between two runs of Newton's method as the last resort.
 const SWEEPS_BETWEEN: u32 = 50;
@@ -95,15 +99,24 @@ impl Solver<'_> {
                 return;
             }
             let reactions = self.within_cones(start);
-            if self.newton_from(reactions, FrictionMethod::WarmNewton) {
+            if self.newton_from(reactions, FrictionMethod::WarmNewton) || self.best.residual <= self.settings.acceptance
+            {
                 return;
             }
         }
         let zero = vec![0.0; self.problem.rows()];
-        if self.first_sweeps(zero.clone()) || self.newton_from(zero, FrictionMethod::Newton) {
+        let began_at_zero = start.is_some_and(|start| start == zero);
+        if self.first_sweeps(zero.clone()) || (!began_at_zero && self.newton_from(zero, FrictionMethod::Newton)) {
             return;
         }
-        if self.settings.fallback == FallbackPolicy::Refuse {
+        if self.problem.rows() <= MOST_DENSE_ROWS
+            && self.best.residual > self.settings.acceptance
+            && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::LeastNormNewton)
+        {
+            return;
+        }
+        // What is accepted already is not worth the slower methods.
+        if self.settings.fallback == FallbackPolicy::Refuse || self.best.residual <= self.settings.acceptance {
             return;
         }
         let zero = vec![0.0; self.problem.rows()];
@@ -172,11 +185,19 @@ impl Solver<'_> {
     /// Newton's method; whether the tolerance is reached.
     fn newton_from(&mut self, reactions: Vec<f64>, method: FrictionMethod) -> bool {
         let mut iterate = self.iterate(reactions);
-        let damping = if method.is_fallback() { Damping::YIELDING } else { Damping::STEADY };
-        let steps = self.settings.newton_steps as usize;
-        let limits = NewtonLimits { steps, tolerance: self.settings.tolerance, damping };
+        let limits = self.limits(method);
         self.report.newton_steps += self.newton.run(&mut iterate, limits);
         self.keep(iterate, method)
+    }
+
+    fn limits(&self, method: FrictionMethod) -> NewtonLimits {
+        let FrictionSettings { tolerance, acceptance, newton_steps, .. } = *self.settings;
+        let damping = if method.is_fallback() { Damping::YIELDING } else { Damping::STEADY };
+        let steps = match method {
+            FrictionMethod::LeastNormNewton => NewtonSteps::LeastNorm,
+            _ => NewtonSteps::Damped(damping),
+        };
+        NewtonLimits { most: newton_steps as usize, tolerance, acceptance, steps }
     }
 
     fn iterate(&self, reactions: Vec<f64>) -> Iterate {
@@ -192,7 +213,7 @@ impl Solver<'_> {
             self.best = iterate;
             self.report.method = method;
         }
-        self.best.residual <= self.settings.tolerance
+        self.limits(method).are_reached(self.problem, &self.best)
     }
 
     /// Each reaction moved into its cone.

@@ -310,7 +310,7 @@ impl Engine {
     /// Stores the contacts of a resolved instant and forms the islands of its bodies. Returns the first body of each
     /// island.
     pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
-        let Instant { t, bodies, pairs, touches, speed_scale, .. } = instant;
+        let Instant { t, bodies, pairs, touches, speed_scale, change, .. } = instant;
         for pair in pairs {
             self.contacts.set(pair, Vec::new());
         }
@@ -343,6 +343,12 @@ impl Engine {
                     .map(|touch| (touch.id, touch.rotation))
                     .collect(),
             };
+            // Slips that end take short steps, whose length says nothing about the motion afterwards.
+            if !change.stopping.is_empty() && !active.slides() {
+                for &body in &group.bodies {
+                    self.tracks[body].proposed_step_s = core.settings.step_s;
+                }
+            }
             firsts.extend(self.begin_island(core, group.bodies, active, t)?);
         }
         for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
@@ -420,8 +426,12 @@ impl Engine {
         let Island { bodies, mut active, step, .. } = island;
         let mut pace = self.pace_of(core, &bodies);
         let longest = core.settings.step_s;
-        let mut advance = pace.note_end(t, StepEnd::AsPlanned, longest);
-        if !active.held.is_empty() {
+        let slides = active.slides();
+        let end = if slides { StepEnd::AsPlannedSliding } else { StepEnd::AsPlanned };
+        let mut advance = pace.note_end(t, end, longest);
+        if slides {
+            advance = advance.and(pace.note_mean_sliding_step(t, longest));
+        } else if !active.held.is_empty() {
             advance = advance.and(pace.note_mean_step(t, longest));
         }
         for &body in &bodies {

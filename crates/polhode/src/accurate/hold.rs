@@ -74,6 +74,13 @@ pub(super) struct ContactFriction {
     pub(super) sliding: Option<DVec3>,
 }
 
+impl ContactFriction {
+    /// How fast a slip along this direction grows, m/s^2.
+    pub(super) fn growth_along(&self, direction: DVec3) -> f64 {
+        self.slip_acceleration.dot(direction)
+    }
+}
+
 impl Forces {
     /// Solves for the forces of `contacts` on `bodies` (movable, ascending) at time `t`.
     ///

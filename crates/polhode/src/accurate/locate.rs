@@ -8,6 +8,7 @@
 
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
+use super::ending_slips::slip_nearly_ended;
 use super::engine::Engine;
 use super::hold::Forces;
 use super::pace::Pace;
@@ -95,6 +96,11 @@ impl Engine {
         }
         match violated {
             Some(violated) => self.locate_change(core, step, violated, &tolerated, states).map(Some),
+            None if found.is_none() && limit >= step.end => {
+                step.states_at(&core.world, step.end, states);
+                let change = ContactChange { t: step.end, ..ContactChange::default() };
+                Ok(slip_nearly_ended(core, step, states).then_some(change))
+            }
             None => Ok(found),
         }
     }

@@ -39,6 +39,7 @@ mod contact_change;
 mod contacts;
 mod crowd_step;
 mod crowding;
+mod ending_slips;
 mod engine;
 mod events;
 mod free_stepping;

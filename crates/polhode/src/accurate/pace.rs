@@ -33,6 +33,11 @@ const MOST_STEPS: u64 = 256;
 /// and a lower limit detects this earlier.
 const MOST_STEPS_AGAIN: u64 = 128;
 
+/// [`MOST_STEPS`] where a contact slides. A slip that is slow for long, because the forces hardly exceed what sticks, makes
+/// the equations stiff: friction turns it at the rate `mu g / |u_T|`, which every step must follow. A slip that stops takes
+/// some ten steps.
+const MOST_SLIDING_STEPS: u64 = 16;
+
 /// Number of steps for the mean step length. At a contact whose point moves around ever faster, as when a ball settles
 /// in a ring, every step advances, but the run would never end.
 const MEAN_OF_STEPS: u64 = 2048;
@@ -43,6 +48,16 @@ const MEAN_OF_STEPS_AGAIN: u64 = 256;
 /// Mean step length below which events count as crowded, as a fraction of the longest step. One revolution of a contact
 /// point takes some ten steps.
 const MEAN_RELATIVE: f64 = 1e-4;
+
+/// [`MEAN_OF_STEPS`] where a contact slides, see [`MOST_SLIDING_STEPS`].
+const MEAN_OF_SLIDING_STEPS: u64 = 32;
+
+/// [`MEAN_OF_SLIDING_STEPS`] for bodies that have passed a stretch of crowded events.
+const MEAN_OF_SLIDING_STEPS_AGAIN: u64 = 16;
+
+/// Mean length of steps with contacts that slide below which time steps follow, as a fraction of the longest step. A slip
+/// that stops takes some ten steps, of which the first are long.
+const MEAN_SLIDING_RELATIVE: f64 = 1e-3;
 
 /// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary
 /// pile.
@@ -108,11 +123,11 @@ impl Pace {
         }
         if !self.is_stall(t, longest_step_s) {
             self.stalls = 0;
-        } else if ends != StepEnd::AsPlanned {
+        } else if !ends.is_planned() {
             self.stalls += 1;
         }
         self.events = match ends {
-            StepEnd::AsPlanned => 0,
+            StepEnd::AsPlanned | StepEnd::AsPlannedSliding => 0,
             // A body in free flight makes no steps: a longest step without an event counts as a whole step.
             _ if t - self.since >= longest_step_s => 1,
             _ => self.events + 1,
@@ -132,7 +147,11 @@ impl Pace {
             return Ok(());
         }
         self.steps += 1;
-        let most = if self.has_crowded { MOST_STEPS_AGAIN } else { MOST_STEPS };
+        let most = match (ends, self.has_crowded) {
+            (StepEnd::AsPlannedSliding, _) => MOST_SLIDING_STEPS,
+            (_, true) => MOST_STEPS_AGAIN,
+            (_, false) => MOST_STEPS,
+        };
         if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }
     }
 
@@ -141,16 +160,28 @@ impl Pace {
     /// # Errors
     /// When the mean step length is too small.
     pub(super) fn note_mean_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
+        let count = if self.has_crowded { MEAN_OF_STEPS_AGAIN } else { MEAN_OF_STEPS };
+        self.note_mean_of(count, t, MEAN_RELATIVE * longest_step_s)
+    }
+
+    /// The same for a step in which a held contact slides.
+    ///
+    /// # Errors
+    /// When the mean step length is too small.
+    pub(super) fn note_mean_sliding_step(&mut self, t: f64, longest_step_s: f64) -> Result<(), NoAdvance> {
+        let count = if self.has_crowded { MEAN_OF_SLIDING_STEPS_AGAIN } else { MEAN_OF_SLIDING_STEPS };
+        self.note_mean_of(count, t, MEAN_SLIDING_RELATIVE * longest_step_s)
+    }
+
+    /// Counts a step that ends at `t`. After `count` of them their mean length must be at least `least_s`.
+    fn note_mean_of(&mut self, count: u64, t: f64, least_s: f64) -> Result<(), NoAdvance> {
         self.mean_steps += 1;
         let (steps, advanced_s) = (self.mean_steps, t - self.mean_start);
-        if steps < if self.has_crowded { MEAN_OF_STEPS_AGAIN } else { MEAN_OF_STEPS } {
+        if steps < count {
             return Ok(());
         }
         (self.mean_steps, self.mean_start) = (0, t);
-        if advanced_s < MEAN_RELATIVE * longest_step_s * steps as f64 {
-            return Err(NoAdvance { steps, advanced_s });
-        }
-        Ok(())
+        if advanced_s < least_s * steps as f64 { Err(NoAdvance { steps, advanced_s }) } else { Ok(()) }
     }
 
     /// Events since a whole step was made.
@@ -185,4 +216,13 @@ pub(super) enum StepEnd {
     AtElasticImpact,
     /// At its planned end.
     AsPlanned,
+    /// At its planned end, with a contact that slides.
+    AsPlannedSliding,
+}
+
+impl StepEnd {
+    /// Whether no event ended the step.
+    const fn is_planned(self) -> bool {
+        matches!(self, Self::AsPlanned | Self::AsPlannedSliding)
+    }
 }

@@ -250,6 +250,9 @@ impl Engine {
         let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
         let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let mut forces = self.forces(core, instant, group, &candidates)?;
+        if core.world.has_friction && self.end_slips(core, instant, group, (&candidates, &forces))? {
+            forces = self.forces(core, instant, group, &candidates)?;
+        }
         let mut has_ended_bounces = false;
         // A contact may close again only because the one below it holds. The contacts found so far are therefore held
         // before the others are tested.
@@ -492,7 +495,7 @@ impl Engine {
     }
 
     /// Ends the free flight of a group's bodies.
-    fn end_flights(&mut self, core: &mut Core, t: f64, group: &Group) {
+    pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, group: &Group) {
         for &body in &group.bodies {
             self.book_flight(core, body, t);
             if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {

@@ -25,6 +25,11 @@ impl ActiveContacts {
         sticking.map(|(&id, _)| id).collect()
     }
 
+    /// Whether one of them slides.
+    pub(crate) fn slides(&self) -> bool {
+        self.friction.values().any(|mode| *mode != FrictionMode::Sticking)
+    }
+
     /// The friction of a contact, as far as it is known.
     pub(crate) fn modes(&self, id: ContactId) -> (Option<FrictionMode>, RotationModes) {
         (self.friction.get(&id).copied(), self.rotation.get(&id).copied().unwrap_or_default())

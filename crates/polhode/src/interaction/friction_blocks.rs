@@ -85,12 +85,13 @@ impl FrictionBlocks {
         delassus: &Delassus,
         constants: &[f64],
         start: Option<&[f64]>,
+        settings: &FrictionSettings,
     ) -> Result<RowSolution, ResponseError> {
         let problem = self.problem(delassus, constants)?;
         let start: Option<Vec<f64>> = start.map(|start| self.rows.iter().map(|&row| start[row]).collect());
         let zero = vec![0.0; self.rows.len()];
         let start = start.as_deref().unwrap_or(&zero);
-        let solved = solve_friction(&problem, Some(start), &FrictionSettings::default())?;
+        let solved = solve_friction(&problem, Some(start), settings)?;
         let method = match solved.report.method {
             FrictionMethod::WarmNewton => Method::WarmStart,
             FrictionMethod::GaussSeidel | FrictionMethod::Newton => Method::ActiveSet,

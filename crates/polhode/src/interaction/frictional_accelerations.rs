@@ -16,7 +16,7 @@ use crate::collision::turn::Turn;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionBlock};
+use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings};
 use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -193,7 +193,7 @@ impl FrictionalAccelerations {
         } else if !rotations.is_empty() {
             solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         } else {
-            let solved = blocks.solve(&delassus, &constants, None)?;
+            let solved = blocks.solve(&delassus, &constants, None, &FrictionSettings::default())?;
             let of = (world, states, contacts);
             if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
         };

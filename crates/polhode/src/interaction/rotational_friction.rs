@@ -20,6 +20,7 @@ use crate::collision::contact_set::ContactId;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
+use polhode_response::friction::FrictionSettings;
 use polhode_response::{Delassus, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 use std::ops::Range;
@@ -81,7 +82,7 @@ pub(crate) fn solve_with_rotations(
             with_held.push_held(rotation.rows.clone());
         }
         let moved: Vec<f64> = delassus.times(&moments)?.iter().zip(constants).map(|(by, own)| by + own).collect();
-        let mut solved = with_held.solve(delassus, &moved, start.as_deref())?;
+        let mut solved = with_held.solve(delassus, &moved, start.as_deref(), &FrictionSettings::default())?;
         solved.reactions.resize(constants.len(), 0.0);
         let mut any = false;
         for rotation in rotations.iter_mut() {
@@ -111,7 +112,7 @@ pub(crate) fn solve_with_rotations(
     }
     let reactions = start.unwrap_or_default();
     let velocities: Vec<f64> = delassus.times(&reactions)?.iter().zip(constants).map(|(by, own)| by + own).collect();
-    let mut solved = blocks.solve(delassus, constants, None)?;
+    let mut solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
     solved.report.status = SolverStatus::Inaccurate;
     Ok(RowSolution { reactions, velocities, ..solved })
 }

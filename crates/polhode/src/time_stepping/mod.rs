@@ -29,6 +29,7 @@ mod impacts;
 mod kick;
 mod projection;
 mod report;
+mod rigid_terms;
 mod step;
 mod sustained;
 mod sustained_friction;

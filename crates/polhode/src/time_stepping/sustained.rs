@@ -25,6 +25,7 @@
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
+use super::rigid_terms::{Term, make_rigid};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
@@ -37,7 +38,7 @@ use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
-use polhode_spatial::CompensatedSum;
+use polhode_spatial::{CompensatedSum, DVec3};
 
 /// A row that approaches at the end by less than this fraction of its rates is left out: some dozen rounding units.
 const ROW_ROUNDING: f64 = 1e-14;
@@ -45,6 +46,9 @@ const ROW_ROUNDING: f64 = 1e-14;
 /// Error of a separation as a fraction of the rounding of two poses (eight units in the last place): the remainder of
 /// the projection. In a short step it corresponds to a considerable velocity.
 const SEPARATION_ROUNDING: f64 = 0.25;
+
+/// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
+const SAME_NORMAL: f64 = 1e-12;
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
@@ -206,7 +210,35 @@ fn rows(
         let bound = gap_bound.max(kinematics.separation_rate);
         Row { contact, kinematics, bound, half_fall, rounding, friction }
     };
-    Ok(here.into_iter().zip(accelerations).zip(friction).map(row).collect())
+    let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
+    let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
+    rows.chunk_by_mut(|x, y| pair(x) == pair(y)).for_each(remove_contradictions);
+    Ok(rows)
+}
+
+/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where they have one normal.
+fn remove_contradictions(of_pair: &mut [Row]) {
+    let Some(first) = of_pair.first() else { return };
+    let n = first.kinematics.geometry.normal;
+    let is_flush = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element() <= SAME_NORMAL;
+    if of_pair.len() < 2 || !of_pair.iter().all(|row| row.friction.is_some() && is_flush(row)) {
+        return;
+    }
+    let term = |row: &Row| Term {
+        point: row.kinematics.geometry.point,
+        normal: row.bound,
+        tangential: row.friction.map_or(DVec3::ZERO, |friction| friction.half_change()),
+    };
+    let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
+    make_rigid(n, &mut terms);
+    for (row, term) in of_pair.iter_mut().zip(&terms) {
+        row.bound = term.normal.max(row.kinematics.separation_rate);
+        row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
+    }
+    let share = of_pair.iter().filter_map(|row| Some(row.friction?.share())).fold(1.0, f64::min);
+    for (row, term) in of_pair.iter_mut().zip(&terms) {
+        row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential * share));
+    }
 }
 
 /// Books and records the impulses. Returns the contacts that carry one.
