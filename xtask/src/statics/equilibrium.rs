@@ -203,7 +203,7 @@ mod tests {
         let edges = DVec3::new(1.0, 0.5, 0.25);
         let lower = Block::cuboid(DVec3::Z * 0.125, edges, AXES, Some(1.0));
         let upper = |x: f64| Block::cuboid(DVec3::new(x, 0.0, 0.375), edges, AXES, Some(1.0));
-        let stands = |x: f64| judge(&[floor(), lower.clone(), upper(x)], Friction::Frictionless).unwrap();
+        let stands = |x: f64| judge(&[floor(), lower.clone(), upper(x)], Friction::Frictionless).expect("a verdict");
         assert_eq!(stands(0.499), Verdict::Feasible);
         assert_eq!(stands(0.501), Verdict::Infeasible);
     }
@@ -215,9 +215,9 @@ mod tests {
         let axes = [DVec3::new(c, 0.0, -s), DVec3::Y, DVec3::new(s, 0.0, c)];
         let slope = Block::cuboid(axes[2] * -1.0, DVec3::new(20.0, 20.0, 2.0), axes, None);
         let brick = Block::cuboid(axes[2] * 0.125, DVec3::new(1.0, 0.5, 0.25), axes, Some(3.0));
-        let stands = |mu: f64| judge(&[slope.clone(), brick.clone()], Friction::Coefficient(mu)).unwrap();
+        let stands = |mu: f64| judge(&[slope.clone(), brick.clone()], Friction::Coefficient(mu)).expect("a verdict");
         assert_eq!(stands(0.7501), Verdict::Feasible);
         assert_eq!(stands(0.7499), Verdict::Infeasible);
-        assert_eq!(judge(&[slope, brick], Friction::Frictionless).unwrap(), Verdict::Infeasible);
+        assert_eq!(judge(&[slope, brick], Friction::Frictionless).expect("a verdict"), Verdict::Infeasible);
     }
 }

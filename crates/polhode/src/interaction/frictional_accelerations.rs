@@ -157,20 +157,9 @@ impl FrictionalAccelerations {
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
-        let mut blocks = FrictionBlocks::default();
-        for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
-            let first = assembly.problem.len();
-            let tangents = friction.iter().flat_map(|friction| {
-                let geometry = &touch.kinematics.geometry;
-                let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
-                friction.tangents().into_iter().map(row)
-            });
-            assembly.push_tangents(states, tangents)?;
-            let tangents = first..assembly.problem.len();
-            blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
-        }
-        blocks.push_held(contacts.len()..assembly.first_tangent());
-        let ResistedRotations { turns, laws: mut rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
+        let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
+        let ResistedRotations { turns, laws: mut rotations } =
+            rotations_of(&mut assembly, world, contacts, frictional)?;
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
@@ -216,6 +205,28 @@ impl FrictionalAccelerations {
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self { contacts: tangential, solution, accelerations, scale, assembly, motion_depends_on_choice, turns })
     }
+}
+
+/// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots.
+fn blocks_of(
+    assembly: &mut Assembly,
+    states: &[BodyState],
+    (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+) -> Result<FrictionBlocks, ResponseError> {
+    let mut blocks = FrictionBlocks::default();
+    for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
+        let first = assembly.problem.len();
+        let tangents = friction.iter().flat_map(|friction| {
+            let geometry = &touch.kinematics.geometry;
+            let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
+            friction.tangents().into_iter().map(row)
+        });
+        assembly.push_tangents(states, tangents)?;
+        let tangents = first..assembly.problem.len();
+        blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
+    }
+    blocks.push_held(contacts.len()..assembly.first_tangent());
+    Ok(blocks)
 }
 
 /// The least forces with which every contact holds and sticks, if they lie in the cones of static friction: they are an

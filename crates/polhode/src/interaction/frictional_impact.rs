@@ -75,25 +75,9 @@ pub(crate) fn solve(
 ) -> Result<FrictionalImpact, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
-    let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
-    let mut blocks = FrictionBlocks::default();
-    let mut restitution = Vec::with_capacity(contacts.len());
-    for (normal, touch) in contacts.iter().enumerate() {
-        let friction = world.friction_of(touch.id.a, touch.id.b).map_or(0.0, |friction| friction.sliding);
-        let terms = (friction > 0.0).then(|| world.tangential_kinematics(states, touch.id)).flatten();
-        let first = assembly.problem.len();
-        if let Some(terms) = terms {
-            let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
-            assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
-            before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
-        }
-        let tangents = first..assembly.problem.len();
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction };
-        blocks.push(block, std::iter::once(normal).chain(tangents));
-        restitution.push(world.scene.pair_material(touch.id.a, touch.id.b).restitution());
-    }
-    blocks.push_held(contacts.len()..assembly.first_tangent());
+    let (blocks, before) = blocks_of(&mut assembly, world, states, contacts)?;
+    let mut restitution: Vec<f64> =
+        contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
     let problem = blocks.problem(&assembly.problem.delassus(), &before)?;
@@ -140,6 +124,34 @@ pub(crate) fn solve(
         _ => Restitution::Full,
     };
     Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution })
+}
+
+/// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots, and
+/// the velocities of all rows before the impact, m/s.
+fn blocks_of(
+    assembly: &mut Assembly,
+    world: &World,
+    states: &[BodyState],
+    contacts: &[Touch],
+) -> Result<(FrictionBlocks, Vec<f64>), ResponseError> {
+    let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    let mut blocks = FrictionBlocks::default();
+    for (normal, touch) in contacts.iter().enumerate() {
+        let friction = world.friction_of(touch.id.a, touch.id.b).map_or(0.0, |friction| friction.sliding);
+        let terms = (friction > 0.0).then(|| world.tangential_kinematics(states, touch.id)).flatten();
+        let first = assembly.problem.len();
+        if let Some(terms) = terms {
+            let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
+            assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
+            before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
+        }
+        let tangents = first..assembly.problem.len();
+        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction };
+        blocks.push(block, std::iter::once(normal).chain(tangents));
+    }
+    blocks.push_held(contacts.len()..assembly.first_tangent());
+    Ok((blocks, before))
 }
 
 /// The law of the response.

@@ -147,7 +147,7 @@ impl Site<'_> {
         let mut top = BRICK.z * height as f64;
         self.set(DVec3::new(middle, 0.0, top + 0.5 * deck.z), deck, 0.0);
         top += deck.z;
-        for _ in 0..1 + self.random.below(4) {
+        for _ in 0..=self.random.below(4) {
             let x = middle + self.random.between(-0.6, 0.6) * deck.x;
             let free = |brick: &Brick| (brick.center.x - x).abs() > 1.01 * BRICK.x || brick.center.z < top;
             if self.bricks.iter().all(free) {
@@ -159,7 +159,7 @@ impl Site<'_> {
 
     /// One or two stacks of bricks that step towards one side, weighted at the other end.
     fn corbel(&mut self) {
-        for stack in 0..1 + self.random.below(2) {
+        for stack in 0..=self.random.below(2) {
             let courses = 4 + self.random.below(8);
             let step = self.random.between(0.0, 0.25) * BRICK.x;
             let base = 2.0 * stack as f64;
