@@ -24,7 +24,7 @@ impl Default for FrictionSettings {
     fn default() -> Self {
         Self {
             tolerance: 1e-13,
-            acceptance: 1e-10,
+            acceptance: 1e-12,
             sweeps: 10,
             newton_steps: 60,
             last_sweeps: 1000,

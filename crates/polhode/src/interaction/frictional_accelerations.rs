@@ -29,6 +29,10 @@ const STICKING_RELATIVE: f64 = 1e-11;
 /// 1e4).
 const SLIDING_ROUNDING: f64 = 1e3;
 
+/// The residual that counts as solved where something slides (no unit, 1e-12 to 1e-9): errors of steps are larger. Where
+/// nothing slides the answer may put bodies to rest for good, and is asked for to rounding.
+const ACCEPTED_SLIDING: f64 = 1e-10;
+
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
@@ -182,7 +186,9 @@ impl FrictionalAccelerations {
         } else if !rotations.is_empty() {
             solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         } else {
-            let solved = blocks.solve(&delassus, &constants, None, &FrictionSettings::default())?;
+            let acceptance = if any_slides { ACCEPTED_SLIDING } else { FrictionSettings::default().acceptance };
+            let settings = FrictionSettings { acceptance, ..FrictionSettings::default() };
+            let solved = blocks.solve(&delassus, &constants, None, &settings)?;
             let of = (world, states, contacts);
             if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
         };

@@ -14,6 +14,10 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::{FrictionProblem, FrictionSettings};
 use polhode_spatial::DisjointSets;
 
+/// The residual of an impact's cone problem that counts as solved (no unit, 1e-12 to 1e-9): coefficients of restitution
+/// are known to three digits.
+const ACCEPTED: f64 = 1e-10;
+
 /// Tolerances and limits of impacts at several contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultipleImpactSettings {
@@ -27,7 +31,11 @@ pub struct MultipleImpactSettings {
 
 impl Default for MultipleImpactSettings {
     fn default() -> Self {
-        Self { threshold: 1e-12, limit: 100_000, solver: FrictionSettings::default() }
+        Self {
+            threshold: 1e-12,
+            limit: 100_000,
+            solver: FrictionSettings { acceptance: ACCEPTED, ..FrictionSettings::default() },
+        }
     }
 }
 
