@@ -263,8 +263,8 @@ fn all_errors_at_once() {
     let words = ["`duraton`", "friction of material", "an array of length 3", "`mas`", "-4", "5 errors"];
     assert!(words.map(at).is_sorted_by(|a, b| a < b || *a == at("an array of length 3")), "{}", run.stderr);
     assert_eq!(run.stderr.matches("error: ").count(), 5, "{}", run.stderr);
-    let many: String = (0..50).map(|number| format!("wrong{number} = 1\n")).collect();
-    place.write("scene.toml", &format!("{many}{GOOD}"));
+    let many = (0..50).map(|number| format!("wrong{number} = 1")).collect::<Vec<_>>().join("\n");
+    place.write("scene.toml", &format!("{many}\n{GOOD}"));
     let run = place.expect(2, &["check", "scene.toml"]);
     assert_eq!(run.stderr.matches("error: unknown key").count(), 20, "{}", run.stderr);
     assert!(run.stderr.contains("20 errors are shown; there are more"), "{}", run.stderr);

@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn leaning_cards_are_pushed_by_a_face_of_each() {
-        let card = Shape::cuboid(SIZE).unwrap();
+        let card = Shape::cuboid(SIZE).expect("a size");
         for degrees in [15.0f64, 22.5, 25.0, 29.0, 30.0, 31.0, 35.0, 40.0] {
             let lean = degrees.to_radians();
             let [left, right] = [-1.0, 1.0].map(|side| leaning(side, lean));
@@ -102,9 +102,10 @@ mod tests {
                 |feature| crate::evaluate(feature, &card, &left, &card, &right).map(|geometry| geometry.normal);
             let mut sides = [0, 0];
             for contact in &found.contacts {
-                let second = counterpart(contact.feature, &card, &left, &card, &right, 1e-12).unwrap();
+                let second =
+                    counterpart(contact.feature, &card, &left, &card, &right, 1e-12).expect("a second feature");
                 for feature in [contact.feature, second] {
-                    let normal = normal(feature).unwrap();
+                    let normal = normal(feature).expect("a face");
                     // From the right card to the left one, up or down by the lean.
                     assert!((normal.x + libm::cos(lean)).abs() < 1e-12, "{degrees} degrees: {feature:?} {normal}");
                     sides[usize::from(normal.z > 0.0)] += 1;
