@@ -7,8 +7,8 @@ use super::{
     heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
     one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
     rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stackings, stacks, structures, table_edge, thesis_tier, tunnelling, valleys,
-    videos,
+    snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier,
+    tunnelling, valleys, videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -130,6 +130,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "FC-19", rows: slipping_and_rolling::fc_19 },
     Case { name: "FC-20", rows: sliding::fc_20 },
     Case { name: "FC-21", rows: slopes::fc_21 },
+    Case { name: "stacks on slopes", rows: stacks_on_slopes::rows },
     Case { name: "structures: random", rows: structures::random },
     Case { name: "structures: arches", rows: structures::arches },
     Case { name: "structures: card houses", rows: structures::card_houses },

@@ -75,6 +75,7 @@ mod speed;
 mod spinning_scenes;
 mod stackings;
 mod stacks;
+mod stacks_on_slopes;
 mod strict_hash;
 mod structures;
 mod table_edge;

@@ -113,8 +113,7 @@ impl NewtonLimits {
     /// Whether the residual is as small as wanted, or as rounding allows.
     pub(crate) fn are_reached(&self, problem: &FrictionProblem, iterate: &Iterate) -> bool {
         let residual = iterate.residual;
-        residual <= self.tolerance
-            || (residual <= self.acceptance && residual <= problem.rounding_of(&iterate.reactions))
+        residual <= self.tolerance || residual <= problem.rounding_of(&iterate.reactions)
     }
 }
 

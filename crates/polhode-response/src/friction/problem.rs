@@ -18,6 +18,10 @@ const IMMOVABLE: f64 = 1e-3;
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 8.0;
 
+/// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is more
+/// than this diverge.
+const LARGEST_ROUNDING: f64 = 1e-8;
+
 /// A frictional contact problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionProblem {
@@ -155,7 +159,7 @@ impl FrictionProblem {
             largest(&sums)
         };
         let most = (0..self.len()).map(terms).fold(size, f64::max);
-        if size > 0.0 { ROUNDING_UNITS * f64::EPSILON * most / size } else { 0.0 }
+        if size > 0.0 { (ROUNDING_UNITS * f64::EPSILON * most / size).min(LARGEST_ROUNDING) } else { 0.0 }
     }
 
     /// The natural map of one block, in units of velocity.

@@ -8,7 +8,8 @@ use crate::settings::FallbackPolicy;
 pub struct FrictionSettings {
     /// The residual to reach: methods stop there.
     pub tolerance: f64,
-    /// The largest residual that counts as solved, where the tolerance is not reached: rounding of large reactions.
+    /// The largest residual that counts as solved, where the tolerance is not reached. What rounding of large reactions that
+    /// cancel leaves counts as solved too.
     pub acceptance: f64,
     /// Sweeps of block Gauss-Seidel at a cold start; where they do not nearly solve the problem, Newton's method starts from zero.
     pub sweeps: u32,

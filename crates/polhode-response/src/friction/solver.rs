@@ -236,7 +236,8 @@ impl Solver<'_> {
     fn finish(mut self) -> FrictionSolution {
         self.newton.linearise(&self.best.reactions, &self.best.velocities);
         self.report.residual = self.best.residual;
-        let is_solved = self.best.residual <= self.settings.acceptance;
+        let rounding = self.problem.rounding_of(&self.best.reactions);
+        let is_solved = self.best.residual <= self.settings.acceptance.max(rounding);
         self.report.status = match (is_solved, self.squeeze.is_empty()) {
             (true, _) => SolverStatus::Solved,
             (false, true) => SolverStatus::Inaccurate,

@@ -54,7 +54,8 @@ impl Damage {
         let span = tree::spans(root, path).value;
         match cause {
             // What was taken out may have been the key that is missing, or a misspelling of it.
-            Refusal::MissingKey(_) => self.keys.contains(&span),
+            // A table that lost its only key is too short.
+            Refusal::MissingKey(_) | Refusal::Type { .. } => self.keys.contains(&span),
             Refusal::ShapeKinds | Refusal::ForceKinds | Refusal::MotionKinds => self.tables.contains(&span),
             _ => false,
         }
