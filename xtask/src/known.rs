@@ -43,6 +43,12 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
+    KnownFailure {
+        case: "friction elsewhere",
+        quantity: "tippe top, moved by 1e6 m",
+        reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \
+                 go on by time steps (`pace.rs`, MEAN_SLIDING_RELATIVE), which keep the crowding tolerance only",
+    },
     KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e4: of 6 stacks", reason: HEAVY_ON_LIGHT },
     KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e6: of 6 stacks", reason: HEAVY_ON_LIGHT },
     KnownFailure {
