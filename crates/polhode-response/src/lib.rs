@@ -99,9 +99,9 @@ pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use held_rows::{HeldForces, HeldRows, HoldCheck};
 pub use impact::friction::{
-    CollisionMatrix, FrictionalImpact, FrictionalImpactLaw, FrictionalImpactStatus, ImpactPhase,
-    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    PhaseKind, SingleFrictionalImpact, SlidingContact, SlidingForce,
+    CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, ImpactPhase, MultipleFrictionalImpact, MultipleImpact,
+    MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, PhaseKind, RestitutionLaw, SingleFrictionalImpact,
+    SlidingContact, SlidingForce,
 };
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,

@@ -69,28 +69,18 @@ pub fn least_norm_sliding_forces(
     check_finite("constant terms", b)?;
     let (held, rows) = (b.len(), delassus.len());
     check_length("rows held and sliding", rows, held + sliding.len())?;
-    for row in sliding {
-        if row.normal >= held || !(held..rows).contains(&row.tangent) {
-            return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
-        }
-        check_finite("coefficients of friction", &[row.coefficient])?;
-    }
+    check_rows(sliding, held, rows)?;
     let scale: Vec<f64> = (0..held)
         .map(|row| {
             let diagonal = delassus.get(row, row);
             if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
         })
         .collect();
-    // The scaled matrix, row by row: it is the transposed one column by column.
-    let mut matrix = Vec::with_capacity(held * held);
-    for row in 0..held {
-        let start = matrix.len();
-        matrix.extend_from_slice(&delassus.row(row)[..held]);
-        for slide in sliding {
-            matrix[start + slide.normal] -= slide.coefficient * delassus.row(row)[slide.tangent];
-        }
-        for (entry, column_scale) in matrix[start..].iter_mut().zip(&scale) {
-            *entry *= scale[row] * column_scale;
+    // Its transpose is factored: rows of the one are columns of the other.
+    let mut matrix = held_by_forces(delassus, held, sliding);
+    for (row, row_scale) in matrix.chunks_exact_mut(held.max(1)).zip(&scale) {
+        for (entry, column_scale) in row.iter_mut().zip(&scale) {
+            *entry *= row_scale * column_scale;
         }
     }
     let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
@@ -112,6 +102,31 @@ pub fn least_norm_sliding_forces(
     Ok(forces)
 }
 
+/// Checks the rows of contacts that slide.
+fn check_rows(sliding: &[SlidingRow], held: usize, rows: usize) -> Result<(), ResponseError> {
+    for row in sliding {
+        if row.normal >= held || !(held..rows).contains(&row.tangent) {
+            return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
+        }
+        check_finite("coefficients of friction", &[row.coefficient])?;
+    }
+    Ok(())
+}
+
+/// The accelerations of the rows that are held for unit forces along them, with the friction that each normal force
+/// brings, row by row.
+fn held_by_forces(delassus: &Delassus, held: usize, sliding: &[SlidingRow]) -> Vec<f64> {
+    let mut matrix = Vec::with_capacity(held * held);
+    for row in 0..held {
+        let start = matrix.len();
+        matrix.extend_from_slice(&delassus.row(row)[..held]);
+        for slide in sliding {
+            matrix[start + slide.normal] -= slide.coefficient * delassus.row(row)[slide.tangent];
+        }
+    }
+    matrix
+}
+
 /// Whether the motion depends on which of the forces that hold all rows are chosen: whether some of them, `z`, hold
 /// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows
 /// are those of [`least_norm_sliding_forces`].
@@ -126,20 +141,8 @@ pub fn motion_depends_on_choice(
     delassus.check_finite()?;
     let rows = delassus.len();
     check_length("rows held and sliding", rows, held + sliding.len())?;
-    for row in sliding {
-        if row.normal >= held || !(held..rows).contains(&row.tangent) {
-            return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
-        }
-    }
-    let mut matrix = Vec::with_capacity(held * held);
-    for row in 0..held {
-        let start = matrix.len();
-        matrix.extend_from_slice(&delassus.row(row)[..held]);
-        for slide in sliding {
-            matrix[start + slide.normal] -= slide.coefficient * delassus.row(row)[slide.tangent];
-        }
-    }
-    let factor = PivotedQr::factor(held, held, matrix, DEPENDENT);
+    check_rows(sliding, held, rows)?;
+    let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT);
     for column in factor.rank()..held {
         let mut forces = vec![0.0; held];
         forces[column] = 1.0;

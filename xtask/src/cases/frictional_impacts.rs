@@ -5,7 +5,7 @@ use super::random_impacts::{RandomImpact, Rise};
 use super::{CaseResult, Context};
 use crate::random::Random;
 use crate::row::{Row, Tolerance};
-use polhode::response::FrictionalImpactLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
+use polhode::response::RestitutionLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
 use polhode::response::{
     CollisionMatrix, ContactProblem, FrictionalImpact, MultipleImpactStatus, SingleFrictionalImpact, SlidingContact,
     SlidingForce,
@@ -13,7 +13,7 @@ use polhode::response::{
 use std::error::Error;
 
 /// Words of the reference values for the laws.
-const LAWS: [(&str, FrictionalImpactLaw); 4] =
+const LAWS: [(&str, RestitutionLaw); 4] =
     [("whittaker", Whittaker), ("newton", Newton), ("poisson", Poisson), ("stronge", Stronge)];
 
 /// A body in a plane that hits a floor with one point.
@@ -31,7 +31,7 @@ impl PlanarBody<'_> {
     fn strike(
         &self,
         [friction, restitution]: [f64; 2],
-        law: FrictionalImpactLaw,
+        law: RestitutionLaw,
     ) -> Result<(FrictionalImpact, Vec<f64>), Box<dyn Error>> {
         let mut problem = ContactProblem::new(self.before.len(), self.inverse_mass.clone())?;
         for row in self.rows {

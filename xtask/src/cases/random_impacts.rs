@@ -4,8 +4,7 @@ use crate::random::Random;
 use glam::DVec3;
 use polhode::response::friction::{FrictionBlock, FrictionProblem};
 use polhode::response::{
-    ContactProblem, FrictionalImpactLaw, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw,
-    MultipleImpactSettings,
+    ContactProblem, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, RestitutionLaw,
 };
 use std::error::Error;
 
@@ -13,11 +12,8 @@ use std::error::Error;
 const MOST_CONTACTS: usize = 8;
 
 /// The laws that never raise the energy.
-const LAWS: [FrictionalImpactLaw; 3] = [
-    FrictionalImpactLaw::Stronge,
-    FrictionalImpactLaw::Poisson,
-    FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution: 0.6 },
-];
+const LAWS: [RestitutionLaw; 3] =
+    [RestitutionLaw::Stronge, RestitutionLaw::Poisson, RestitutionLaw::ChatterjeeRuina { tangential_restitution: 0.6 }];
 
 /// A body: mass, principal moments along the axes of the world, velocities.
 #[derive(Debug, Clone, Copy)]
@@ -87,14 +83,10 @@ impl RandomImpact {
 
     /// Resolves it one contact at a time by Newton's law.
     pub(super) fn strike_by_newton(&self) -> Result<(f64, MultipleImpact), Box<dyn Error>> {
-        self.resolve(MultipleImpactLaw::Sequence, FrictionalImpactLaw::Newton)
+        self.resolve(MultipleImpactLaw::Sequence, RestitutionLaw::Newton)
     }
 
-    fn resolve(
-        &self,
-        law: MultipleImpactLaw,
-        single: FrictionalImpactLaw,
-    ) -> Result<(f64, MultipleImpact), Box<dyn Error>> {
+    fn resolve(&self, law: MultipleImpactLaw, single: RestitutionLaw) -> Result<(f64, MultipleImpact), Box<dyn Error>> {
         let problem = self.problem()?;
         let before: Vec<f64> =
             self.bodies.iter().flat_map(|body| [body.linear.to_array(), body.angular.to_array()].concat()).collect();

@@ -4,7 +4,7 @@
 //! pieces; the numbers pin every law with slip, stick and reversal. In space slip turns; the references there were
 //! integrated with mpmath in the components of the slip, not in its direction as here.
 
-use polhode_response::FrictionalImpactLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
+use polhode_response::RestitutionLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
 use polhode_response::{
     CollisionMatrix, ContactProblem, FrictionalImpact, FrictionalImpactStatus, PhaseKind, ResponseError,
     SingleFrictionalImpact,
@@ -26,7 +26,7 @@ fn planar_impact(
     rows: [&[f64]; 2],
     velocities: &[f64],
     [friction, restitution]: [f64; 2],
-    law: FrictionalImpactLaw,
+    law: RestitutionLaw,
 ) -> (FrictionalImpact, Vec<f64>) {
     let mut problem = ContactProblem::new(velocities.len(), inverse_mass.to_vec()).unwrap();
     for row in rows {
@@ -45,7 +45,7 @@ fn planar_impact(
 }
 
 /// Coefficient of friction, law, p_t, p_n, vx', vy', w', T'/T.
-const ROD: [(f64, FrictionalImpactLaw, [f64; 6]); 16] = [
+const ROD: [(f64, RestitutionLaw, [f64; 6]); 16] = [
     (0.0, Whittaker, [0.0, 0.6, 0.6, -0.4, -2.545_584_412_271_571, 0.779_411_764_705_882_4]),
     (0.0, Newton, [0.0, 0.6, 0.6, -0.4, -2.545_584_412_271_571, 0.779_411_764_705_882_4]),
     (0.0, Poisson, [0.0, 0.6, 0.6, -0.4, -2.545_584_412_271_571, 0.779_411_764_705_882_4]),
@@ -173,7 +173,7 @@ fn rod_on_its_lower_end() {
 }
 
 /// Restitution, coefficient of friction, law, p_t, p_n, u1', u2', T'/T.
-const PENDULUM: [(f64, f64, FrictionalImpactLaw, [f64; 5]); 16] = [
+const PENDULUM: [(f64, f64, RestitutionLaw, [f64; 5]); 16] = [
     (
         0.5,
         0.5,

@@ -6,7 +6,7 @@
 
 use crate::cases::few;
 use crate::scenes::Noise;
-use polhode_response::FrictionalImpactLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
+use polhode_response::RestitutionLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
 use polhode_response::{
     CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, PhaseKind, SingleFrictionalImpact, SlidingContact,
     SlidingForce,
@@ -57,7 +57,7 @@ fn random_matrix(noise: &mut Noise) -> [[f64; 3]; 3] {
 }
 
 /// A random impact; slips from none to large, coefficients from none to large.
-fn random_impact(seed: u64, law: FrictionalImpactLaw) -> (SingleFrictionalImpact, [[f64; 3]; 3]) {
+fn random_impact(seed: u64, law: RestitutionLaw) -> (SingleFrictionalImpact, [[f64; 3]; 3]) {
     let noise = &mut Noise::new(seed);
     let mut matrix = random_matrix(noise);
     if noise.below(2) == 0 {
@@ -85,7 +85,7 @@ fn velocity_size(impact: &SingleFrictionalImpact, outcome: &FrictionalImpact) ->
     size(impact.velocity_before) + size(impact.collision.times(outcome.impulse))
 }
 
-const LAWS: [FrictionalImpactLaw; 6] = [
+const LAWS: [RestitutionLaw; 6] = [
     Stronge,
     Poisson,
     Newton,

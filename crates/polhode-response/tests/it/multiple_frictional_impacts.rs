@@ -8,9 +8,9 @@ use crate::cases::few;
 use crate::scenes::Noise;
 use polhode_response::friction::{FrictionBlock, FrictionProblem};
 use polhode_response::{
-    CollisionMatrix, ComplementaritySolver, ContactProblem, FrictionalImpactLaw, ImpactLaw, ImpactProblem,
-    ImpactSettings, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings,
-    MultipleImpactStatus, SingleFrictionalImpact,
+    CollisionMatrix, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings,
+    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
+    RestitutionLaw, SingleFrictionalImpact,
 };
 use proptest::prelude::*;
 
@@ -86,7 +86,7 @@ impl Structure {
         FrictionProblem::from_dense(blocks, &entries, self.problem.row_velocities(&self.velocities).unwrap()).unwrap()
     }
 
-    fn strike(&self, law: MultipleImpactLaw, single: FrictionalImpactLaw) -> (FrictionProblem, MultipleImpact) {
+    fn strike(&self, law: MultipleImpactLaw, single: RestitutionLaw) -> (FrictionProblem, MultipleImpact) {
         let contacts = self.contacts();
         let settings = MultipleImpactSettings::default();
         let (contacts_ref, restitution) = (&contacts, &self.restitutions[..]);
@@ -184,7 +184,7 @@ fn random_structure(seed: u64) -> Structure {
 }
 
 /// Impulses in the cones, velocities `u- + G p`, no approach, no rise of energy, and works that sum to its change.
-fn check(structure: &Structure, law: MultipleImpactLaw, single: FrictionalImpactLaw) -> MultipleImpactStatus {
+fn check(structure: &Structure, law: MultipleImpactLaw, single: RestitutionLaw) -> MultipleImpactStatus {
     let (contacts, outcome) = structure.strike(law, single);
     let after = contacts.velocities(&outcome.impulses).unwrap();
     let speeds = |u: &[f64]| u.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -218,15 +218,15 @@ proptest! {
 
     #[test]
     fn contacts_struck_together_do_not_gain_energy(seed in any::<u64>()) {
-        check(&random_structure(seed), MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        check(&random_structure(seed), MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
     }
 
     #[test]
     fn contacts_struck_in_order_do_not_gain_energy(seed in any::<u64>(), which in 0..3_usize) {
         let single = [
-            FrictionalImpactLaw::Stronge,
-            FrictionalImpactLaw::Poisson,
-            FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution: 0.5 },
+            RestitutionLaw::Stronge,
+            RestitutionLaw::Poisson,
+            RestitutionLaw::ChatterjeeRuina { tangential_restitution: 0.5 },
         ][which];
         check(&random_structure(seed), MultipleImpactLaw::Sequence, single);
     }
@@ -237,7 +237,7 @@ proptest! {
 fn random_impacts_are_solved() {
     let mut in_order = 0;
     for seed in 0..1000 {
-        let status = check(&random_structure(seed), MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        let status = check(&random_structure(seed), MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
         assert_ne!(status, MultipleImpactStatus::NotSolved, "{seed}");
         in_order += usize::from(status == MultipleImpactStatus::StruckInOrder);
     }
@@ -254,7 +254,7 @@ fn without_friction_it_is_the_reflection() {
         structure.frictions.fill(0.0);
         let restitution = structure.restitutions[0];
         structure.restitutions.fill(restitution);
-        let (contacts, outcome) = structure.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        let (contacts, outcome) = structure.strike(MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
         let normals: Vec<usize> = (0..contacts.len()).map(|block| 3 * block).collect();
         let delassus = structure.problem.delassus();
         let entry = |i: usize, j: usize| delassus.get(normals[i], normals[j]);
@@ -307,7 +307,7 @@ fn separate_contacts_are_single_impacts() {
             let normal = unit(random_vector(noise));
             structure.touch((body, random_vector(noise)), None, normal, friction, restitution);
         }
-        let (contacts, outcome) = structure.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        let (contacts, outcome) = structure.strike(MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
         let delassus = structure.problem.delassus();
         for body in 0..4 {
             let rows = [3 * body, 3 * body + 1, 3 * body + 2];
@@ -316,7 +316,7 @@ fn separate_contacts_are_single_impacts() {
                 velocity_before: rows.map(|row| contacts.constant()[row]),
                 friction: structure.frictions[body],
                 restitution: structure.restitutions[body],
-                law: FrictionalImpactLaw::Stronge,
+                law: RestitutionLaw::Stronge,
             };
             let expected = single.resolve().unwrap();
             assert_eq!(rows.map(|row| outcome.impulses[row]), expected.impulse);
@@ -334,7 +334,7 @@ fn cradle_of_rough_balls() {
     for k in 0..4 {
         cradle.touch((k + 1, [-1.0, 0.0, 0.0]), Some((k, [1.0, 0.0, 0.0])), [1.0, 0.0, 0.0], 0.3, 1.0);
     }
-    let (_, outcome) = cradle.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+    let (_, outcome) = cradle.strike(MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
     let change = cradle.problem.response(&outcome.impulses).unwrap();
     for ball in 0..5 {
         let after = cradle.velocities[6 * ball] + change[6 * ball];
@@ -354,7 +354,7 @@ fn symmetric_impacts_stay_symmetric() {
         let normal = [c, sign * s, 0.0];
         balls.touch((ball, normal.map(|x| -x)), Some((0, normal)), normal, 0.4, 0.8);
     }
-    let (_, outcome) = balls.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+    let (_, outcome) = balls.strike(MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
     let change = balls.problem.response(&outcome.impulses).unwrap();
     let [first, second] = [1, 2].map(|ball| change[6 * ball..6 * ball + 6].to_vec());
     assert!(
@@ -383,7 +383,7 @@ fn jam_beside_a_wall() {
             contacts: &contacts,
             restitution: &restitution,
             law: MultipleImpactLaw::Simultaneous,
-            single: FrictionalImpactLaw::Stronge,
+            single: RestitutionLaw::Stronge,
             settings: &settings,
         };
         // Pressed down, and off the wall.
@@ -417,7 +417,7 @@ fn tangents_and_units_are_a_matter_of_choice() {
         if structure.frictions.len() > 3 || structure.frictions.iter().any(|friction| *friction > 1.0) {
             continue;
         }
-        let (contacts, plain) = structure.strike(MultipleImpactLaw::Simultaneous, FrictionalImpactLaw::Stronge);
+        let (contacts, plain) = structure.strike(MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
         let (mass, speed, angle) = (3.0, 7.0, 6.3 * noise.unit());
         let (rows, delassus) = (contacts.rows(), structure.problem.delassus());
         // Row by row: the normal stays, the tangents turn.
@@ -442,7 +442,7 @@ fn tangents_and_units_are_a_matter_of_choice() {
             contacts: &other,
             restitution: &structure.restitutions,
             law: MultipleImpactLaw::Simultaneous,
-            single: FrictionalImpactLaw::Stronge,
+            single: RestitutionLaw::Stronge,
             settings: &MultipleImpactSettings::default(),
         };
         let found = impact.resolve().unwrap();

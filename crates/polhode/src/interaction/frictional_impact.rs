@@ -3,7 +3,7 @@
 //! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
 //! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
 //! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
-//! kinetic friction. A scene may name another law for one contact alone ([`RestitutionLaw`]).
+//! kinetic friction. A scene may name another law for one contact alone ([`polhode_response::RestitutionLaw`]).
 //!
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
@@ -11,15 +11,14 @@
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::scene::{ImpactLaw, RestitutionLaw};
+use crate::scene::ImpactLaw;
 use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::FrictionBlock;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
-    FrictionalImpactLaw, MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    ResponseError,
+    MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, ResponseError,
 };
 
 /// An impact with friction.
@@ -85,7 +84,7 @@ pub(crate) fn solve(
         contacts: &problem,
         restitution: &restitution,
         law: if law == ImpactLaw::Propagation { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
-        single: single_law(world.scene.method().restitution_law.unwrap_or_default()),
+        single: world.scene.method().restitution_law.unwrap_or_default(),
         settings: &MultipleImpactSettings::default(),
     };
     let struck = match cause {
@@ -152,19 +151,6 @@ fn blocks_of(
     }
     blocks.push_held(contacts.len()..assembly.first_tangent());
     Ok((blocks, before))
-}
-
-/// The law of the response.
-const fn single_law(law: RestitutionLaw) -> FrictionalImpactLaw {
-    match law {
-        RestitutionLaw::Stronge => FrictionalImpactLaw::Stronge,
-        RestitutionLaw::Poisson => FrictionalImpactLaw::Poisson,
-        RestitutionLaw::Newton => FrictionalImpactLaw::Newton,
-        RestitutionLaw::Whittaker => FrictionalImpactLaw::Whittaker,
-        RestitutionLaw::ChatterjeeRuina { tangential_restitution } => {
-            FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution }
-        }
-    }
 }
 
 /// The status as impacts without friction state it; [`Restitution`] says whether restitution was lowered.

@@ -6,6 +6,7 @@
 use super::SceneError;
 pub use polhode_contact::BroadPhaseMethod;
 pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
+use polhode_response::RestitutionLaw;
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,39 +40,6 @@ impl ImpactLaw {
             Self::Propagation => "propagation",
             Self::Simultaneous => "simultaneous",
             Self::Reflection => "reflection",
-        }
-    }
-}
-
-/// The law of restitution of an impact with friction at one contact that is struck alone. All but the last two follow
-/// the velocity along the impact (Routh, Keller), so that slip may stop, turn and reverse in it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum RestitutionLaw {
-    /// The normal impulse gives back `e^2` of the work that it took (Stronge). Never raises the energy.
-    #[default]
-    Stronge,
-    /// The normal impulse of restitution is `e` times that of compression (Poisson).
-    Poisson,
-    /// The normal velocity is reversed by `-e` (Newton). May raise the energy where slip stops or reverses.
-    Newton,
-    /// Newton's law by algebra on the velocities before and after (Whittaker). May raise the energy.
-    Whittaker,
-    /// Algebra alone with restitution of slip as well (Chatterjee and Ruina): cheap, and never raises the energy.
-    ChatterjeeRuina {
-        /// `e_t` in [-1, 1]: the slip is reversed by `-e_t` where friction suffices. 0 sticks, 1 is a super ball.
-        tangential_restitution: f64,
-    },
-}
-
-impl RestitutionLaw {
-    /// The name used in scenes and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stronge => "stronge",
-            Self::Poisson => "poisson",
-            Self::Newton => "newton",
-            Self::Whittaker => "whittaker",
-            Self::ChatterjeeRuina { .. } => "chatterjee-ruina",
         }
     }
 }

@@ -33,11 +33,11 @@ pub use force::{Attachment, Force};
 pub use geometry::Geometry;
 pub use material::{Material, PairRule};
 pub use method::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RestitutionLaw,
-    RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
 };
 pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
+pub use polhode_response::RestitutionLaw;
 
 use polhode_spatial::DVec3;
 

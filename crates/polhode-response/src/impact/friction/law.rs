@@ -1,12 +1,12 @@
 //! The choice of an impact law with friction.
 
-/// Which law of impact with friction, at one contact.
+/// The law of restitution of an impact with friction at one contact that is struck alone.
 ///
-/// The first three follow the velocity along the impact, so that slip may turn, stop and reverse in it; they differ in
-/// where the restitution ends. The last two are algebra on the velocity before. Without friction, and where slip
-/// neither stops nor turns, all measures of restitution agree.
+/// The first three follow the velocity along the impact (Routh, Keller), so that slip may turn, stop and reverse in it;
+/// they differ in where the restitution ends. The last two are algebra on the velocity before. Without friction, and
+/// where slip neither stops nor turns, all measures of restitution agree.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum FrictionalImpactLaw {
+pub enum RestitutionLaw {
     /// The normal impulse gives back `e^2` of the work that it took (Stronge 1990). Never raises the energy.
     #[default]
     Stronge,
@@ -24,6 +24,19 @@ pub enum FrictionalImpactLaw {
         /// `e_t`, from -1 (no friction) to 1.
         tangential_restitution: f64,
     },
+}
+
+impl RestitutionLaw {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stronge => "stronge",
+            Self::Poisson => "poisson",
+            Self::Newton => "newton",
+            Self::Whittaker => "whittaker",
+            Self::ChatterjeeRuina { .. } => "chatterjee-ruina",
+        }
+    }
 }
 
 /// How several contacts that are struck at once share the impact.

@@ -8,7 +8,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `law` | [`FrictionalImpactLaw`]: Stronge, Poisson, Newton, Whittaker, Chatterjee and Ruina |
+//! | `law` | [`RestitutionLaw`]: Stronge, Poisson, Newton, Whittaker, Chatterjee and Ruina |
 //! | `single` | [`SingleFrictionalImpact`]: an impact at one contact |
 //! | `outcome`, `phase` | [`FrictionalImpact`]: what it did; slip, stick, reversal, jam |
 //! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
@@ -47,7 +47,7 @@ mod turning;
 mod without_collision;
 
 pub use collision_matrix::CollisionMatrix;
-pub use law::{FrictionalImpactLaw, MultipleImpactLaw};
+pub use law::{MultipleImpactLaw, RestitutionLaw};
 pub use multiple::{MultipleFrictionalImpact, MultipleImpactSettings};
 pub use multiple_outcome::{MultipleImpact, MultipleImpactStatus};
 pub use outcome::{FrictionalImpact, FrictionalImpactStatus};

@@ -4,7 +4,7 @@
 //! move each other are struck on their own: one contact alone by the law of a single contact, whose path through slip,
 //! stick and reversal is exact; several by [`MultipleImpactLaw`].
 
-use super::law::{FrictionalImpactLaw, MultipleImpactLaw};
+use super::law::{MultipleImpactLaw, RestitutionLaw};
 use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
 use super::part::{ENERGY_ROUNDING, Part, Struck, energy};
 use super::sequence::strike_in_order;
@@ -73,7 +73,7 @@ pub struct MultipleFrictionalImpact<'a> {
     /// How contacts that move each other share the impact.
     pub law: MultipleImpactLaw,
     /// The law where one contact is struck alone.
-    pub single: FrictionalImpactLaw,
+    pub single: RestitutionLaw,
     /// Tolerances and limits.
     pub settings: &'a MultipleImpactSettings,
 }

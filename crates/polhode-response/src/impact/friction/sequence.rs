@@ -8,7 +8,7 @@
 //! a threshold relative to the first approach, and what is left is removed by one inelastic cone problem.
 
 use super::collision_matrix::CollisionMatrix;
-use super::law::FrictionalImpactLaw;
+use super::law::RestitutionLaw;
 use super::multiple_outcome::MultipleImpactStatus;
 use super::outcome::FrictionalImpactStatus;
 use super::part::{Part, Struck};
@@ -30,7 +30,7 @@ struct Reaction {
 pub(super) fn strike_in_order(
     part: &mut Part,
     struck: &mut Struck,
-    law: FrictionalImpactLaw,
+    law: RestitutionLaw,
     limit: usize,
 ) -> Result<(), ResponseError> {
     let blocks = part.contacts.len();
@@ -56,7 +56,7 @@ pub(super) fn strike_alone(
     part: &mut Part,
     struck: &mut Struck,
     block: usize,
-    law: FrictionalImpactLaw,
+    law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
     let reaction = reaction_at(part, block)?;
     apply(part, struck, block, &reaction, law)
@@ -98,7 +98,7 @@ fn apply(
     struck: &mut Struck,
     block: usize,
     reaction: &Reaction,
-    law: FrictionalImpactLaw,
+    law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
     let range = part.contacts.range(block);
     let mut velocity_before = [0.0; 3];

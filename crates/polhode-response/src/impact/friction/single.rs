@@ -3,7 +3,7 @@
 use super::algebraic;
 use super::collision_matrix::{CollisionMatrix, power_of_two};
 use super::coulomb::Coulomb;
-use super::law::FrictionalImpactLaw;
+use super::law::RestitutionLaw;
 use super::outcome::{FrictionalImpact, FrictionalImpactStatus};
 use super::path::{Path, PathEnd};
 use super::phase::ImpactPhase;
@@ -19,14 +19,14 @@ const ENERGY_ROUNDING: f64 = 1e-13;
 /// An impact with friction at one contact.
 ///
 /// ```
-/// use polhode_response::{CollisionMatrix, FrictionalImpactLaw, PhaseKind, SingleFrictionalImpact};
+/// use polhode_response::{CollisionMatrix, RestitutionLaw, PhaseKind, SingleFrictionalImpact};
 /// // A rod of 1 kg and 1 m at 45 degrees falls on its lower end, at 1 m/s down and 0.6 m/s sideways (case IM-07).
 /// let impact = SingleFrictionalImpact {
 ///     collision: CollisionMatrix::planar(2.5, -1.5, 2.5)?,
 ///     velocity_before: [-1.0, 0.6, 0.0],
 ///     friction: 0.5,
 ///     restitution: 0.5,
-///     law: FrictionalImpactLaw::Stronge,
+///     law: RestitutionLaw::Stronge,
 /// };
 /// let outcome = impact.resolve()?;
 /// let kinds: Vec<PhaseKind> = outcome.phases.iter().map(|phase| phase.kind).collect();
@@ -46,7 +46,7 @@ pub struct SingleFrictionalImpact {
     /// Coefficient of restitution `e`, from 0 to 1.
     pub restitution: f64,
     /// The law.
-    pub law: FrictionalImpactLaw,
+    pub law: RestitutionLaw,
 }
 
 impl SingleFrictionalImpact {
@@ -67,19 +67,19 @@ impl SingleFrictionalImpact {
         }
         let scale = Scale { speed: speed_scale, impulse: speed_scale / mass_scale };
         let outcome = match self.law {
-            FrictionalImpactLaw::Stronge => self.along_path(&coulomb, before, Measure::Work),
-            FrictionalImpactLaw::Poisson => self.along_path(&coulomb, before, Measure::Impulse),
-            FrictionalImpactLaw::Newton => self.along_path(&coulomb, before, Measure::Velocity),
-            FrictionalImpactLaw::Whittaker => match algebraic::whittaker(&coulomb, before, self.restitution) {
+            RestitutionLaw::Stronge => self.along_path(&coulomb, before, Measure::Work),
+            RestitutionLaw::Poisson => self.along_path(&coulomb, before, Measure::Impulse),
+            RestitutionLaw::Newton => self.along_path(&coulomb, before, Measure::Velocity),
+            RestitutionLaw::Whittaker => match algebraic::whittaker(&coulomb, before, self.restitution) {
                 Some(impulse) => booked(&coulomb, before, impulse),
                 // Slip before that jams: no impulse against it ends the approach.
                 None => self.along_path(&coulomb, before, Measure::Velocity),
             },
             // Algebra on a velocity without approach gives no impulse: a jam is followed along its path.
-            FrictionalImpactLaw::ChatterjeeRuina { .. } if before[0] >= 0.0 => {
+            RestitutionLaw::ChatterjeeRuina { .. } if before[0] >= 0.0 => {
                 self.along_path(&coulomb, before, Measure::Work)
             }
-            FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution } => {
+            RestitutionLaw::ChatterjeeRuina { tangential_restitution } => {
                 let coefficients = [self.restitution, tangential_restitution];
                 booked(&coulomb, before, algebraic::chatterjee_ruina(&coulomb, before, coefficients))
             }
@@ -102,9 +102,7 @@ impl SingleFrictionalImpact {
             return Err(ResponseError::Restitution { row: 0, value: self.restitution });
         }
         match self.law {
-            FrictionalImpactLaw::ChatterjeeRuina { tangential_restitution: value }
-                if !(-1.0..=1.0).contains(&value) =>
-            {
+            RestitutionLaw::ChatterjeeRuina { tangential_restitution: value } if !(-1.0..=1.0).contains(&value) => {
                 Err(ResponseError::TangentialRestitution { contact: 0, value })
             }
             _ => Ok(()),

@@ -18,7 +18,7 @@
 
 use super::collision_matrix::CollisionMatrix;
 use super::coulomb::Coulomb;
-use super::law::FrictionalImpactLaw;
+use super::law::RestitutionLaw;
 use super::outcome::FrictionalImpact;
 use super::plane;
 use super::single::SingleFrictionalImpact;
@@ -104,7 +104,7 @@ impl SlidingContact {
     pub fn impact_without_collision(
         &self,
         restitution: f64,
-        law: FrictionalImpactLaw,
+        law: RestitutionLaw,
     ) -> Result<FrictionalImpact, ResponseError> {
         self.normal_rate()?;
         let velocity_before = [0.0, self.slip[0], self.slip[1]];

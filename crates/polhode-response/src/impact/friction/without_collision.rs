@@ -8,7 +8,7 @@
 //!
 //! Source: Stewart 2000, for the limit of steps of time; Genot and Brogliato 1999.
 
-use super::law::FrictionalImpactLaw;
+use super::law::RestitutionLaw;
 use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{Part, Struck};
 use super::sequence::strike_alone;
@@ -28,7 +28,7 @@ pub(super) fn strike_without_collision(
     part: &mut Part,
     struck: &mut Struck,
     accelerations: &[f64],
-    law: FrictionalImpactLaw,
+    law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
     let contacts = part.touching();
     let pressed: Vec<f64> =
