@@ -1,16 +1,17 @@
-//! Each crate alone, as a user has it: every example of a crate, in a package whose only dependency is that crate, compiles
-//! and finds what it asserts.
+//! Every example of a crate does what it asserts, and needs no other crate.
 //!
-//! Inside the workspace an example sees all that its crate depends on, for tests too, so that compiling there shows
-//! nothing. The packages stand in the folder of build products and are kept, so that only the first run compiles much.
+//! Inside the workspace an example sees all that its crate depends on, for tests too, and features that others switch on.
+//! That it names no crate but its own is a rule of the house. In full, each example is also compiled as a user has it: in
+//! a package whose only dependency is that crate. These packages stand in the folder of build products and are kept, so
+//! that only the first run compiles much: some 80 s of processor time, which is why the plain run does without.
 
-use super::{CaseResult, Context};
+use super::{Amount, CaseResult, Context};
 use crate::commands;
 use crate::row::Row;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 /// The crates that a user may depend on alone.
 const CRATES: [&str; 6] =
@@ -21,14 +22,36 @@ const OTHER_FILES: &str = "#[path";
 
 /// Runs every example of every crate.
 pub(super) fn examples(context: &Context) -> CaseResult {
-    let own = std::env::current_exe()?;
-    let folder = own.ancestors().nth(2).ok_or("this program lies in no folder of build products")?;
-    let users = folder.join("one-dependency");
+    match context.amount {
+        Amount::Part => in_workspace(context),
+        Amount::Full => in_packages(context),
+    }
+}
+
+/// Runs the examples that `cargo test` compiles.
+fn in_workspace(context: &Context) -> CaseResult {
+    let mut build = commands::cargo(&context.root);
+    build.args(["build", "--quiet", "--workspace", "--examples"]).stdin(Stdio::null()).status()?;
+    let folder = build_products()?.join("debug").join("examples");
+    let mut rows = Vec::new();
+    for name in CRATES {
+        for example in examples_of(&context.root, name)? {
+            let mut program = Command::new(folder.join(stem(&example)));
+            program.current_dir(&context.root);
+            rows.push(run(&mut program, format!("{name}: {}", stem(&example)))?);
+        }
+    }
+    Ok(rows)
+}
+
+/// Runs the examples, each in a package that depends on its crate alone.
+fn in_packages(context: &Context) -> CaseResult {
+    let users = build_products()?.join("one-dependency");
     let mut programs = Vec::new();
     for name in CRATES {
         let found = examples_of(&context.root, name)?;
         write_package(&context.root, &users, name, &found)?;
-        programs.extend(found.into_iter().map(|example| (name, example)));
+        programs.extend(found.into_iter().map(|example| (name, stem(&example))));
     }
     let members = CRATES.map(|name| format!("\"user-of-{name}\"")).join(", ");
     // They are run once: nothing is gained by symbols for a debugger, nor by what makes the next build shorter.
@@ -39,7 +62,19 @@ pub(super) fn examples(context: &Context) -> CaseResult {
     for name in CRATES {
         build(&users, name)?;
     }
-    programs.iter().map(|(name, example)| run(&users, name, example)).collect()
+    let rows = programs.iter().map(|(name, example)| {
+        let mut program = commands::cargo(&users);
+        let package = format!("user-of-{name}");
+        program.args(["run", "--quiet", "--offline", "--package", &package, "--bin", example]);
+        run(&mut program, format!("{name} alone: {example}"))
+    });
+    rows.collect()
+}
+
+/// The folder of build products that this program lies in.
+fn build_products() -> Result<PathBuf, Box<dyn Error>> {
+    let own = std::env::current_exe()?;
+    Ok(own.ancestors().nth(2).ok_or("this program lies in no folder of build products")?.to_owned())
 }
 
 /// Compiles all programs of a package beside each other. What does not compile is reported where it is run.
@@ -83,16 +118,13 @@ fn write_package(root: &Path, users: &Path, name: &str, examples: &[PathBuf]) ->
     Ok(())
 }
 
-fn run(users: &Path, name: &str, example: &Path) -> Result<Row, Box<dyn Error>> {
-    let mut command = commands::cargo(users);
-    let package = format!("user-of-{name}");
-    command.args(["run", "--quiet", "--offline", "--package", &package, "--bin", &stem(example)]);
-    let output = command.stdin(Stdio::null()).output()?;
+fn run(program: &mut Command, quantity: String) -> Result<Row, Box<dyn Error>> {
+    let output = program.stdin(Stdio::null()).output()?;
     if !output.status.success() {
         eprintln!("\n{}", String::from_utf8_lossy(&output.stderr));
     }
     let measured = if output.status.success() { "success".to_owned() } else { output.status.to_string() };
-    Ok(Row::exact("one dependency", &format!("{name} alone: {}", stem(example)), "success", measured))
+    Ok(Row::exact("one dependency", &quantity, "success", measured))
 }
 
 /// Name of a file without its ending.
