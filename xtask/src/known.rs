@@ -65,12 +65,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
     KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e4: residual", reason: CANCELLATION },
     KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
-    KnownFailure {
-        case: "structures",
-        quantity: "1000 structures: with friction, fell",
-        reason: "in walls with closed joints (6 structures) a brick that overhangs can be jammed by friction against its neighbour, or tip \
-                 along it: forces that balance and forces that move it both satisfy the laws, and the engine takes those that move",
-    },
 ];
 
 /// Marks those of `rows` that are known to fail.

@@ -168,8 +168,10 @@ pub(crate) enum ConeRows {
 /// Answer of a cone programme.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum ConeProgramme {
-    /// A minimum: the multipliers.
+    /// A minimum: the point and its multipliers.
     Solved {
+        /// The variables `y`.
+        point: Vec<f64>,
         /// One for each row.
         multipliers: Vec<f64>,
         /// Iterations.
@@ -222,7 +224,10 @@ pub(crate) fn least_motion(
         let iterations = solver.solution.iterations as usize;
         let multipliers = || solver.solution.z.iter().map(|z| z * size).collect();
         match solver.solution.status {
-            SolverStatus::Solved => return ConeProgramme::Solved { multipliers: multipliers(), iterations },
+            SolverStatus::Solved => {
+                let point = solver.solution.x.iter().map(|y| y * size).collect();
+                return ConeProgramme::Solved { point, multipliers: multipliers(), iterations };
+            }
             SolverStatus::PrimalInfeasible => {
                 return ConeProgramme::Infeasible { multipliers: multipliers(), iterations };
             }

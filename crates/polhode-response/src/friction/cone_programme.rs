@@ -94,7 +94,8 @@ impl<'a> LiftedForm<'a> {
                 weights.push((row, weight * self.scales[row]));
             }
         }
-        let ConeProgramme::Solved { multipliers, iterations } = least_motion(self.rank, &entries, &constant, &cones)
+        let ConeProgramme::Solved { multipliers, iterations, .. } =
+            least_motion(self.rank, &entries, &constant, &cones)
         else {
             return None;
         };

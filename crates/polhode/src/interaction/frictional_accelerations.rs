@@ -16,10 +16,11 @@ use crate::collision::turn::Turn;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings};
+use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings, balancing_reactions};
 use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
@@ -36,6 +37,14 @@ const ACCEPTED_SLIDING: f64 = 1e-10;
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
+
+/// Contacts that bear less than this part of the largest force in equilibrium bear nothing (no unit, 1e-9 to 1e-6): the
+/// tolerance of the interior point.
+const UNLOADED: f64 = 1e-8;
+
+/// Parts of friction that are kept in reserve when forces in equilibrium are sought (no unit): making them exact changes
+/// them a little, and forces at the limit of friction would leave the cones.
+const RESERVES: [f64; 3] = [1e-6, 1e-2, 1e-4];
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 16.0;
@@ -186,11 +195,13 @@ impl FrictionalAccelerations {
         } else if !rotations.is_empty() {
             solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         } else {
-            let acceptance = if any_slides { ACCEPTED_SLIDING } else { FrictionSettings::default().acceptance };
-            let settings = FrictionSettings { acceptance, ..FrictionSettings::default() };
-            let solved = blocks.solve(&delassus, &constants, None, &settings)?;
             let of = (world, states, contacts);
-            if any_slides { solved } else { refined(of, &assembly, (&delassus, &constants), frictional, solved)? }
+            if any_slides {
+                let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
+                blocks.solve(&delassus, &constants, None, &settings)?
+            } else {
+                of_no_slip(of, &assembly, (&blocks, &delassus, &constants), frictional)?
+            }
         };
         let mut accelerations = assembly.problem.response(&solved.reactions)?;
         for (acceleration, free) in accelerations.iter_mut().zip(&free) {
@@ -244,6 +255,20 @@ fn all_stick(
     frictional: &[Option<Frictional>],
 ) -> Result<Option<RowSolution>, ResponseError> {
     let forces = least_norm_forces(&assembly.problem, delassus, constants)?.forces;
+    let solution = stuck(assembly, (delassus, constants), frictional, forces)?;
+    Ok(solution.map(|solution| RowSolution {
+        report: SolverReport { method: Method::ActiveSet, ..solution.report },
+        ..solution
+    }))
+}
+
+/// These forces as a solution, if they lie in the cones of static friction and hold every contact to rounding.
+fn stuck(
+    assembly: &Assembly,
+    (delassus, constants): (&Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+    forces: Vec<f64>,
+) -> Result<Option<RowSolution>, ResponseError> {
     let mut tangents = forces.iter().skip(assembly.first_tangent());
     for (&normal, friction) in forces.iter().zip(frictional) {
         let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
@@ -263,7 +288,7 @@ fn all_stick(
         return Ok(None);
     }
     let residual = if scale > 0.0 { most(&left) / scale } else { 0.0 };
-    let report = SolverReport { method: Method::ActiveSet, residual, ..SolverReport::default() };
+    let report = SolverReport { method: Method::InteriorPoint, residual, ..SolverReport::default() };
     let statuses = vec![ContactStatus::Stick; frictional.len()];
     Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
 }
@@ -313,6 +338,76 @@ fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
     ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
 }
 
+/// The solution where nothing slides yet. Bodies at rest stay at rest if any forces can hold them: where friction jams them
+/// against each other Coulomb's law has answers that move them as well.
+fn of_no_slip(
+    of: (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+) -> Result<RowSolution, ResponseError> {
+    let solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
+    let solved = refined(of, assembly, (delassus, constants), frictional, solved)?;
+    let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
+    let is_at_rest = assembly.bodies().iter().all(|&body| is_still(&of.1[body]));
+    let scale = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
+    if !is_at_rest || solved.velocities.iter().all(|velocity| velocity.abs() <= STICKING_RELATIVE * scale) {
+        return Ok(solved);
+    }
+    Ok(in_equilibrium(of, assembly, (blocks, delassus, constants), frictional)?.unwrap_or(solved))
+}
+
+/// Forces within the cones under which no contact moves, if there are any.
+fn in_equilibrium(
+    of: (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+) -> Result<Option<RowSolution>, ResponseError> {
+    let problem = blocks.problem(delassus, constants)?;
+    for reserve in RESERVES {
+        // Where nothing balances with the least reserve nothing does with a larger one.
+        let Some(balancing) = balancing_reactions(&problem, reserve)? else { break };
+        let reactions = blocks.in_rows(&balancing);
+        let held = made_exact(of, assembly, (delassus, constants), frictional, reactions)?;
+        if held.is_some() {
+            return Ok(held);
+        }
+    }
+    Ok(None)
+}
+
+/// Forces that nearly balance, made exact with the least change, if they stay in the cones.
+fn made_exact(
+    of: (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (delassus, constants): (&Delassus, &[f64]),
+    frictional: &[Option<Frictional>],
+    mut reactions: Vec<f64>,
+) -> Result<Option<RowSolution>, ResponseError> {
+    let most = reactions.iter().take(frictional.len()).fold(0.0, |most: f64, force| most.max(*force));
+    let mut pressed = Vec::new();
+    let mut first = assembly.first_tangent();
+    for (normal, friction) in frictional.iter().enumerate() {
+        let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
+        first = own.end;
+        if reactions[normal] > UNLOADED * most {
+            pressed.push((normal, own));
+        } else {
+            reactions[normal] = 0.0;
+            reactions[own].fill(0.0);
+        }
+    }
+    let mut left = delassus.times(&reactions)?;
+    for (left, constant) in left.iter_mut().zip(constants) {
+        *left += constant;
+    }
+    for (row, change) in least_change(of, assembly, &pressed, &left)? {
+        reactions[row] += change;
+    }
+    stuck(assembly, (delassus, constants), frictional, reactions)
+}
+
 /// The solution with the least change of the forces of contacts that stick with which they stick exactly: at large ratios
 /// of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies.
 fn refined(
@@ -324,10 +419,9 @@ fn refined(
 ) -> Result<RowSolution, ResponseError> {
     let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
     let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
-    let mut first = assembly.first_tangent();
     let limit = SLIDING_ROUNDING * limit;
-    let (mut pressed, mut rows) = (Vec::new(), Vec::new());
-    let mut tangents = Vec::new();
+    let mut first = assembly.first_tangent();
+    let mut pressed = Vec::new();
     for (normal, friction) in frictional.iter().enumerate() {
         let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
         first = own.end;
@@ -337,23 +431,34 @@ fn refined(
             Some(ContactStatus::Stick) if !moves => {}
             Some(ContactStatus::Stick | ContactStatus::Slide) => return Ok(solved),
         }
-        pressed.push(normal);
-        tangents.extend(own);
+        pressed.push((normal, own));
     }
-    rows.extend(pressed.iter().copied());
-    rows.extend(contacts.len()..assembly.first_tangent());
-    rows.extend(tangents.iter().copied());
-    let normals = pressed.iter().map(|&index| (contacts[index].id, contacts[index].kinematics.geometry));
-    let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
-    let along = tangents.iter().filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
-    active.push_tangents(states, along)?;
-    let left: Vec<f64> = rows.iter().map(|&row| solved.velocities[row]).collect();
-    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &left)?.forces;
-    for (&row, change) in rows.iter().zip(&change) {
+    for (row, change) in least_change((world, states, contacts), assembly, &pressed, &solved.velocities)? {
         solved.reactions[row] += change;
         solved.velocities[row] = 0.0;
     }
     Ok(solved)
+}
+
+/// The least changes of the forces of some contacts, each with its rows along the tangents, and of pivots that cancel
+/// what is left in their rows: each with its row.
+fn least_change(
+    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    pressed: &[(usize, Range<usize>)],
+    left: &[f64],
+) -> Result<Vec<(usize, f64)>, ResponseError> {
+    let normals = pressed.iter().map(|(normal, _)| *normal);
+    let tangents = pressed.iter().flat_map(|(_, tangents)| tangents.clone());
+    let rows: Vec<usize> =
+        normals.clone().chain(contacts.len()..assembly.first_tangent()).chain(tangents.clone()).collect();
+    let normals = normals.map(|index| (contacts[index].id, contacts[index].kinematics.geometry));
+    let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
+    let along = tangents.filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
+    active.push_tangents(states, along)?;
+    let left: Vec<f64> = rows.iter().map(|&row| left[row]).collect();
+    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &left)?.forces;
+    Ok(rows.into_iter().zip(change).collect())
 }
 
 /// Rotations that friction resists.
