@@ -11,11 +11,10 @@
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::scene::ImpactLaw;
+use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::FrictionBlock;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
     MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, ResponseError,
@@ -96,7 +95,7 @@ pub(crate) fn solve(
             impact.without_collision(&blocks.of_rows(&accelerations))?
         }
     };
-    let impulses = blocks.in_rows(&struck.impulses);
+    let impulses = blocks.reactions_in_rows(&struck.impulses);
     let first = assembly.first_tangent();
     let along = assembly.tangents().iter().zip(impulses.iter().skip(first));
     let tangential = along.map(|(row, &impulse)| (row.id, row.along, impulse)).collect();
@@ -110,7 +109,7 @@ pub(crate) fn solve(
     let outcome = ImpactOutcome {
         applications,
         finishing: Vec::new(),
-        velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
+        velocities_after: blocks.velocities_in_rows(&struck.velocities_after).into_iter().take(first).collect(),
         status: status_of(struck.status),
         energy_change: struck.energy_change - friction_work_j,
         solves: struck.solves,
@@ -137,17 +136,17 @@ fn blocks_of(
     before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
     let mut blocks = FrictionBlocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = world.friction_of(touch.id.a, touch.id.b).map_or(0.0, |friction| friction.sliding);
-        let terms = (friction > 0.0).then(|| world.tangential_kinematics(states, touch.id)).flatten();
+        let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);
+        let terms = friction.and_then(|_| world.tangential_kinematics(states, touch.id));
         let first = assembly.problem.len();
+        let mut ellipse = FrictionEllipse::default();
         if let Some(terms) = terms {
+            ellipse = world.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
             before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
         }
-        let tangents = first..assembly.problem.len();
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction };
-        blocks.push(block, std::iter::once(normal).chain(tangents));
+        blocks.push_contact(ellipse, normal, first..assembly.problem.len());
     }
     blocks.push_held(contacts.len()..assembly.first_tangent());
     Ok((blocks, before))

@@ -69,6 +69,8 @@ pub(crate) struct World {
     pub(super) collides: bool,
     /// The friction of bodies that may collide.
     pub(super) friction: FrictionKinds,
+    /// Whether friction of two of them depends on the direction.
+    pub(super) grain: bool,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -81,6 +83,11 @@ impl World {
     /// Whether any two bodies that may collide have friction.
     pub(crate) fn has_friction(&self) -> bool {
         self.friction != FrictionKinds::None
+    }
+
+    /// Whether friction of any two depends on the direction.
+    pub(crate) fn has_grain(&self) -> bool {
+        self.grain
     }
 
     /// Whether any two have friction of rolling or spinning.
@@ -122,6 +129,7 @@ impl World {
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             friction: FrictionKinds::of(scene),
+            grain: scene.has_grain(),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -163,6 +171,7 @@ impl World {
         self.scene.bodies.push(body);
         self.collides = self.scene.any_may_collide();
         self.friction = FrictionKinds::of(&self.scene);
+        self.grain = self.scene.has_grain();
         self.make_fields()?;
         Ok((number, state))
     }

@@ -15,6 +15,7 @@ mod frames;
 mod friction;
 mod friction_effects;
 mod friction_on_moving_ground;
+mod grain;
 mod impacts;
 mod impulse_models;
 mod integrators;
