@@ -210,6 +210,9 @@ impl World {
         let (a, b) = ((shape_a, &state_a.pose, &velocity_a), (shape_b, &state_b.pose, &velocity_b));
         let found = polhode_contact::kinematics_with_tangential(id.feature, a.0, a.1, a.2, b.0, b.1, b.2);
         let mut terms = found.map(|(_, terms)| terms)?;
+        if self.has_moving_surfaces() {
+            self.add_surface_slip(states, id, &mut terms);
+        }
         if self.has_grain()
             && let Some(along) = self.grain_in_plane(states, id, terms.basis)
         {

@@ -175,6 +175,11 @@ impl Scene {
         combined
     }
 
+    /// Whether the surface of any body moves.
+    pub(crate) fn has_moving_surfaces(&self) -> bool {
+        self.bodies.iter().any(|body| body.surface_velocity != DVec3::ZERO)
+    }
+
     /// Whether any two bodies may collide.
     pub fn any_may_collide(&self) -> bool {
         // Two neighbours in the list usually may collide; testing them first saves the count of all pairs.

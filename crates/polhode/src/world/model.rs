@@ -71,6 +71,8 @@ pub(crate) struct World {
     pub(super) friction: FrictionKinds,
     /// Whether friction of two of them depends on the direction.
     pub(super) grain: bool,
+    /// Whether the surface of any body moves.
+    pub(super) moving_surfaces: bool,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -88,6 +90,11 @@ impl World {
     /// Whether friction of any two depends on the direction.
     pub(crate) fn has_grain(&self) -> bool {
         self.grain
+    }
+
+    /// Whether the surface of any body moves.
+    pub(crate) fn has_moving_surfaces(&self) -> bool {
+        self.moving_surfaces
     }
 
     /// Whether any two have friction of rolling or spinning.
@@ -130,6 +137,7 @@ impl World {
             collides: scene.any_may_collide(),
             friction: FrictionKinds::of(scene),
             grain: scene.has_grain(),
+            moving_surfaces: scene.has_moving_surfaces(),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -172,6 +180,7 @@ impl World {
         self.collides = self.scene.any_may_collide();
         self.friction = FrictionKinds::of(&self.scene);
         self.grain = self.scene.has_grain();
+        self.moving_surfaces = self.scene.has_moving_surfaces();
         self.make_fields()?;
         Ok((number, state))
     }

@@ -25,6 +25,7 @@ mod kinematic_steps;
 mod linked_rings;
 mod mass_ratios;
 mod momentum;
+mod moving_surfaces;
 mod outcomes;
 mod piles;
 mod pivot_rows;
