@@ -9,7 +9,7 @@
 //! Michalowski and Mroz 1978. Limits: one grain in a contact, coefficients that do not
 //! depend on the speed.
 
-use super::{Material, Scene, SceneError};
+use super::SceneError;
 use polhode_spatial::DVec3;
 
 /// Neither coefficient may be more than this many times the other (no unit): the direction of a slip turns towards the
@@ -112,32 +112,5 @@ impl GivenFriction {
             Self::Circle(coefficient) => FrictionEllipse::circle(coefficient),
             Self::Ellipse(ellipse, _) => ellipse,
         }
-    }
-}
-
-impl Scene {
-    /// Checks that every contact has one grain at most.
-    ///
-    /// # Errors
-    /// When two materials that may meet both have a grain, or a rule for them asks for one that neither has.
-    pub(crate) fn check_grains(&self) -> Result<(), SceneError> {
-        let names = |a: usize, b: usize| [a, b].map(|body| self.bodies[body].material.name().to_owned());
-        for (a, b) in self.material_pairs() {
-            let material = self.pair_material(a, b);
-            match material.grain() {
-                Some(Grain { of: GrainOf::Both, .. }) => return Err(SceneError::TwoGrains { materials: names(a, b) }),
-                None if !material.is_isotropic() => return Err(SceneError::NoGrain { materials: names(a, b) }),
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether friction of two bodies that may collide depends on the direction.
-    pub(crate) fn has_grain(&self) -> bool {
-        let has_grain = |material: &Material| material.grain().is_some();
-        let is_used = self.bodies.iter().any(|body| has_grain(&body.material))
-            || self.pair_rules.iter().any(super::PairRule::has_grain);
-        is_used && self.material_pairs().into_iter().any(|(a, b)| has_grain(&self.pair_material(a, b)))
     }
 }

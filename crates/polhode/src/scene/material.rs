@@ -249,9 +249,8 @@ impl PairRule {
         let [first, second] = &self.materials;
         if (first == &a.name && second == &b.name) || (first == &b.name && second == &a.name) {
             match self.friction {
-                None => {}
+                None | Some(GivenFriction::Ellipse(_, None)) => {}
                 Some(GivenFriction::Circle(_)) => combined.grain = None,
-                Some(GivenFriction::Ellipse(_, None)) => {}
                 Some(GivenFriction::Ellipse(_, Some(direction))) => {
                     let of = if first == &a.name { GrainOf::First } else { GrainOf::Second };
                     combined.grain = Some(Grain { direction, of });

@@ -1,10 +1,12 @@
-//! The number of pairs of bodies that may collide, their largest restitution and friction, without a loop over all pairs.
+//! The number of pairs of bodies that may collide, their largest restitution and friction, and whether friction of each has
+//! one grain at most, without a loop over all pairs.
 //!
 //! Bodies form a class when they have the same material and the same `no_contact` groups and are all fixed or all
 //! movable. The number of pairs of two materials is the product of the numbers of their bodies, less the pairs of two
 //! bodies that no force moves, less the pairs that share a group.
 
-use super::{Material, Scene};
+use super::grain::{Grain, GrainOf};
+use super::{Material, PairRule, Scene, SceneError};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The pairs of bodies that may collide.
@@ -76,6 +78,31 @@ impl Scene {
     /// Two bodies of every two materials of which bodies may collide.
     pub(super) fn material_pairs(&self) -> Vec<(usize, usize)> {
         self.counted_material_pairs().into_iter().map(|(pair, _)| pair).collect()
+    }
+
+    /// Checks that every contact has one grain at most.
+    ///
+    /// # Errors
+    /// When two materials that may meet both have a grain, or a rule for them asks for one that neither has.
+    pub(crate) fn check_grains(&self) -> Result<(), SceneError> {
+        let names = |a: usize, b: usize| [a, b].map(|body| self.bodies[body].material.name().to_owned());
+        for (a, b) in self.material_pairs() {
+            let material = self.pair_material(a, b);
+            match material.grain() {
+                Some(Grain { of: GrainOf::Both, .. }) => return Err(SceneError::TwoGrains { materials: names(a, b) }),
+                None if !material.is_isotropic() => return Err(SceneError::NoGrain { materials: names(a, b) }),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether friction of two bodies that may collide depends on the direction.
+    pub(crate) fn has_grain(&self) -> bool {
+        let has_grain = |material: &Material| material.grain().is_some();
+        let is_used =
+            self.bodies.iter().any(|body| has_grain(&body.material)) || self.pair_rules.iter().any(PairRule::has_grain);
+        is_used && self.material_pairs().into_iter().any(|(a, b)| has_grain(&self.pair_material(a, b)))
     }
 
     /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
