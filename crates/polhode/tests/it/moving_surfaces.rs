@@ -100,7 +100,7 @@ fn ball_on_a_belt_comes_to_roll() {
     let scene = scene(ball, belt(DVec3::X * speed)).build().expect("a scene");
     let (report, _) = run(&scene, Effects::Planned);
     let velocity = report.bodies[0].1.velocity;
-    assert!((velocity.linear - DVec3::X * (speed * k / (1.0 + k))).length() < 1e-12, "{:?}", velocity);
+    assert!((velocity.linear - DVec3::X * (speed * k / (1.0 + k))).length() < 1e-12, "{velocity:?}");
     assert_closes(&report);
 }
 

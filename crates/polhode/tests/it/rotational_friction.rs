@@ -166,7 +166,7 @@ fn ball_that_bounces_loses_spin() {
             let less = |value: f64, change: f64| value.signum() * (value.abs() - change).max(0.0);
             let (speed_after, spin_after) = (less(speed, change), less(spin, spin_change));
             let expected = DVec3::new(speed_after, 0.0, e * drop);
-            assert!((after.linear - expected).length() < 1e-11, "{:?} {expected}", after);
+            assert!((after.linear - expected).length() < 1e-11, "{after:?} {expected}");
             assert!((after.angular - DVec3::new(0.0, speed_after / RADIUS, spin_after)).length() < 1e-10, "{after:?}");
             assert!(report.warnings.is_empty(), "{:?}", report.warnings);
             let lost = report.ledger.friction.value();
