@@ -99,6 +99,7 @@ impl Simulation {
         Scene::check_added_body(world.bodies.len(), &body, taken)?;
         let mut probe = world.clone();
         let (index, state) = probe.add_body(body.clone(), self.core.t)?;
+        probe.scene.check_grains()?;
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;

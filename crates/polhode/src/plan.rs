@@ -325,7 +325,9 @@ fn friction_decision(scene: &Scene) -> EffectDecision {
         } else {
             String::new()
         };
-        let fact = format!("largest coefficient of static friction of a pair: {largest}{moments}");
+        let grain = if scene.has_grain() { ", different along a grain and across it" } else { "" };
+        let surfaces = if scene.has_moving_surfaces() { ", with surfaces that move" } else { "" };
+        let fact = format!("largest coefficient of static friction of a pair: {largest}{moments}{grain}{surfaces}");
         return decision(Effect::Friction, true, fact, "nothing: contacts stick or slide, by exact cones");
     }
     decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction")

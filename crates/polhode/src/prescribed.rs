@@ -122,9 +122,10 @@ impl World {
     }
 
     /// Whether bodies may rest on this one from `t` (s): on a kinematic body if it stands still until the next time at
-    /// which its motion is not smooth, on any other body always.
+    /// which its motion is not smooth, on one whose surface moves never, on any other body always.
     pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
-        self.stands_still(body, t, self.next_corner(body, t).next_down())
+        let stands = !self.has_moving_surfaces() || self.scene.bodies()[body].velocity_of_surface() == DVec3::ZERO;
+        stands && self.stands_still(body, t, self.next_corner(body, t).next_down())
     }
 
     /// Term of prescribed velocities in the rate of a contact's separation, m/s.

@@ -46,6 +46,7 @@ pub(super) fn build(
     } else {
         body = body.velocity(Velocity::new(velocity, angular_velocity));
     }
+    body = body.surface_velocity(optional(entry.surface_velocity.as_ref(), path, "surface_velocity")?);
     if let Some(material) = &entry.material {
         body = body.material(materials.get(material, &path.key("material"))?);
     }

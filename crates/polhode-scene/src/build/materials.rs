@@ -3,9 +3,10 @@
 use super::fault::{Fault, Faults};
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
-use crate::format::{MaterialEntry, PairEntry};
+use crate::format::{GrainEntry, MaterialEntry, NumberOr, PairEntry, StaticGrainEntry};
+use glam::DVec3;
 use polhode::SceneError;
-use polhode::scene::{Material, PairRule};
+use polhode::scene::{FrictionEllipse, Material, PairRule};
 use std::collections::BTreeMap;
 
 /// The materials of a scene by name.
@@ -24,9 +25,10 @@ impl Materials {
                 materials.insert(name.clone(), Material::default());
                 continue;
             }
-            let material = Material::new(name, entry.friction.unwrap_or(0.0), entry.restitution.unwrap_or(0.0))
-                .and_then(|material| match entry.static_friction {
-                    Some(static_friction) => material.with_static_friction(static_friction),
+            let material = with_friction(name, entry)
+                .and_then(|material| match &entry.static_friction {
+                    Some(NumberOr::Number(static_friction)) => material.with_static_friction(*static_friction),
+                    Some(NumberOr::Table(table)) => material.with_static_ellipse(at_rest(table)),
                     None => Ok(material),
                 })
                 .and_then(|material| {
@@ -53,9 +55,19 @@ impl Materials {
         for (index, name) in entry.materials.0.iter().enumerate() {
             self.get(name, &path.key("materials").index(index))?;
         }
-        PairRule::new(entry.materials.0.clone(), entry.friction, entry.restitution)
-            .and_then(|rule| match entry.static_friction {
-                Some(static_friction) => rule.with_static_friction(static_friction),
+        let (number, grain) = match &entry.friction {
+            None => (None, None),
+            Some(NumberOr::Number(friction)) => (Some(*friction), None),
+            Some(NumberOr::Table(grain)) => (None, Some(grain)),
+        };
+        PairRule::new(entry.materials.0.clone(), number, entry.restitution)
+            .and_then(|rule| match grain {
+                Some(grain) => rule.with_grain(direction(grain), kinetic(grain)),
+                None => Ok(rule),
+            })
+            .and_then(|rule| match &entry.static_friction {
+                Some(NumberOr::Number(static_friction)) => rule.with_static_friction(*static_friction),
+                Some(NumberOr::Table(table)) => rule.with_static_ellipse(at_rest(table)),
                 None => Ok(rule),
             })
             .and_then(|rule| rule.with_rotational_friction(entry.rolling_friction, entry.spinning_friction))
@@ -63,11 +75,37 @@ impl Materials {
     }
 }
 
+/// A material with its kinetic friction and restitution. A grain without a direction is refused as one of length zero
+/// is.
+fn with_friction(name: &str, entry: &MaterialEntry) -> Result<Material, SceneError> {
+    let restitution = entry.restitution.unwrap_or(0.0);
+    match &entry.friction {
+        None => Material::new(name, 0.0, restitution),
+        Some(NumberOr::Number(friction)) => Material::new(name, *friction, restitution),
+        Some(NumberOr::Table(grain)) => {
+            let material = Material::new(name, 0.0, restitution)?;
+            material.with_grain(direction(grain).unwrap_or_default(), kinetic(grain))
+        }
+    }
+}
+
+fn kinetic(grain: &GrainEntry) -> FrictionEllipse {
+    FrictionEllipse { along: grain.along, across: grain.across }
+}
+
+fn at_rest(grain: &StaticGrainEntry) -> FrictionEllipse {
+    FrictionEllipse { along: grain.along, across: grain.across }
+}
+
+fn direction(grain: &GrainEntry) -> Option<DVec3> {
+    grain.direction.as_ref().map(|direction| DVec3::from_array(direction.0))
+}
+
 /// An error of a material's numbers, at the number.
 fn fault(error: SceneError, path: &KeyPath) -> Fault {
     let key = match &error {
         SceneError::Restitution { .. } => "restitution",
-        SceneError::StaticFriction { .. } => "static_friction",
+        SceneError::StaticFriction { .. } | SceneError::StaticGrain { .. } => "static_friction",
         SceneError::RotationalFriction { kind: "rolling", .. } => "rolling_friction",
         SceneError::RotationalFriction { .. } => "spinning_friction",
         _ => "friction",

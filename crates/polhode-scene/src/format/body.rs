@@ -43,6 +43,9 @@ pub struct BodyEntry {
     pub velocity: Option<Vector>,
     /// Angular velocity, world, rad/s.
     pub angular_velocity: Option<Vector>,
+    /// Velocity of its surface over its shape, in the body's own frame, m/s: a belt. The shape does not move; at a contact
+    /// the part in the tangent plane counts, and only friction feels it.
+    pub surface_velocity: Option<Vector>,
     /// Name of a material; without one friction and restitution are 0.
     pub material: Option<String>,
 }

@@ -10,6 +10,7 @@
 //! | `method` | [`MethodEntry`] and the members of each knob |
 //! | `integrator`, `broad_phase` | [`IntegratorName`], [`BroadPhaseName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
+//! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
 //! | `motion` | [`MotionEntry`] and the kinds of prescribed motion |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
@@ -20,6 +21,7 @@ mod body;
 mod broad_phase;
 mod exactly;
 mod force;
+mod friction;
 mod integrator;
 mod method;
 mod motion;
@@ -37,6 +39,7 @@ pub use force::{
     AppliedForceEntry, AppliedTorqueEntry, DragEntry, DragLawName, ForceEntry, ForceKind, FrameName,
     MutualGravityEntry, PointGravityEntry, SpringEntry,
 };
+pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

@@ -1,7 +1,7 @@
 //! The document: everything but methods, bodies and forces.
 
 use super::exactly::{Exactly, Vector};
-use super::{BodyEntry, ForceEntry, MethodEntry};
+use super::{BodyEntry, ForceEntry, FrictionEntry, MethodEntry, StaticFrictionEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -74,13 +74,12 @@ pub struct OutputEntry {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialEntry {
-    /// Coefficient of kinetic friction; 0 when absent. Two materials: the geometric mean.
-    #[schemars(range(min = 0))]
-    pub friction: Option<f64>,
+    /// Coefficient of kinetic friction; 0 when absent. Two materials: the geometric mean. Or a table of coefficients
+    /// along and across a grain: of two materials that meet one may have a grain, unless a rule for the pair says more.
+    pub friction: Option<FrictionEntry>,
     /// Coefficient of static friction, at least that of kinetic friction; the same when absent. Two materials: the
-    /// geometric mean.
-    #[schemars(range(min = 0))]
-    pub static_friction: Option<f64>,
+    /// geometric mean. Or a table, if `friction` is one.
+    pub static_friction: Option<StaticFrictionEntry>,
     /// Friction of rolling, m: the moment that resists rolling is at most this times the normal force; 0 when absent.
     /// Two materials: the geometric mean.
     #[schemars(range(min = 0))]
@@ -98,14 +97,13 @@ pub struct MaterialEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PairEntry {
-    /// Names of the two materials, in any order.
+    /// Names of the two materials, in any order, unless `friction` has a direction.
     pub materials: Exactly<String, 2>,
-    /// Coefficient of kinetic friction.
-    #[schemars(range(min = 0))]
-    pub friction: Option<f64>,
-    /// Coefficient of static friction, at least that of kinetic friction; the same when absent.
-    #[schemars(range(min = 0))]
-    pub static_friction: Option<f64>,
+    /// Coefficient of kinetic friction, or a table of coefficients along and across a grain: that of the bodies of the
+    /// first material if the table has a direction.
+    pub friction: Option<FrictionEntry>,
+    /// Coefficient of static friction, at least that of kinetic friction; the same when absent. Or a table.
+    pub static_friction: Option<StaticFrictionEntry>,
     /// Friction of rolling, m.
     #[schemars(range(min = 0))]
     pub rolling_friction: Option<f64>,

@@ -175,6 +175,45 @@ fn materials() {
     check(&thesis, "method.tier", "thesis", "has no friction: use tier `accurate`");
 }
 
+/// Friction along and across a grain that cannot be is refused at its key: numbers, directions, keys, and contacts of which
+/// it is not clear whose grain counts.
+#[test]
+fn friction_along_a_grain() {
+    let friction = |value: &str| BASE.replace("restitution = 0.5", &format!("friction = {value}"));
+    let positive = "two finite positive numbers are needed";
+    for numbers in ["along = -0.1, across = 0.5", "along = 0, across = 0.5", "along = 0.1, across = nan"] {
+        let text = friction(&format!("{{ {numbers}, direction = [1, 0, 0] }}"));
+        check(&text, "materials.ice.friction", "friction", positive);
+    }
+    let ratio = friction("{ along = 1e-5, across = 0.5, direction = [1, 0, 0] }");
+    check(&ratio, "materials.ice.friction", "friction", "neither more than 1000 times the other");
+    for direction in ["[0, 0, 0]", "[0, nan, 0]", "[0, inf, 1]"] {
+        let text = friction(&format!("{{ along = 0.1, across = 0.5, direction = {direction} }}"));
+        check(&text, "materials.ice.friction", "friction", "a finite vector that is not zero");
+    }
+    let without = friction("{ along = 0.1, across = 0.5 }");
+    check(&without, "materials.ice.friction", "friction", "a finite vector that is not zero");
+    let unknown = friction("{ along = 0.1, athwart = 0.5, direction = [1, 0, 0] }");
+    check(&unknown, "materials.ice.friction.athwart", "athwart", "`across`");
+    check(&friction("\"high\""), "materials.ice.friction", "high", "a number or a table");
+    let ellipse = "{ along = 0.1, across = 0.5, direction = [1, 0, 0] }";
+    let below = friction(&format!("{ellipse}\nstatic_friction = {{ along = 0.2, across = 0.4 }}"));
+    check(&below, "materials.ice.static_friction", "static_friction", "at least its kinetic friction 0.5");
+    let circle = friction("0.3\nstatic_friction = { along = 0.4, across = 0.5 }");
+    check(&circle, "materials.ice.static_friction", "static_friction", "its friction has none");
+    let pair = format!("{BASE}\n[[pairs]]\nmaterials = [\"ice\", \"ice\"]\nfriction = {ellipse}\n");
+    check(&pair, "pairs.0.friction", "friction", "not clear whose grain");
+}
+
+/// The velocity of a surface has three finite components.
+#[test]
+fn surface_velocity() {
+    let velocity = |value: &str| brick("position", &format!("position = [0, 0, 3]\nsurface_velocity = {value}"));
+    check(&velocity("[0, nan, 0]"), "bodies.brick.surface_velocity.1", "surface_velocity", "a finite number");
+    check(&velocity("[0, 1]"), "bodies.brick.surface_velocity", "surface_velocity", "array of length 3");
+    check(&velocity("2"), "bodies.brick.surface_velocity", "surface_velocity", "array of length 3");
+}
+
 /// A key or value that the format does not have is named, with those that it has.
 #[test]
 fn unknown_keys_and_values() {

@@ -42,7 +42,8 @@ fn lists_what_is_accepted() {
         angular-velocity type point_gravity mutual_gravity force torque drag spring center mu constant body frame point \
         signal world sinusoid table polynomial amplitude frequency_hz phase law linear quadratic translational \
         rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set constraint impulse impulse-projection \
-        impulse-unconditional title description static_friction rolling_friction spinning_friction restitution_law \
+        impulse-unconditional title description static_friction rolling_friction spinning_friction along across \
+        surface_velocity restitution_law \
         tangential_restitution stronge poisson newton whittaker chatterjee-ruina";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {

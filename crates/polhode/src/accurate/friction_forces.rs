@@ -14,6 +14,7 @@ use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::rotation_row::RotationRow;
 use crate::pivots::PivotKinematics;
+use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
@@ -36,7 +37,8 @@ pub(super) struct FrictionContact {
     id: ContactId,
     geometry: ContactGeometry,
     terms: TangentialKinematics,
-    /// The direction in which it slides, and its coefficient; none when it sticks.
+    /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient; none
+    /// when it sticks.
     sliding: Option<(DVec3, f64)>,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
@@ -87,8 +89,10 @@ pub(super) fn friction_contacts(
         let sliding = match mode {
             FrictionMode::Sticking => None,
             FrictionMode::Sliding(slide) => {
-                let coefficient = world.friction_of(id.a, id.b).map_or(0.0, |friction| friction.sliding);
-                Some((slide.direction_of(terms.slip_velocity), coefficient))
+                let ellipse = world
+                    .friction_at(states, *id, terms.basis)
+                    .map_or_else(FrictionEllipse::default, |own| own.sliding);
+                Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
         let rotation = if active.rotation.is_empty() { DVec3::ZERO } else { world.relative_rotation(states, *id) };

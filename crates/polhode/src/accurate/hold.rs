@@ -242,20 +242,9 @@ impl Forces {
     /// of the problem, m/s^2.
     pub(super) fn relative_acceleration(&self, world: &World, states: &[BodyState], touch: &Touch) -> f64 {
         let geometry = &touch.kinematics.geometry;
-        let prescribed = world.prescribed_acceleration_of(self.t, states, touch.id, geometry);
-        let mut relative = touch.kinematics.acceleration_bias + prescribed;
-        for (body, linear, angular) in self.accelerations() {
-            let sign = if body == touch.id.a {
-                1.0
-            } else if body == touch.id.b {
-                -1.0
-            } else {
-                continue;
-            };
-            let arm = geometry.point - states[body].pose.translation;
-            relative += sign * geometry.normal.dot(linear + angular.cross(arm));
-        }
-        relative
+        let at = (self.t, states);
+        let along = (geometry, touch.kinematics.acceleration_bias);
+        world.relative_acceleration(at, touch.id, along, self.accelerations())
     }
 
     /// Bodies in equilibrium: net force and net moment are negligible against the sums of their magnitudes.

@@ -514,8 +514,9 @@ fn breaking(
     let begins_to_turn = !turning.is_empty();
     let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
-    let is_sudden =
-        |id: &ContactId| core.world.friction_of(id.a, id.b).is_some_and(|friction| friction.sliding < friction.at_rest);
+    let is_sudden = |id: &ContactId| {
+        core.world.friction_of(id.a, id.b).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
+    };
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
     if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {
         return Ok(change);

@@ -14,7 +14,7 @@ use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike, support};
+use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike};
 use crate::interaction::overlap::is_excess;
 use crate::interaction::projection::{self, Projected, Removal};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -168,11 +168,11 @@ impl Engine {
         kind: EventKind,
     ) {
         let outcome = &struck.outcome;
-        let impulses = struck.impulses(contacts.iter().map(|&i| &instant.touches[i]));
-        let work = core.world.prescribed_work(&self.states, impulses.clone());
+        let members: Vec<Touch> = contacts.iter().map(|&i| instant.touches[i]).collect();
+        let work = struck.work(&core.world, &self.states, &members);
         let about = core.accounts.books.ledger.momentum.about;
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
-        let given = support(&core.world, about, impulses) + by_pivots;
+        let given = struck.support(&core.world, about, &members) + by_pivots;
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;

@@ -245,7 +245,9 @@ impl<'a> ContactSystem<'a> {
     fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
         let contacts = self.contact_forces(held);
-        rates[19] = self.world.prescribed_work(self.states, contacts.clone());
+        let tangential = held.tangential.iter().map(|(id, along, force)| (*id, along, *force));
+        rates[19] = self.world.prescribed_work(self.states, contacts.clone())
+            + self.world.surface_work(self.states, tangential);
         let support = support(self.world, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);

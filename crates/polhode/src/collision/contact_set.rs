@@ -6,6 +6,7 @@
 use super::friction_mode::{FrictionCoefficients, FrictionMode, RotationalFriction};
 use super::turn::{RotationModes, Turn};
 use crate::prescribed_state;
+use crate::scene::{FrictionEllipse, GrainOf};
 use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{
     ContactFeature, ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation,
@@ -17,6 +18,10 @@ use polhode_spatial::{DVec3, Velocity};
 /// of the other body is found. A contact is dropped only when it has left its face by the whole touch distance, so that
 /// the two rules do not alternate.
 const COUNTERPART_FRACTION: f64 = 0.25;
+
+/// The sine of the angle between a grain and the normal of a contact below which it stands on end (no unit, 1e-12 to
+/// 1e-6): the direction of its projection would be rounding.
+const GRAIN_ON_END: f64 = 1e-9;
 
 /// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -146,9 +151,38 @@ impl World {
             return None;
         }
         let material = self.scene.pair_material(a, b);
-        let coefficients = FrictionCoefficients { at_rest: material.static_friction(), sliding: material.friction() };
+        let coefficients =
+            FrictionCoefficients { at_rest: material.static_ellipse(), sliding: material.friction_ellipse() };
         let resists_rotation = self.has_rotational_friction() && self.rotational_friction_of(a, b).is_some();
-        (coefficients.at_rest > 0.0 || resists_rotation).then_some(coefficients)
+        (coefficients.at_rest.largest() > 0.0 || resists_rotation).then_some(coefficients)
+    }
+
+    /// The coefficients of friction of a contact whose tangents are these; none without friction. Where the grain stands
+    /// on end, every direction is across it.
+    pub(crate) fn friction_at(
+        &self,
+        states: &[BodyState],
+        id: ContactId,
+        basis: [DVec3; 2],
+    ) -> Option<FrictionCoefficients> {
+        let coefficients = self.friction_of(id.a, id.b)?;
+        if !self.has_grain() || self.grain_in_plane(states, id, basis).is_some() {
+            return Some(coefficients);
+        }
+        let across = |ellipse: FrictionEllipse| FrictionEllipse::circle(ellipse.across);
+        Some(FrictionCoefficients { at_rest: across(coefficients.at_rest), sliding: across(coefficients.sliding) })
+    }
+
+    /// The direction of the grain of a contact in its tangent plane (unit vector, world); none without a grain, and
+    /// where it stands on end.
+    fn grain_in_plane(&self, states: &[BodyState], id: ContactId, basis: [DVec3; 2]) -> Option<DVec3> {
+        let grain = self.scene.pair_material(id.a, id.b).grain()?;
+        let body = if grain.of == GrainOf::Second { id.b } else { id.a };
+        let direction = states[body].pose.rotation.rotate(grain.direction);
+        let [x, y] = basis.map(|tangent| tangent * tangent.dot(direction));
+        let in_plane = x + y;
+        let length = in_plane.length();
+        (length > GRAIN_ON_END).then(|| in_plane / length)
     }
 
     /// The friction of rolling and spinning of two bodies; none without either.
@@ -167,13 +201,25 @@ impl World {
         self.velocity(id.a, &states[id.a]).angular - self.velocity(id.b, &states[id.b]).angular
     }
 
-    /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`].
+    /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`]. Of
+    /// contacts with a grain the first tangent is along it.
     pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         let (velocity_a, velocity_b) = (self.velocity(id.a, state_a), self.velocity(id.b, state_b));
         let (a, b) = ((shape_a, &state_a.pose, &velocity_a), (shape_b, &state_b.pose, &velocity_b));
-        polhode_contact::kinematics_with_tangential(id.feature, a.0, a.1, a.2, b.0, b.1, b.2).map(|(_, terms)| terms)
+        let found = polhode_contact::kinematics_with_tangential(id.feature, a.0, a.1, a.2, b.0, b.1, b.2);
+        let mut terms = found.map(|(_, terms)| terms)?;
+        if self.has_moving_surfaces() {
+            self.add_surface_slip(states, id, &mut terms);
+        }
+        if self.has_grain()
+            && let Some(along) = self.grain_in_plane(states, id, terms.basis)
+        {
+            let [x, y] = terms.basis;
+            terms.basis = [along, x.cross(y).cross(along)];
+        }
+        Some(terms)
     }
 
     /// In planar motion: the vector from the plane to a contact point that represents its mirror image too, m. None for

@@ -9,15 +9,16 @@
 //! slip vanishes, which an integrator of high order and the location of that instant need. Directions differ from that
 //! at the start of the step only where the slip leaves it by more than rounding.
 
+use crate::scene::FrictionEllipse;
 use polhode_spatial::DVec3;
 
 /// Coulomb's coefficients of a pair of bodies with friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FrictionCoefficients {
     /// Of a contact that sticks.
-    pub(crate) at_rest: f64,
+    pub(crate) at_rest: FrictionEllipse,
     /// Of a contact that slides.
-    pub(crate) sliding: f64,
+    pub(crate) sliding: FrictionEllipse,
 }
 
 /// Lengths (m) that give the largest moments of friction of a pair of bodies, times the normal force.

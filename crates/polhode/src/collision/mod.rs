@@ -6,12 +6,16 @@
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
 //! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
+//! | `friction_ellipse` | Coulomb's law along and across a grain |
+//! | `moving_surfaces` | what belts do to the slip of a contact, and the work of their drives |
 //! | `turn` | rolling and spinning of two bodies on each other, and whether friction holds them |
 //! | `active_contacts` | the active contacts of an island, with their friction |
 
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
 pub(crate) mod contact_set;
+mod friction_ellipse;
 pub(crate) mod friction_mode;
+mod moving_surfaces;
 pub(crate) mod narrow_phase;
 pub(crate) mod turn;

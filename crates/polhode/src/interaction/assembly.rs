@@ -335,6 +335,32 @@ impl ContactRows<'_> {
     }
 }
 
+impl World {
+    /// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms that
+    /// depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
+    pub(crate) fn relative_acceleration(
+        &self,
+        (t, states): (f64, &[BodyState]),
+        id: ContactId,
+        (geometry, bias): (&ContactGeometry, f64),
+        accelerations: impl Iterator<Item = (usize, DVec3, DVec3)>,
+    ) -> f64 {
+        let mut relative = bias + self.prescribed_acceleration_of(t, states, id, geometry);
+        for (body, linear, angular) in accelerations {
+            let sign = if body == id.a {
+                1.0
+            } else if body == id.b {
+                -1.0
+            } else {
+                continue;
+            };
+            let arm = geometry.point - states[body].pose.translation;
+            relative += sign * geometry.normal.dot(linear + angular.cross(arm));
+        }
+        relative
+    }
+}
+
 /// Linear and angular acceleration of a body without contact forces.
 pub(crate) fn free_acceleration(world: &World, states: &[BodyState], loads: &Loads, body: usize) -> (DVec3, DVec3) {
     let (state, load) = (&states[body], loads.of(body));

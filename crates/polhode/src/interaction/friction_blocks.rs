@@ -1,8 +1,11 @@
 //! The rows of an assembly in the blocks that Coulomb's law is stated for.
 //!
 //! An assembly holds all normal rows first, then those of pivots, then those along tangents. The solver takes the rows of
-//! one contact together. Solutions come back in the order of the assembly.
+//! one contact together. Solutions come back in the order of the assembly. Rows along and across a grain are scaled, so
+//! that their ellipse of friction becomes a circle (`crate::collision::friction_ellipse`), and their solutions scaled
+//! back.
 
+use crate::scene::FrictionEllipse;
 use polhode_response::friction::{
     ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction,
 };
@@ -18,6 +21,9 @@ pub(crate) struct FrictionBlocks {
     blocks: Vec<FrictionBlock>,
     /// The rows of the assembly, in the order of the blocks.
     rows: Vec<usize>,
+    /// What each row is multiplied by, so that the ellipse of friction along and across a grain becomes a circle. Empty
+    /// while all are 1.
+    scales: Vec<f64>,
 }
 
 /// Reactions and velocities (forces and accelerations) of all rows, in the order of the assembly.
@@ -35,6 +41,20 @@ impl FrictionBlocks {
     pub(crate) fn push(&mut self, block: FrictionBlock, rows: impl Iterator<Item = usize>) {
         self.blocks.push(block);
         self.rows.extend(rows);
+        if !self.scales.is_empty() {
+            self.scales.resize(self.rows.len(), 1.0);
+        }
+    }
+
+    /// Adds the block of a contact with its normal row and its tangents, friction along which lies in this ellipse.
+    pub(crate) fn push_contact(&mut self, ellipse: FrictionEllipse, normal: usize, tangents: Range<usize>) {
+        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: ellipse.largest() };
+        if tangents.is_empty() || ellipse.is_circle() {
+            return self.push(block, std::iter::once(normal).chain(tangents));
+        }
+        self.scales.resize(self.rows.len() + 1, 1.0);
+        self.scales.extend(ellipse.scales().iter().take(tangents.len()));
+        self.push(block, std::iter::once(normal).chain(tangents));
     }
 
     /// How many blocks.
@@ -56,24 +76,39 @@ impl FrictionBlocks {
     /// When a number is not finite.
     pub(crate) fn problem(&self, delassus: &Delassus, constants: &[f64]) -> Result<FrictionProblem, ResponseError> {
         let rows = &self.rows;
-        let matrix: Vec<f64> = rows.iter().flat_map(|&i| rows.iter().map(move |&j| delassus.get(i, j))).collect();
-        let constants = rows.iter().map(|&row| constants[row]).collect();
-        FrictionProblem::from_dense(self.blocks.clone(), &matrix, constants)
+        let mut matrix: Vec<f64> = rows.iter().flat_map(|&i| rows.iter().map(move |&j| delassus.get(i, j))).collect();
+        if !self.scales.is_empty() {
+            let pairs = self.scales.iter().flat_map(|x| self.scales.iter().map(move |y| x * y));
+            matrix.iter_mut().zip(pairs).for_each(|(entry, scale)| *entry *= scale);
+        }
+        FrictionProblem::from_dense(self.blocks.clone(), &matrix, self.of_rows(constants))
     }
 
-    /// Numbers in the order of the blocks, put into that of the assembly; rows without a block have zero.
-    pub(crate) fn in_rows(&self, of_blocks: &[f64]) -> Vec<f64> {
+    /// Reactions in the order of the blocks, put into that of the assembly; rows without a block have zero.
+    pub(crate) fn reactions_in_rows(&self, of_blocks: &[f64]) -> Vec<f64> {
+        self.in_rows(of_blocks, |value, scale| value * scale)
+    }
+
+    /// Velocities in the order of the blocks, put into that of the assembly, likewise.
+    pub(crate) fn velocities_in_rows(&self, of_blocks: &[f64]) -> Vec<f64> {
+        self.in_rows(of_blocks, |value, scale| value / scale)
+    }
+
+    fn in_rows(&self, of_blocks: &[f64], unscaled: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let rows = self.rows.iter().max().map_or(0, |row| row + 1);
         let mut of_rows = vec![0.0; rows];
-        for (&row, &value) in self.rows.iter().zip(of_blocks) {
-            of_rows[row] = value;
+        let scales = self.scales.iter().copied().chain(std::iter::repeat(1.0));
+        for ((&row, &value), scale) in self.rows.iter().zip(of_blocks).zip(scales) {
+            of_rows[row] = unscaled(value, scale);
         }
         of_rows
     }
 
-    /// Numbers of the rows of the assembly, put into the order of the blocks.
+    /// Velocities of the rows of the assembly, put into the order of the blocks.
     pub(crate) fn of_rows(&self, of_rows: &[f64]) -> Vec<f64> {
-        self.rows.iter().map(|&row| of_rows[row]).collect()
+        let mut of_blocks: Vec<f64> = self.rows.iter().map(|&row| of_rows[row]).collect();
+        of_blocks.iter_mut().zip(&self.scales).for_each(|(value, scale)| *value *= scale);
+        of_blocks
     }
 
     /// Solves for the reactions; `start` are reactions of a similar problem, in the order of the assembly.
@@ -88,10 +123,12 @@ impl FrictionBlocks {
         settings: &FrictionSettings,
     ) -> Result<RowSolution, ResponseError> {
         let problem = self.problem(delassus, constants)?;
-        let start: Option<Vec<f64>> = start.map(|start| self.rows.iter().map(|&row| start[row]).collect());
-        let zero = vec![0.0; self.rows.len()];
-        let start = start.as_deref().unwrap_or(&zero);
-        let solved = solve_friction(&problem, Some(start), settings)?;
+        let mut first = vec![0.0; self.rows.len()];
+        if let Some(start) = start {
+            first.iter_mut().zip(&self.rows).for_each(|(first, &row)| *first = start[row]);
+            first.iter_mut().zip(&self.scales).for_each(|(first, scale)| *first /= scale);
+        }
+        let solved = solve_friction(&problem, Some(&first), settings)?;
         let method = match solved.report.method {
             FrictionMethod::WarmNewton => Method::WarmStart,
             FrictionMethod::GaussSeidel | FrictionMethod::Newton => Method::ActiveSet,
@@ -105,8 +142,8 @@ impl FrictionBlocks {
             ..SolverReport::default()
         };
         Ok(RowSolution {
-            reactions: self.in_rows(&solved.reactions),
-            velocities: self.in_rows(&solved.velocities),
+            reactions: self.reactions_in_rows(&solved.reactions),
+            velocities: self.velocities_in_rows(&solved.velocities),
             statuses: solved.statuses,
             report,
         })

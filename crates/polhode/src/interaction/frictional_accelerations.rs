@@ -13,6 +13,7 @@ use super::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
+use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
@@ -76,6 +77,9 @@ pub(crate) struct ContactTangent {
     pub(crate) force_of_pair: DVec3,
     /// `u_T'`, m/s^2.
     pub(crate) slip_acceleration: DVec3,
+    /// Its coefficients of friction, and the tangents they are for.
+    coefficients: FrictionCoefficients,
+    basis: [DVec3; 2],
     /// The direction in which it slides already.
     pub(crate) sliding: Option<DVec3>,
     /// Whether the solver found that it slides, or slides already.
@@ -88,8 +92,9 @@ impl ContactTangent {
     /// several contacts of one pair may point a little apart without a difference to the motion; a slip that begins in
     /// such directions would turn at once. Where they nearly agree, that of their sum is taken for all.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
-        let own = (-self.force).try_normalize().or_else(|| self.slip_acceleration.try_normalize())?;
-        let together = (-self.force_of_pair).try_normalize();
+        let against = |force| self.coefficients.at_rest.slip_against(self.basis, force);
+        let own = against(self.force).or_else(|| self.slip_acceleration.try_normalize())?;
+        let together = against(self.force_of_pair);
         Some(together.filter(|together| (*together - own).length() < SAME_DIRECTION).unwrap_or(own))
     }
 }
@@ -109,34 +114,57 @@ struct Frictional {
     terms: TangentialKinematics,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
-    /// The direction in which it slides, and the coefficient there.
-    sliding: Option<(DVec3, f64)>,
+    /// How it slides; none when it sticks.
+    sliding: Option<Sliding>,
+}
+
+/// A contact that slides.
+#[derive(Debug, Clone, Copy)]
+struct Sliding {
+    /// The direction of its slip (unit vector, world).
+    direction: DVec3,
+    /// That of its row: what friction opposes. The direction of the slip, but with a grain.
+    row: DVec3,
+    /// The coefficient there.
+    coefficient: f64,
+}
+
+impl Sliding {
+    fn along(direction: DVec3, coefficients: &FrictionCoefficients, terms: &TangentialKinematics) -> Self {
+        let (row, coefficient) = coefficients.sliding.opposed(terms.basis, direction);
+        Self { direction, row, coefficient }
+    }
 }
 
 impl Frictional {
     fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
-        let coefficients = world.friction_of(touch.id.a, touch.id.b)?;
+        world.friction_of(touch.id.a, touch.id.b)?;
         let terms = world.tangential_kinematics(states, touch.id)?;
+        let coefficients = world.friction_at(states, touch.id, terms.basis)?;
         let sliding = match touch.friction {
             None | Some(FrictionMode::Sticking) => None,
-            Some(FrictionMode::Sliding(slide)) => Some((slide.direction_of(terms.slip_velocity), coefficients.sliding)),
+            Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
         };
+        let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
         let rotation = world.relative_rotation(states, touch.id);
         Some(Self { coefficients, terms, rotation, sliding })
     }
 
-    /// What its rows ask for together.
-    fn block(friction: Option<&Self>) -> FrictionBlock {
+    /// Adds the block of a contact with these rows: what they ask for together.
+    fn push_block(friction: Option<&Self>, blocks: &mut FrictionBlocks, normal: usize, tangents: Range<usize>) {
         match friction {
-            None => FrictionBlock::Contact { rows: 1, friction: 0.0 },
-            Some(Self { sliding: Some((_, friction)), .. }) => FrictionBlock::Sliding { friction: *friction },
-            Some(Self { coefficients, .. }) => FrictionBlock::Contact { rows: 3, friction: coefficients.at_rest },
+            None => blocks.push_contact(FrictionEllipse::default(), normal, tangents),
+            Some(Self { sliding: Some(sliding), .. }) => {
+                let block = FrictionBlock::Sliding { friction: sliding.coefficient };
+                blocks.push(block, std::iter::once(normal).chain(tangents));
+            }
+            Some(Self { coefficients, .. }) => blocks.push_contact(coefficients.at_rest, normal, tangents),
         }
     }
 
     /// The directions of its rows in the tangent plane.
     fn tangents(&self) -> Vec<DVec3> {
-        self.sliding.map_or_else(|| self.terms.basis.to_vec(), |(direction, _)| vec![direction])
+        self.sliding.map_or_else(|| self.terms.basis.to_vec(), |sliding| vec![sliding.row])
     }
 }
 
@@ -216,6 +244,7 @@ impl FrictionalAccelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
+        complete_slips((world, t, states), (contacts, frictional), (&assembly, &accelerations), &mut tangential);
         let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
@@ -239,8 +268,7 @@ fn blocks_of(
             friction.tangents().into_iter().map(row)
         });
         assembly.push_tangents(states, tangents)?;
-        let tangents = first..assembly.problem.len();
-        blocks.push(Frictional::block(friction.as_ref()), std::iter::once(normal).chain(tangents));
+        Frictional::push_block(friction.as_ref(), &mut blocks, normal, first..assembly.problem.len());
     }
     blocks.push_held(contacts.len()..assembly.first_tangent());
     Ok(blocks)
@@ -272,8 +300,9 @@ fn stuck(
     let mut tangents = forces.iter().skip(assembly.first_tangent());
     for (&normal, friction) in forces.iter().zip(frictional) {
         let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
-        let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| libm::hypot(sum, *force));
-        let limit = friction.as_ref().map_or(0.0, |friction| friction.coefficients.at_rest) * normal;
+        let tangential: Vec<f64> = tangents.by_ref().take(own).copied().collect();
+        let ellipse = friction.as_ref().map_or(FrictionEllipse::default(), |friction| friction.coefficients.at_rest);
+        let (tangential, limit) = (ellipse.length(&tangential), ellipse.largest() * normal);
         if normal < 0.0 || tangential > limit {
             return Ok(None);
         }
@@ -303,7 +332,7 @@ fn all_hold(
 ) -> Result<Option<(RowSolution, bool)>, ResponseError> {
     let friction = frictional.iter().map(|friction| match friction {
         None => RowFriction::Frictionless,
-        Some(Frictional { sliding: Some((_, coefficient)), .. }) => RowFriction::Slides(*coefficient),
+        Some(Frictional { sliding: Some(sliding), .. }) => RowFriction::Slides(sliding.coefficient),
         Some(Frictional { coefficients, .. }) => RowFriction::Sticks(coefficients.at_rest),
     });
     let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -522,8 +551,33 @@ fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), fricti
         force: sum(&solved.reactions),
         force_of_pair: DVec3::ZERO,
         slip_acceleration: sum(&solved.velocities),
-        sliding: friction.sliding.map(|(direction, _)| direction),
+        coefficients: friction.coefficients,
+        basis: friction.terms.basis,
+        sliding: friction.sliding.map(|sliding| sliding.direction),
         slides: solved.statuses.get(normal) == Some(&ContactStatus::Slide),
+    }
+}
+
+/// Gives contacts that slide the whole rate of their slip along its direction: their row is along what friction opposes,
+/// which with a grain is another one.
+fn complete_slips(
+    (world, t, states): (&World, f64, &[BodyState]),
+    (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+    (assembly, accelerations): (&Assembly, &[f64]),
+    tangential: &mut [Option<ContactTangent>],
+) {
+    if !world.has_grain() {
+        return;
+    }
+    for ((touch, friction), tangent) in contacts.iter().zip(frictional).zip(tangential) {
+        let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
+        let Some(Sliding { direction, row, .. }) = friction.sliding else { continue };
+        if row != direction {
+            let row = TangentRow::new(touch.id, &touch.kinematics.geometry, &friction.terms, direction);
+            let along = (&row.along, row.acceleration_bias);
+            let rate = world.relative_acceleration((t, states), row.id, along, assembly.split(accelerations));
+            tangent.slip_acceleration = direction * rate;
+        }
     }
 }
 
@@ -564,8 +618,9 @@ fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccel
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let growth = tangent.slip_acceleration.length();
         let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_RELATIVE * found.scale;
-        if slides && friction.coefficients.sliding < friction.coefficients.at_rest {
-            friction.sliding = tangent.begins_along().map(|direction| (direction, friction.coefficients.sliding));
+        if slides && friction.coefficients.sliding.is_below(friction.coefficients.at_rest) {
+            let along = |direction| Sliding::along(direction, &friction.coefficients, &friction.terms);
+            friction.sliding = tangent.begins_along().map(along);
             any |= friction.sliding.is_some();
         }
     }

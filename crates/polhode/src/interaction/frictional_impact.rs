@@ -3,23 +3,28 @@
 //! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
 //! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
 //! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
-//! kinetic friction. A scene may name another law for one contact alone ([`polhode_response::RestitutionLaw`]).
+//! kinetic friction. Friction of rolling and of spinning gives impulses of moments, bounded by its length times the normal
+//! impulse; an impact whose moments do not settle has the last ones found, and its status says so. A scene may name another law for one contact alone ([`polhode_response::RestitutionLaw`]).
 //!
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
+use super::rotation_row::RotationRow;
+use super::rotational_friction::{ResistedRotation, SettledRotations, settle_rotations};
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::scene::ImpactLaw;
+use crate::collision::turn::Turn;
+use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::FrictionBlock;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
-    MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, ResponseError,
+    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
+    ResponseError,
 };
+use polhode_spatial::DVec3;
 
 /// An impact with friction.
 #[derive(Debug)]
@@ -29,7 +34,9 @@ pub(crate) struct FrictionalImpact {
     pub(crate) outcome: ImpactOutcome,
     /// Impulses along tangents, N s: the contact with the tangent in the place of its normal, and the impulse on A.
     pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
-    /// Work of the impulses along tangents, J; negative when energy is lost.
+    /// Impulses of moments of friction of rolling and spinning on A, N m s, world.
+    pub(crate) moments: Vec<(ContactId, DVec3)>,
+    /// Work of the impulses along tangents and of moments, J; negative when energy is lost.
     pub(crate) friction_work_j: f64,
     /// The law of restitution that was kept.
     pub(crate) restitution: Restitution,
@@ -74,55 +81,129 @@ pub(crate) fn solve(
 ) -> Result<FrictionalImpact, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
-    let (blocks, before) = blocks_of(&mut assembly, world, states, contacts)?;
-    let mut restitution: Vec<f64> =
-        contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
-    // Pivots have no restitution.
-    restitution.resize(blocks.len(), 0.0);
-    let problem = blocks.problem(&assembly.problem.delassus(), &before)?;
-    let impact = MultipleFrictionalImpact {
-        contacts: &problem,
-        restitution: &restitution,
-        law: if law == ImpactLaw::Propagation { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
-        single: world.scene.method().restitution_law.unwrap_or_default(),
-        settings: &MultipleImpactSettings::default(),
+    let (blocks, mut before) = blocks_of(&mut assembly, world, states, contacts)?;
+    let mut rotations = match cause {
+        Cause::Collision => rotations_of(&mut assembly, world, states, contacts, &mut before)?,
+        Cause::Jam(..) => Vec::new(),
     };
-    let struck = match cause {
-        Cause::Collision => impact.resolve()?,
+    let delassus = assembly.problem.delassus();
+    let accelerations = match cause {
+        Cause::Collision => None,
         Cause::Jam(t, loads) => {
             let free = assembly.free_accelerations(world, states, loads);
             let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-            let accelerations = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-            impact.without_collision(&blocks.of_rows(&accelerations))?
+            Some(assembly.acceleration_constants(world, t, states, &free, kinematics)?)
         }
     };
-    let impulses = blocks.in_rows(&struck.impulses);
+    let strike = |blocks: &FrictionBlocks, before: &[f64], _: Option<&[f64]>| {
+        let mut restitution: Vec<f64> =
+            contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+        // Pivots and rotations have no restitution.
+        restitution.resize(blocks.len(), 0.0);
+        let in_order = law == ImpactLaw::Propagation;
+        let impact = MultipleFrictionalImpact {
+            contacts: &blocks.problem(&delassus, before)?,
+            restitution: &restitution,
+            law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
+            single: world.scene.method().restitution_law.unwrap_or_default(),
+            settings: &MultipleImpactSettings::default(),
+        };
+        let struck = match &accelerations {
+            None => impact.resolve()?,
+            Some(accelerations) => impact.without_collision(&blocks.of_rows(accelerations))?,
+        };
+        let reactions = blocks.reactions_in_rows(&struck.impulses);
+        Ok((struck, reactions))
+    };
+    if rotations.is_empty() {
+        let (struck, reactions) = strike(&blocks, &before, None)?;
+        let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
+        let friction_work_j = struck.friction_work.iter().sum();
+        let energy_change = struck.energy_change;
+        let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled: true };
+        return Ok(impact_of(assembly, contacts.len(), &struck, rows));
+    }
+    let settled = settle_rotations(&blocks, &mut rotations, (&delassus, &before), strike)?;
+    let SettledRotations { found, reactions, is_settled } = settled;
+    let given = delassus.times(&reactions)?;
+    let velocities_after: Vec<f64> = given.iter().zip(&before).map(|(by, before)| by + before).collect();
+    let works = reactions.iter().zip(before.iter().zip(&velocities_after));
+    let works: Vec<f64> = works.map(|(p, (before, after))| 0.5 * p * (before + after)).collect();
+    let energy_change = works.iter().sum();
+    let friction_work_j = works[assembly.first_tangent()..].iter().sum();
+    let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled };
+    Ok(impact_of(assembly, contacts.len(), &found, rows))
+}
+
+/// What an impact did to the rows of an assembly.
+#[derive(Debug)]
+struct StruckRows {
+    reactions: Vec<f64>,
+    velocities_after: Vec<f64>,
+    /// J.
+    energy_change: f64,
+    /// J.
+    friction_work_j: f64,
+    /// Whether moments of friction were found.
+    is_settled: bool,
+}
+
+/// The impact of the first rows of an assembly, those of `contacts`, and of its tangents, pivots and rotations.
+fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows: StruckRows) -> FrictionalImpact {
+    let StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled } = rows;
     let first = assembly.first_tangent();
-    let along = assembly.tangents().iter().zip(impulses.iter().skip(first));
-    let tangential = along.map(|(row, &impulse)| (row.id, row.along, impulse)).collect();
-    let applications = (0..contacts.len()).filter(|&row| impulses[row] != 0.0).map(|row| Application {
+    let tangential = assembly.of_tangents(&reactions).map(|(row, impulse)| (row.id, row.along, impulse)).collect();
+    let moments = assembly.of_rotations(&reactions).map(|(row, moment)| (row.id, row.axis * moment)).collect();
+    let applications = (0..contacts).filter(|&row| reactions[row] != 0.0).map(|row| Application {
         row,
-        impulse: impulses[row],
+        impulse: reactions[row],
         energy_change: struck.normal_work[row] + struck.friction_work[row],
     });
     let applications = applications.collect();
-    let friction_work_j: f64 = struck.friction_work.iter().sum();
+    let status = if is_settled { status_of(struck.status) } else { ImpactStatus::LimitReached };
     let outcome = ImpactOutcome {
         applications,
         finishing: Vec::new(),
-        velocities_after: blocks.in_rows(&struck.velocities_after).into_iter().take(first).collect(),
-        status: status_of(struck.status),
-        energy_change: struck.energy_change - friction_work_j,
+        velocities_after: velocities_after.into_iter().take(first).collect(),
+        status,
+        energy_change: energy_change - friction_work_j,
         solves: struck.solves,
         residual: struck.residual,
-        impulses: impulses.into_iter().take(first).collect(),
+        impulses: reactions.into_iter().take(first).collect(),
     };
     let restitution = match struck.status {
         _ if struck.energy_rises => Restitution::RaisesEnergy,
         MultipleImpactStatus::RestitutionLowered => Restitution::Lowered,
         _ => Restitution::Full,
     };
-    Ok(FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution })
+    FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution }
+}
+
+/// Adds the rows of rotations that friction resists, and their velocities before the impact (rad/s) to `before`.
+fn rotations_of(
+    assembly: &mut Assembly,
+    world: &World,
+    states: &[BodyState],
+    contacts: &[Touch],
+    before: &mut Vec<f64>,
+) -> Result<Vec<ResistedRotation>, ResponseError> {
+    let mut found = Vec::new();
+    if !world.has_rotational_friction() {
+        return Ok(found);
+    }
+    for (normal, touch) in contacts.iter().enumerate() {
+        for turn in Turn::ALL {
+            let Some(friction) = turn.friction(world, (touch.id.a, touch.id.b)) else { continue };
+            let Some(terms) = world.tangential_kinematics(states, touch.id) else { continue };
+            let first = assembly.problem.len();
+            let axes = turn.axes(touch.kinematics.geometry.normal, terms.basis).into_iter();
+            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow { id: touch.id, axis }).collect();
+            before.extend(axes.iter().map(|row| row.rate(world, states)));
+            assembly.push_rotations(axes.into_iter())?;
+            found.push(ResistedRotation { normal, rows: first..assembly.problem.len(), friction, turns: None });
+        }
+    }
+    Ok(found)
 }
 
 /// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots, and
@@ -137,17 +218,17 @@ fn blocks_of(
     before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
     let mut blocks = FrictionBlocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = world.friction_of(touch.id.a, touch.id.b).map_or(0.0, |friction| friction.sliding);
-        let terms = (friction > 0.0).then(|| world.tangential_kinematics(states, touch.id)).flatten();
+        let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);
+        let terms = friction.and_then(|_| world.tangential_kinematics(states, touch.id));
         let first = assembly.problem.len();
+        let mut ellipse = FrictionEllipse::default();
         if let Some(terms) = terms {
+            ellipse = world.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
             before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
         }
-        let tangents = first..assembly.problem.len();
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction };
-        blocks.push(block, std::iter::once(normal).chain(tangents));
+        blocks.push_contact(ellipse, normal, first..assembly.problem.len());
     }
     blocks.push_held(contacts.len()..assembly.first_tangent());
     Ok((blocks, before))

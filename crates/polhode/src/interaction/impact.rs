@@ -6,7 +6,7 @@ use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulse
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
-use crate::interaction::rotational_friction::{apply_moments, moment_work};
+use crate::interaction::rotational_friction::{apply_moments, moment_support, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::states_of::{set_states, states_of};
@@ -58,6 +58,8 @@ pub(crate) struct Struck {
     pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
     /// Impulses of friction, N s: the contact with a tangent in the place of its normal, and the impulse on A.
     pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
+    /// Impulses of moments of friction on A, N m s, world.
+    pub(crate) moments: Vec<(ContactId, DVec3)>,
     /// Energy lost to friction, J.
     pub(crate) friction_j: f64,
     /// Whether it gave the restitution asked for; without friction the status says so.
@@ -65,6 +67,25 @@ pub(crate) struct Struck {
 }
 
 impl Struck {
+    /// Work of prescribed motions and of surfaces that move, J.
+    pub(crate) fn work(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> f64 {
+        let moments = self.moments.iter().copied();
+        world.prescribed_work(states, self.impulses(contacts.iter()))
+            + world.surface_work(states, self.along_tangents())
+            + moment_work(world, states, moments)
+    }
+
+    /// Momentum that contacts give to the bodies that move, angular about a point.
+    pub(crate) fn support(&self, world: &World, about: DVec3, contacts: &[Touch]) -> Momentum {
+        let moments = self.moments.iter().copied();
+        support(world, about, self.impulses(contacts.iter())) + moment_support(world, moments)
+    }
+
+    /// Impulses at contacts along tangents.
+    pub(crate) fn along_tangents(&self) -> impl Iterator<Item = (ContactId, &ContactGeometry, f64)> + Clone {
+        self.tangential.iter().map(|(id, along, p)| (*id, along, *p))
+    }
+
     /// All impulses at contacts, which are in the order of the impact: along normals, then along tangents.
     pub(crate) fn impulses<'a>(
         &'a self,
@@ -72,7 +93,7 @@ impl Struck {
     ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone + 'a {
         let normal = contacts.zip(&self.outcome.impulses);
         let normal = normal.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p));
-        normal.chain(self.tangential.iter().map(|(id, along, p)| (*id, along, *p)))
+        normal.chain(self.along_tangents())
     }
 }
 
@@ -94,7 +115,7 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 const GAIN_ROUNDING: f64 = 1e-6;
 
 /// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
-/// energy increased by no more than the work of prescribed motions. Otherwise the states are unchanged.
+/// energy increased by no more than the work of prescribed motions and of surfaces that move (`by_surfaces`, J). Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],
@@ -103,13 +124,13 @@ pub(crate) fn apply_without_gain<'a>(
         impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
         impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
     ),
-    moments: &[(ContactId, DVec3)],
+    (moments, by_surfaces): (&[(ContactId, DVec3)], f64),
 ) -> bool {
     let start = states_of(states, bodies);
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
     let by_moments = moment_work(world, states, moments.iter().copied());
-    let work = world.prescribed_work(states, impulses.clone()) + by_moments;
+    let work = world.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces;
     apply_impulses(world, states, impulses);
     apply_pivot_impulses(world, states, pivots);
     apply_moments(world, states, moments.iter().copied());
@@ -171,7 +192,7 @@ pub(crate) fn strike(
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let pivots = assembly.pivot_forces(&outcome.impulses);
-            if apply_without_gain(world, states, &group.bodies, (impulses, pivots), &[]) {
+            if apply_without_gain(world, states, &group.bodies, (impulses, pivots), (&[], 0.0)) {
                 break;
             }
         }
@@ -186,7 +207,8 @@ pub(crate) fn strike(
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
     let restitution = Restitution::Full;
-    Ok(Struck { outcome, constraints, pivots, tangential: Vec::new(), friction_j: 0.0, restitution })
+    let (tangential, moments) = (Vec::new(), Vec::new());
+    Ok(Struck { outcome, constraints, pivots, tangential, moments, friction_j: 0.0, restitution })
 }
 
 /// [`strike`] where contacts have friction; also where they jam.
@@ -197,20 +219,23 @@ pub(crate) fn strike_with_friction(
     members: &[Touch],
     law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
-    let FrictionalImpact { assembly, outcome, tangential, friction_work_j, restitution } =
+    let FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution } =
         frictional_impact::solve(world, states, bodies, members, law)?;
     let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
-    let mut struck = Struck { outcome, constraints, pivots, tangential, friction_j: -friction_work_j, restitution };
+    let friction_j = -friction_work_j;
+    let mut struck = Struck { outcome, constraints, pivots, tangential, moments, friction_j, restitution };
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
         let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));
         if restitution == Restitution::RaisesEnergy {
             apply_impulses(world, states, impulses);
             apply_pivot_impulses(world, states, pivots);
+            apply_moments(world, states, struck.moments.iter().copied());
             return Ok(struck);
         }
-        if apply_without_gain(world, states, bodies, (impulses, pivots), &[]) {
+        let by_surfaces = world.surface_work(states, struck.along_tangents());
+        if apply_without_gain(world, states, bodies, (impulses, pivots), (&struck.moments, by_surfaces)) {
             return Ok(struck);
         }
     }

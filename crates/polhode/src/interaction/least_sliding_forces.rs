@@ -7,6 +7,7 @@
 
 use super::assembly::Assembly;
 use crate::collision::contact_set::Touch;
+use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
@@ -17,9 +18,9 @@ use std::ops::Range;
 pub(crate) enum RowFriction {
     /// It has none.
     Frictionless,
-    /// It sticks up to this coefficient: two rows along tangents.
-    Sticks(f64),
-    /// It slides with this coefficient: one row along its direction.
+    /// It sticks up to these coefficients: two rows along tangents.
+    Sticks(FrictionEllipse),
+    /// It slides with this coefficient: one row along what friction opposes.
     Slides(f64),
 }
 
@@ -59,13 +60,13 @@ pub(crate) fn least_sliding_forces(
     // Rows that are held first, then those along which contacts slide.
     let mut order: Vec<usize> = (0..first_tangent).collect();
     let mut slides = Vec::new();
-    let mut sticks: Vec<(usize, Range<usize>, f64)> = Vec::new();
+    let mut sticks: Vec<(usize, Range<usize>, FrictionEllipse)> = Vec::new();
     let mut first = first_tangent;
     for (normal, &friction) in friction.iter().enumerate() {
         match friction {
             RowFriction::Frictionless => {}
-            RowFriction::Sticks(coefficient) => {
-                sticks.push((normal, order.len()..order.len() + 2, coefficient));
+            RowFriction::Sticks(ellipse) => {
+                sticks.push((normal, order.len()..order.len() + 2, ellipse));
                 order.extend(first..first + 2);
             }
             RowFriction::Slides(coefficient) => slides.push((normal, first, coefficient)),
@@ -91,10 +92,9 @@ pub(crate) fn least_sliding_forces(
     let held_constants: Vec<f64> = order.iter().take(held).map(|&row| constants[row]).collect();
     let forces = least_norm_sliding_forces(&delassus, &held_constants, &sliding)?;
     let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
-    let slips = sticks.iter().any(|(normal, rows, coefficient)| {
-        let tangential = forces[rows.clone()].iter().fold(0.0, |sum: f64, force| libm::hypot(sum, *force));
-        tangential > coefficient * forces[*normal]
-    });
+    let slips = sticks
+        .iter()
+        .any(|(normal, rows, ellipse)| ellipse.length(&forces[rows.clone()]) > ellipse.largest() * forces[*normal]);
     let accelerations = delassus.times(&forces)?;
     let left = accelerations.iter().zip(&held_constants).fold(0.0, |most: f64, (w, b)| most.max((w + b).abs()));
     if pulls || slips || left > rounding(&delassus, &forces) {

@@ -326,7 +326,11 @@ pub(crate) fn project_velocities(
     apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
     let moments: Vec<_> = assembly.of_rotations(&multipliers).map(|(row, p)| (row.id, row.axis * p)).collect();
     apply_moments(world, states, moments.iter().copied());
-    let work_j = world.prescribed_work(states, impulses) + moment_work(world, states, moments.into_iter());
+    let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
+    let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
+    let work_j = world.prescribed_work(states, impulses)
+        + world.surface_work(states, along_tangents)
+        + moment_work(world, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
     Ok(RemovedVelocities { fastest: farthest(speeds.chain(pivots)), work_j })

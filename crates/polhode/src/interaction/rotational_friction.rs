@@ -8,7 +8,7 @@
 //!
 //! The lengths `c_r`, `c_s` (m) are the friction of rolling and of spinning. Source: docs/REFERENCES.md, Johnson 1985;
 //! Leine and Glocker 2003. Assumptions: the contact is a point, moments of friction do not depend on the speed, and
-//! they act while bodies press on each other, not at impacts.
+//! the impulse of a moment at an impact is bounded by the same length times the normal impulse.
 //!
 //! Method: rotations that are held are rows `w = 0` beside the contact problem. One whose moment exceeds its limit
 //! turns against that moment. The moments of those that turn follow the normal forces, by repeating the solve until
@@ -63,8 +63,68 @@ impl ResistedRotation {
     }
 }
 
-/// Solves contacts with rotations that friction resists. `blocks` hold all rows of `delassus` but those of `rotations`.
-/// Rotations that give way turn afterwards.
+/// Contacts with rotations that friction resists, solved.
+#[derive(Debug)]
+pub(crate) struct SettledRotations<S> {
+    /// What the last solve found.
+    pub(crate) found: S,
+    /// Reactions of all rows, moments included.
+    pub(crate) reactions: Vec<f64>,
+    /// Whether the moments no longer change. Otherwise all numbers are those of the last solve.
+    pub(crate) is_settled: bool,
+}
+
+/// Solves contacts with rotations that friction resists, each time by `solve`: it is given the blocks with rotations that
+/// are held, the constant terms with those of the moments of others, and the reactions of the solve before, and returns
+/// what it found with the reactions of the rows of the blocks. `blocks` hold all rows of `delassus` but those of
+/// `rotations`. Rotations that give way turn afterwards.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn settle_rotations<S>(
+    blocks: &FrictionBlocks,
+    rotations: &mut [ResistedRotation],
+    (delassus, constants): (&Delassus, &[f64]),
+    mut solve: impl FnMut(&FrictionBlocks, &[f64], Option<&[f64]>) -> Result<(S, Vec<f64>), ResponseError>,
+) -> Result<SettledRotations<S>, ResponseError> {
+    let mut moments = vec![0.0; constants.len()];
+    let mut start: Option<Vec<f64>> = None;
+    let mut solves = 0;
+    loop {
+        let mut with_held = blocks.clone();
+        for rotation in rotations.iter().filter(|rotation| rotation.turns.is_none()) {
+            with_held.push_held(rotation.rows.clone());
+        }
+        let moved: Vec<f64> = delassus.times(&moments)?.iter().zip(constants).map(|(by, own)| by + own).collect();
+        let (found, mut reactions) = solve(&with_held, &moved, start.as_deref())?;
+        reactions.resize(constants.len(), 0.0);
+        solves += 1;
+        let mut any = false;
+        for rotation in rotations.iter_mut() {
+            any |= rotation.gives_way(&reactions);
+        }
+        let before = std::mem::replace(&mut moments, vec![0.0; constants.len()]);
+        for rotation in rotations.iter() {
+            let limit = rotation.friction * reactions[rotation.normal].max(0.0);
+            for (row, direction) in rotation.rows.clone().zip(rotation.turns.iter().flatten()) {
+                moments[row] = -limit * direction;
+            }
+        }
+        let most = moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        let change = moments.iter().zip(&before).fold(0.0, |most: f64, (new, old)| most.max((new - old).abs()));
+        let is_settled = !any && change <= SETTLED * most;
+        if is_settled || solves == MOST_SOLVES {
+            let used = if is_settled { &moments } else { &before };
+            for (reaction, moment) in reactions.iter_mut().zip(used) {
+                *reaction += moment;
+            }
+            return Ok(SettledRotations { found, reactions, is_settled });
+        }
+        start = Some(reactions);
+    }
+}
+
+/// The forces of contacts with rotations that friction resists ([`settle_rotations`]).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -74,47 +134,23 @@ pub(crate) fn solve_with_rotations(
     delassus: &Delassus,
     constants: &[f64],
 ) -> Result<RowSolution, ResponseError> {
-    let mut moments = vec![0.0; constants.len()];
-    let mut start: Option<Vec<f64>> = None;
-    for _ in 0..MOST_SOLVES {
-        let mut with_held = blocks.clone();
-        for rotation in rotations.iter().filter(|rotation| rotation.turns.is_none()) {
-            with_held.push_held(rotation.rows.clone());
-        }
-        let moved: Vec<f64> = delassus.times(&moments)?.iter().zip(constants).map(|(by, own)| by + own).collect();
-        let mut solved = with_held.solve(delassus, &moved, start.as_deref(), &FrictionSettings::default())?;
-        solved.reactions.resize(constants.len(), 0.0);
-        let mut any = false;
-        for rotation in rotations.iter_mut() {
-            any |= rotation.gives_way(&solved.reactions);
-        }
-        let before = std::mem::replace(&mut moments, vec![0.0; constants.len()]);
-        for rotation in rotations.iter() {
-            let limit = rotation.friction * solved.reactions[rotation.normal].max(0.0);
-            for (row, direction) in rotation.rows.clone().zip(rotation.turns.iter().flatten()) {
-                moments[row] = -limit * direction;
-            }
-        }
-        let most = moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
-        let change = moments.iter().zip(&before).fold(0.0, |most: f64, (new, old)| most.max((new - old).abs()));
-        if !any && change <= SETTLED * most {
-            for (reaction, moment) in solved.reactions.iter_mut().zip(&moments) {
-                *reaction += moment;
-            }
-            let velocities = delassus.times(&solved.reactions)?;
-            solved.velocities.resize(constants.len(), 0.0);
-            for row in rotations.iter().filter(|one| one.turns.is_some()).flat_map(|one| one.rows.clone()) {
-                solved.velocities[row] = velocities[row] + constants[row];
-            }
-            return Ok(solved);
-        }
-        start = Some(solved.reactions);
+    let solve = |blocks: &FrictionBlocks, constants: &[f64], start: Option<&[f64]>| {
+        let mut solved = blocks.solve(delassus, constants, start, &FrictionSettings::default())?;
+        let reactions = std::mem::take(&mut solved.reactions);
+        Ok((solved, reactions))
+    };
+    let SettledRotations { found: mut solved, reactions, is_settled } =
+        settle_rotations(blocks, rotations, (delassus, constants), solve)?;
+    solved.reactions = reactions;
+    let velocities = delassus.times(&solved.reactions)?;
+    solved.velocities.resize(constants.len(), 0.0);
+    for row in rotations.iter().filter(|one| one.turns.is_some()).flat_map(|one| one.rows.clone()) {
+        solved.velocities[row] = velocities[row] + constants[row];
     }
-    let reactions = start.unwrap_or_default();
-    let velocities: Vec<f64> = delassus.times(&reactions)?.iter().zip(constants).map(|(by, own)| by + own).collect();
-    let mut solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
-    solved.report.status = SolverStatus::Inaccurate;
-    Ok(RowSolution { reactions, velocities, ..solved })
+    if !is_settled {
+        solved.report.status = SolverStatus::Inaccurate;
+    }
+    Ok(solved)
 }
 
 /// The length of a vector.

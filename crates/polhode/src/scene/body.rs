@@ -33,6 +33,7 @@ pub struct Body {
     pub(crate) velocity: Velocity,
     pub(crate) material: Material,
     pub(crate) pivot: Option<DVec3>,
+    pub(crate) surface_velocity: DVec3,
 }
 
 impl Body {
@@ -64,6 +65,7 @@ impl Body {
             velocity: Velocity::ZERO,
             material: Material::default(),
             pivot: None,
+            surface_velocity: DVec3::ZERO,
         }
     }
 
@@ -96,6 +98,18 @@ impl Body {
     pub fn material(mut self, material: Material) -> Self {
         self.material = material;
         self
+    }
+
+    /// With a surface that moves at this velocity (m/s, frame of the body) while its shape does not: a belt, the tracks of a
+    /// vehicle. At a contact its part in the tangent plane counts, and only friction feels it.
+    pub fn surface_velocity(mut self, velocity: DVec3) -> Self {
+        self.surface_velocity = velocity;
+        self
+    }
+
+    /// The velocity of its surface over its shape, m/s, in the frame of the body.
+    pub fn velocity_of_surface(&self) -> DVec3 {
+        self.surface_velocity
     }
 
     /// The point of the world at which the body is held, m.
@@ -163,6 +177,9 @@ impl Body {
         }
         if !self.velocity.is_finite() {
             return not_finite("its velocity");
+        }
+        if !self.surface_velocity.is_finite() {
+            return not_finite("its surface velocity");
         }
         if let Some(motion) = self.motion() {
             return self.check_kinematic(motion);

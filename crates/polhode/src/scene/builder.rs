@@ -134,6 +134,7 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
+        scene.check_grains()?;
         if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {
             return Err(SceneError::ThesisFriction);
         }

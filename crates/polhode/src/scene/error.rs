@@ -40,6 +40,60 @@ pub enum SceneError {
         /// The coefficient of kinetic friction.
         kinetic: f64,
     },
+    /// Coefficients of friction along and across a grain are not positive, or too different.
+    #[error(
+        "friction of material {material} is along = {along}, across = {across}: two finite positive numbers are \
+         needed, neither more than {ratio} times the other"
+    )]
+    FrictionEllipse {
+        /// The material.
+        material: String,
+        /// The coefficient along the grain.
+        along: f64,
+        /// That across it.
+        across: f64,
+        /// The largest ratio.
+        ratio: f64,
+    },
+    /// The direction of a grain is zero or not finite.
+    #[error(
+        "the direction of friction of material {material} is {direction:?}: a finite vector that is not zero is needed"
+    )]
+    GrainDirection {
+        /// The material.
+        material: String,
+        /// The vector found.
+        direction: [f64; 3],
+    },
+    /// Static friction along and across a grain for a material without one.
+    #[error(
+        "static friction of material {material} is given along and across a grain, but its friction has none: give \
+         friction = {{ along, across, direction }} too, or one number for static friction"
+    )]
+    StaticGrain {
+        /// The material.
+        material: String,
+    },
+    /// Two materials that may meet both have a grain, or it is not clear which of two bodies has it.
+    #[error(
+        "it is not clear whose grain friction of materials {} and {} is along: give the pair friction of its own, as a \
+         number, or with a direction where the materials differ (that of the first one)",
+        materials[0], materials[1]
+    )]
+    TwoGrains {
+        /// Their names.
+        materials: [String; 2],
+    },
+    /// A rule gives friction along and across a grain that neither material has.
+    #[error(
+        "friction of materials {} and {} is given along and across a grain, but neither has one: give the rule a \
+         direction, in the frame of bodies of the first material",
+        materials[0], materials[1]
+    )]
+    NoGrain {
+        /// Their names.
+        materials: [String; 2],
+    },
     /// Friction of rolling or spinning is negative or not finite.
     #[error("{kind}_friction of material {material} is {value}: a finite length of at least 0 m is needed")]
     RotationalFriction {

@@ -1,13 +1,16 @@
 //! Materials, and the friction and restitution of a pair of them.
 
 use super::SceneError;
+use super::grain::{FrictionEllipse, GivenFriction, Grain, GrainOf};
+use polhode_spatial::DVec3;
 
 /// Friction and restitution of a material, or of a pair of them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Material {
     name: String,
-    friction: f64,
-    static_friction: f64,
+    friction: FrictionEllipse,
+    static_friction: FrictionEllipse,
+    grain: Option<Grain>,
     restitution: f64,
     rolling_friction: f64,
     spinning_friction: f64,
@@ -23,7 +26,21 @@ impl Material {
         let name = name.into();
         check_friction(&name, friction)?;
         check_restitution(&name, restitution)?;
+        let friction = FrictionEllipse::circle(friction);
         Ok(Self { name, friction, static_friction: friction, restitution, ..Self::default() })
+    }
+
+    /// The same material with a grain: `direction`, of any length, in the frame of each body that is made of it, and the
+    /// coefficients of friction along and across it. They are both static and kinetic. Where the grain stands on end,
+    /// along the normal of a contact, every direction of slip is across it.
+    ///
+    /// # Errors
+    /// When a coefficient is not finite and positive, one is more than 1000 times the other, or the direction is zero or
+    /// not finite.
+    pub fn with_grain(self, direction: DVec3, friction: FrictionEllipse) -> Result<Self, SceneError> {
+        friction.check(&self.name)?;
+        let grain = Some(Grain::new(&self.name, direction)?);
+        Ok(Self { friction, static_friction: friction, grain, ..self })
     }
 
     /// The same material with a coefficient of static friction of its own.
@@ -31,7 +48,21 @@ impl Material {
     /// # Errors
     /// When it is not finite, or below the coefficient of kinetic friction.
     pub fn with_static_friction(self, static_friction: f64) -> Result<Self, SceneError> {
-        check_static_friction(&self.name, static_friction, self.friction)?;
+        check_static_friction(&self.name, static_friction, self.friction.largest())?;
+        Ok(Self { static_friction: FrictionEllipse::circle(static_friction), ..self })
+    }
+
+    /// The same material, which has a grain, with coefficients of static friction along and across it.
+    ///
+    /// # Errors
+    /// When it has no grain, or a coefficient is not finite or below that of kinetic friction in its direction.
+    pub fn with_static_ellipse(self, static_friction: FrictionEllipse) -> Result<Self, SceneError> {
+        if self.grain.is_none() {
+            return Err(SceneError::StaticGrain { material: self.name });
+        }
+        check_static_friction(&self.name, static_friction.along, self.friction.along)?;
+        check_static_friction(&self.name, static_friction.across, self.friction.across)?;
+        static_friction.check(&self.name)?;
         Ok(Self { static_friction, ..self })
     }
 
@@ -52,14 +83,41 @@ impl Material {
     }
 
     /// Coefficient of kinetic friction: a contact that slips bears a tangential force of this times its normal force.
+    /// With a grain: along it.
     pub fn friction(&self) -> f64 {
-        self.friction
+        self.friction.along
     }
 
     /// Coefficient of static friction: a contact that sticks bears a tangential force of at most this times its normal
-    /// force.
+    /// force. With a grain: along it.
     pub fn static_friction(&self) -> f64 {
+        self.static_friction.along
+    }
+
+    /// Coefficients of kinetic friction along and across the grain; without a grain both are the same.
+    pub fn friction_ellipse(&self) -> FrictionEllipse {
+        self.friction
+    }
+
+    /// Coefficients of static friction along and across the grain; without a grain both are the same.
+    pub fn static_ellipse(&self) -> FrictionEllipse {
         self.static_friction
+    }
+
+    /// The direction of the grain in the frame of the body, a unit vector; none without a grain. Of a pair of materials:
+    /// in the frame of the body whose grain it is.
+    pub fn grain_direction(&self) -> Option<DVec3> {
+        self.grain.map(|grain| grain.direction)
+    }
+
+    /// The grain, and of a pair of materials whose it is.
+    pub(crate) fn grain(&self) -> Option<Grain> {
+        self.grain
+    }
+
+    /// Whether friction is the same in all directions.
+    pub(super) fn is_isotropic(&self) -> bool {
+        self.friction.along == self.friction.across && self.static_friction.along == self.static_friction.across
     }
 
     /// Friction of rolling, m: the moment about an axis in the tangent plane is at most this times the normal force.
@@ -82,8 +140,9 @@ impl Material {
     pub fn combined(&self, other: &Self) -> Self {
         Self {
             name: String::new(),
-            friction: (self.friction * other.friction).sqrt(),
-            static_friction: (self.static_friction * other.static_friction).sqrt(),
+            friction: self.friction.combined(other.friction),
+            static_friction: self.static_friction.combined(other.static_friction),
+            grain: Grain::of_pair(self.grain, other.grain),
             restitution: self.restitution.max(other.restitution),
             rolling_friction: (self.rolling_friction * other.rolling_friction).sqrt(),
             spinning_friction: (self.spinning_friction * other.spinning_friction).sqrt(),
@@ -95,8 +154,8 @@ impl Material {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairRule {
     materials: [String; 2],
-    friction: Option<f64>,
-    static_friction: Option<f64>,
+    friction: Option<GivenFriction>,
+    static_friction: Option<FrictionEllipse>,
     restitution: Option<f64>,
     rolling_friction: Option<f64>,
     spinning_friction: Option<f64>,
@@ -113,7 +172,27 @@ impl PairRule {
         friction.map_or(Ok(()), |f| check_friction(&name, f))?;
         restitution.map_or(Ok(()), |e| check_restitution(&name, e))?;
         let (rolling_friction, spinning_friction) = (None, None);
-        Ok(Self { materials, friction, static_friction: friction, restitution, rolling_friction, spinning_friction })
+        let static_friction = friction.map(FrictionEllipse::circle);
+        let friction = friction.map(GivenFriction::Circle);
+        Ok(Self { materials, friction, static_friction, restitution, rolling_friction, spinning_friction })
+    }
+
+    /// The same rule with coefficients of friction along and across a grain, both static and kinetic. `direction` is in
+    /// the frame of the bodies of the first of the two materials; without it the grain is that of whichever of them has
+    /// one.
+    ///
+    /// # Errors
+    /// As [`Material::with_grain`], and when the rule is about one material with itself and gives a direction: it would
+    /// not be clear whose grain it is.
+    pub fn with_grain(self, direction: Option<DVec3>, friction: FrictionEllipse) -> Result<Self, SceneError> {
+        let name = self.name();
+        friction.check(&name)?;
+        let direction = direction.map(|direction| Grain::new(&name, direction)).transpose()?;
+        if direction.is_some() && self.materials[0] == self.materials[1] {
+            return Err(SceneError::TwoGrains { materials: self.materials });
+        }
+        let given = GivenFriction::Ellipse(friction, direction.map(|grain| grain.direction));
+        Ok(Self { friction: Some(given), static_friction: Some(friction), ..self })
     }
 
     /// The same rule with a coefficient of static friction of its own.
@@ -121,8 +200,37 @@ impl PairRule {
     /// # Errors
     /// When it is not finite, or below the coefficient of kinetic friction of the rule.
     pub fn with_static_friction(self, static_friction: f64) -> Result<Self, SceneError> {
-        check_static_friction(&self.materials.join(" on "), static_friction, self.friction.unwrap_or(0.0))?;
+        let kinetic = self.friction.map_or(0.0, |friction| friction.ellipse().largest());
+        check_static_friction(&self.name(), static_friction, kinetic)?;
+        Ok(Self { static_friction: Some(FrictionEllipse::circle(static_friction)), ..self })
+    }
+
+    /// The same rule with coefficients of static friction along and across the grain that the rule or one of the
+    /// materials gives.
+    ///
+    /// # Errors
+    /// As [`Material::with_static_ellipse`], and when the rule gives friction without a grain.
+    pub fn with_static_ellipse(self, static_friction: FrictionEllipse) -> Result<Self, SceneError> {
+        let name = self.name();
+        let kinetic = match self.friction {
+            Some(GivenFriction::Circle(_)) => return Err(SceneError::StaticGrain { material: name }),
+            Some(GivenFriction::Ellipse(ellipse, _)) => ellipse,
+            None => FrictionEllipse::default(),
+        };
+        check_static_friction(&name, static_friction.along, kinetic.along)?;
+        check_static_friction(&name, static_friction.across, kinetic.across)?;
+        static_friction.check(&name)?;
         Ok(Self { static_friction: Some(static_friction), ..self })
+    }
+
+    /// Both names, for messages.
+    fn name(&self) -> String {
+        self.materials.join(" on ")
+    }
+
+    /// Whether it gives friction along and across a grain.
+    pub(super) fn has_grain(&self) -> bool {
+        matches!(self.friction, Some(GivenFriction::Ellipse(..)))
     }
 
     /// The same rule with friction of rolling and of spinning, m; `None` keeps the default rule.
@@ -140,10 +248,18 @@ impl PairRule {
     pub(super) fn apply(&self, a: &Material, b: &Material, combined: &mut Material) {
         let [first, second] = &self.materials;
         if (first == &a.name && second == &b.name) || (first == &b.name && second == &a.name) {
-            combined.friction = self.friction.unwrap_or(combined.friction);
+            match self.friction {
+                None | Some(GivenFriction::Ellipse(_, None)) => {}
+                Some(GivenFriction::Circle(_)) => combined.grain = None,
+                Some(GivenFriction::Ellipse(_, Some(direction))) => {
+                    let of = if first == &a.name { GrainOf::First } else { GrainOf::Second };
+                    combined.grain = Some(Grain { direction, of });
+                }
+            }
+            combined.friction = self.friction.map_or(combined.friction, GivenFriction::ellipse);
             // A rule for static friction alone may be below the kinetic friction of the two materials.
             let static_friction = self.static_friction.unwrap_or(combined.static_friction);
-            combined.static_friction = static_friction.max(combined.friction);
+            combined.static_friction = static_friction.including(combined.friction);
             combined.restitution = self.restitution.unwrap_or(combined.restitution);
             combined.rolling_friction = self.rolling_friction.unwrap_or(combined.rolling_friction);
             combined.spinning_friction = self.spinning_friction.unwrap_or(combined.spinning_friction);

@@ -9,6 +9,7 @@
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
 //! | `geometry` | [`Geometry`]: the shape of a body |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
+//! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices |
@@ -20,6 +21,7 @@ mod builder;
 mod error;
 mod force;
 mod geometry;
+mod grain;
 mod material;
 mod method;
 pub mod motion;
@@ -31,6 +33,8 @@ pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use geometry::Geometry;
+pub use grain::FrictionEllipse;
+pub(crate) use grain::GrainOf;
 pub use material::{Material, PairRule};
 pub use method::{
     BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
@@ -169,6 +173,11 @@ impl Scene {
             rule.apply(ma, mb, &mut combined);
         }
         combined
+    }
+
+    /// Whether the surface of any body moves.
+    pub(crate) fn has_moving_surfaces(&self) -> bool {
+        self.bodies.iter().any(|body| body.surface_velocity != DVec3::ZERO)
     }
 
     /// Whether any two bodies may collide.

@@ -1,10 +1,12 @@
-//! The number of pairs of bodies that may collide, their largest restitution and friction, without a loop over all pairs.
+//! The number of pairs of bodies that may collide, their largest restitution and friction, and whether friction of each has
+//! one grain at most, without a loop over all pairs.
 //!
 //! Bodies form a class when they have the same material and the same `no_contact` groups and are all fixed or all
 //! movable. The number of pairs of two materials is the product of the numbers of their bodies, less the pairs of two
 //! bodies that no force moves, less the pairs that share a group.
 
-use super::Scene;
+use super::grain::{Grain, GrainOf};
+use super::{Material, PairRule, Scene, SceneError};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The pairs of bodies that may collide.
@@ -36,9 +38,10 @@ impl CollidingPairs {
 }
 
 impl Scene {
-    /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
-    pub(crate) fn colliding(&self) -> CollidingPairs {
-        let mut materials: BTreeMap<(&str, [u64; 5]), (usize, usize)> = BTreeMap::new();
+    /// For every two materials of which bodies may collide: two such bodies, and
+    /// how many pairs of them there are. Takes `O(n log n)` for n bodies of a few materials.
+    fn counted_material_pairs(&self) -> Vec<((usize, usize), usize)> {
+        let mut materials: BTreeMap<(&str, [u64; 10]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -54,14 +57,7 @@ impl Scene {
         {
             let own = &self.bodies[body].material;
             let number = materials.len();
-            let coefficients = [
-                own.restitution(),
-                own.friction(),
-                own.static_friction(),
-                own.rolling_friction(),
-                own.spinning_friction(),
-            ];
-            let key = (own.name(), coefficients.map(f64::to_bits));
+            let key = (own.name(), numbers_of(own).map(f64::to_bits));
             let (material, _) = *materials.entry(key).or_insert((number, body));
             let class = Class { material, is_fixed: self.bodies[body].is_fixed(), groups };
             *classes.entry(class).or_default() += 1;
@@ -75,17 +71,72 @@ impl Scene {
                 *allowed -= excluded;
             }
         }
+        let allowed = allowed.into_iter().filter(|&(_, count)| count > 0);
+        allowed.map(|((x, y), count)| ((examples[x].1, examples[y].1), count)).collect()
+    }
+
+    /// Two bodies of every two materials of which bodies may collide.
+    pub(super) fn material_pairs(&self) -> Vec<(usize, usize)> {
+        self.counted_material_pairs().into_iter().map(|(pair, _)| pair).collect()
+    }
+
+    /// Checks that every contact has one grain at most.
+    ///
+    /// # Errors
+    /// When two materials that may meet both have a grain, or a rule for them asks for one that neither has.
+    pub(crate) fn check_grains(&self) -> Result<(), SceneError> {
+        let names = |a: usize, b: usize| [a, b].map(|body| self.bodies[body].material.name().to_owned());
+        for (a, b) in self.material_pairs() {
+            let material = self.pair_material(a, b);
+            match material.grain() {
+                Some(Grain { of: GrainOf::Both, .. }) => return Err(SceneError::TwoGrains { materials: names(a, b) }),
+                None if !material.is_isotropic() => return Err(SceneError::NoGrain { materials: names(a, b) }),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether friction of two bodies that may collide depends on the direction.
+    pub(crate) fn has_grain(&self) -> bool {
+        let has_grain = |material: &Material| material.grain().is_some();
+        let is_used =
+            self.bodies.iter().any(|body| has_grain(&body.material)) || self.pair_rules.iter().any(PairRule::has_grain);
+        is_used && self.material_pairs().into_iter().any(|(a, b)| has_grain(&self.pair_material(a, b)))
+    }
+
+    /// Counts the pairs of bodies that may collide, in `O(n log n)` for n bodies of a few materials.
+    pub(crate) fn colliding(&self) -> CollidingPairs {
         let mut found = CollidingPairs::default();
-        for ((x, y), count) in allowed.into_iter().filter(|&(_, count)| count > 0) {
+        for ((a, b), count) in self.counted_material_pairs() {
             found.count += count;
-            let material = self.pair_material(examples[x].1, examples[y].1);
+            let material = self.pair_material(a, b);
             found.largest_restitution = found.largest_restitution.max(material.restitution());
-            found.largest_friction = found.largest_friction.max(material.static_friction());
+            found.largest_friction = found.largest_friction.max(material.static_ellipse().largest());
             let rotational = material.rolling_friction().max(material.spinning_friction());
             found.largest_rotational_friction = found.largest_rotational_friction.max(rotational);
         }
         found
     }
+}
+
+/// All numbers of a material.
+fn numbers_of(material: &Material) -> [f64; 10] {
+    let (kinetic, at_rest) = (material.friction_ellipse(), material.static_ellipse());
+    // A direction has length one: zero stands for none.
+    let grain = material.grain_direction().unwrap_or_default();
+    [
+        material.restitution(),
+        kinetic.along,
+        kinetic.across,
+        at_rest.along,
+        at_rest.across,
+        material.rolling_friction(),
+        material.spinning_friction(),
+        grain.x,
+        grain.y,
+        grain.z,
+    ]
 }
 
 /// For every two materials (the smaller index first) the number of pairs of which forces move at least one body.

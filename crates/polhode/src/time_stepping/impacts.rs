@@ -14,7 +14,7 @@ use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::turn::RotationModes;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
-use crate::interaction::impact::{Struck, strike, support};
+use crate::interaction::impact::{Struck, strike};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -106,9 +106,8 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
-    let impulses = struck.impulses(touches.iter());
-    let given = support(world, report.books.ledger.momentum.about, impulses.clone());
-    let work = world.prescribed_work(states, impulses);
+    let given = struck.support(world, report.books.ledger.momentum.about, touches);
+    let work = struck.work(world, states, touches);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,

@@ -256,7 +256,9 @@ fn note(
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
         let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near))
             + moment_support(world, moments());
-        let work = world.prescribed_work(states, group.impulses_of(rows, near)) + moment_work(world, states, moments());
+        let work = world.prescribed_work(states, group.impulses_of(rows, near))
+            + moment_work(world, states, moments())
+            + group.work_of_surfaces(world, states);
         let lost_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);
         let changes = (group.energy_change(world, states, rows, near), lost_j);
         report.books.impact(changes, given, work);
@@ -329,6 +331,11 @@ impl SolvedGroup {
         self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
+    /// Work of surfaces that move, J.
+    fn work_of_surfaces(&self, world: &World, states: &[BodyState]) -> f64 {
+        world.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
+    }
+
     /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
     fn lost_to_moments_j(&self, world: &World, states: &[BodyState]) -> f64 {
         let lost = |moment: &SustainedMoment| moment.lost_j(world, states);
@@ -339,7 +346,8 @@ impl SolvedGroup {
     fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
         let impulses = (self.impulses_of(rows, near), std::iter::empty());
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
-        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, &moments);
+        let given = (&moments[..], self.work_of_surfaces(world, states));
+        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, given);
         if !is_sound {
             self.impulses.fill(0.0);
             self.tangential.clear();

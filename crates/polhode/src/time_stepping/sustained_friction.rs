@@ -23,10 +23,11 @@ use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::friction_blocks::FrictionBlocks;
 use crate::interaction::rotation_row::RotationRow;
 use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
+use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings};
+use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{Delassus, ResponseError, SolverReport};
 use polhode_spatial::DVec3;
 use std::ops::Range;
@@ -72,8 +73,9 @@ impl TangentialRow {
         id: ContactId,
         kinematics: &ContactKinematics,
     ) -> Option<Self> {
-        let coefficients = world.friction_of(id.a, id.b)?;
+        world.friction_of(id.a, id.b)?;
         let terms = world.tangential_kinematics(states, id)?;
+        let coefficients = world.friction_at(states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
         let rotational = Turn::ALL.map(|turn| turn.friction(world, (id.a, id.b)));
@@ -92,7 +94,7 @@ impl TangentialRow {
     pub(super) fn with_rates(self, rates: [f64; 2], h: f64, half_fall: f64) -> Self {
         let change = rates.map(|rate| 0.5 * h * rate);
         let at_start = libm::hypot(self.slip[0] - change[0], self.slip[1] - change[1]);
-        let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest * half_fall.abs();
+        let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest.largest() * half_fall.abs();
         let sticks = at_start <= STICKING_RELATIVE * given;
         let whole = Self { half_change: change, sticks, ..self };
         let share = whole.share();
@@ -117,13 +119,13 @@ impl TangentialRow {
     }
 
     /// The coefficient that limits its force at first.
-    fn coefficient(&self) -> f64 {
+    fn coefficient(&self) -> FrictionEllipse {
         if self.sticks { self.coefficients.at_rest } else { self.coefficients.sliding }
     }
 
     /// Whether its kinetic coefficient is another than the one at first.
     fn is_held_by_static_friction(&self) -> bool {
-        self.sticks && self.coefficients.sliding < self.coefficients.at_rest
+        self.sticks && self.coefficients.sliding.is_below(self.coefficients.at_rest)
     }
 
     /// The axes of its rows of rotation of each kind that friction resists, with that friction (m).
@@ -271,9 +273,8 @@ fn resisted_rotations(
 fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> FrictionBlocks {
     let mut blocks = FrictionBlocks::default();
     for (normal, (friction, tangents)) in friction.iter().zip(rows).enumerate() {
-        let coefficient = friction.map_or(0.0, |friction| friction.coefficient());
-        let block = FrictionBlock::Contact { rows: 1 + tangents.len(), friction: coefficient };
-        blocks.push(block, std::iter::once(normal).chain(tangents.clone()));
+        let ellipse = friction.map_or(FrictionEllipse::default(), |friction| friction.coefficient());
+        blocks.push_contact(ellipse, normal, tangents.clone());
     }
     blocks
 }

@@ -39,6 +39,21 @@ impl FrictionKinds {
     }
 }
 
+/// What surfaces do besides friction that is the same in all directions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct SurfaceEffects {
+    /// Friction of two bodies that may collide depends on the direction.
+    have_grain: bool,
+    /// The surface of a body moves.
+    are_driven: bool,
+}
+
+impl SurfaceEffects {
+    fn of(scene: &Scene) -> Self {
+        Self { have_grain: scene.has_grain(), are_driven: scene.has_moving_surfaces() }
+    }
+}
+
 /// All bodies of a scene, the scene, and what acts on the bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct World {
@@ -69,6 +84,8 @@ pub(crate) struct World {
     pub(super) collides: bool,
     /// The friction of bodies that may collide.
     pub(super) friction: FrictionKinds,
+    /// What else their surfaces do.
+    pub(super) surfaces: SurfaceEffects,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
@@ -81,6 +98,16 @@ impl World {
     /// Whether any two bodies that may collide have friction.
     pub(crate) fn has_friction(&self) -> bool {
         self.friction != FrictionKinds::None
+    }
+
+    /// Whether friction of any two depends on the direction.
+    pub(crate) fn has_grain(&self) -> bool {
+        self.surfaces.have_grain
+    }
+
+    /// Whether the surface of any body moves.
+    pub(crate) fn has_moving_surfaces(&self) -> bool {
+        self.surfaces.are_driven
     }
 
     /// Whether any two have friction of rolling or spinning.
@@ -122,6 +149,7 @@ impl World {
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             friction: FrictionKinds::of(scene),
+            surfaces: SurfaceEffects::of(scene),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
             plane: None,
@@ -163,6 +191,7 @@ impl World {
         self.scene.bodies.push(body);
         self.collides = self.scene.any_may_collide();
         self.friction = FrictionKinds::of(&self.scene);
+        self.surfaces = SurfaceEffects::of(&self.scene);
         self.make_fields()?;
         Ok((number, state))
     }

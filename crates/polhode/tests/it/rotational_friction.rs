@@ -143,3 +143,37 @@ fn run_goes_on_with_the_same_bits() {
     let scene = on_slope(slope(0.1, 0.3), body, &felt(0.2, 0.01, 0.02)).duration_s(3.0).build().unwrap();
     snapshots::check_restored_runs(&scene, Effects::Planned);
 }
+
+/// A ball that bounces while it rolls loses spin: with the normal impulse `p = m (1 + e) w` the moment gives `c p`, and
+/// rolling without slip the speed falls by `c p/(m R (1 + k))`. One whose roll the moment can stop is stopped, and does
+/// not turn back; one that spins loses `c_s p/(k m R^2)`.
+#[test]
+fn ball_that_bounces_loses_spin() {
+    let (e, drop, friction) = (0.5, 0.8, 0.003);
+    let rubber = Material::new("rubber", 0.9, e).expect("a material");
+    let rubber = rubber.with_rotational_friction(friction, 2.0 * friction).expect("lengths");
+    let impulse = (1.0 + e) * drop;
+    let change = friction * impulse / (RADIUS * (1.0 + K));
+    let spin_change = 2.0 * friction * impulse / (K * RADIUS * RADIUS);
+    for method in [accurate(), stepped()] {
+        for (speed, spin) in [(1.0, 2.0), (0.3 * change, 0.5 * spin_change), (-0.4, -1.0), (0.0, 0.0)] {
+            let turning = DVec3::new(0.0, speed / RADIUS, spin);
+            let body = round(K, RADIUS, Velocity::new(DVec3::new(speed, 0.0, -drop), turning));
+            let scene = on_slope(Rotation::IDENTITY, body, &rubber).method(method.clone());
+            let scene = scene.gravity(DVec3::ZERO).duration_s(0.01).build().expect("a scene");
+            let (report, _) = run(&scene, Effects::Planned);
+            let after = report.bodies[0].1.velocity;
+            let less = |value: f64, change: f64| value.signum() * (value.abs() - change).max(0.0);
+            let (speed_after, spin_after) = (less(speed, change), less(spin, spin_change));
+            let expected = DVec3::new(speed_after, 0.0, e * drop);
+            assert!((after.linear - expected).length() < 1e-11, "{after:?} {expected}");
+            assert!((after.angular - DVec3::new(0.0, speed_after / RADIUS, spin_after)).length() < 1e-10, "{after:?}");
+            assert!(report.warnings.is_empty(), "{:?}", report.warnings);
+            let lost = report.ledger.friction.value();
+            let kinetic = |speed: f64, spin: f64| 0.5 * (1.0 + K) * speed * speed + 0.5 * K * (RADIUS * spin).powi(2);
+            let expected = kinetic(speed, spin) - kinetic(speed_after, spin_after);
+            assert!((lost - expected).abs() < 1e-11, "{lost} {expected}");
+            assert_closes(&report);
+        }
+    }
+}

@@ -13,8 +13,8 @@
 //! The initial pose of a sine is the centre of the oscillation; the pose at t = 0 differs from it by `s = sin(phase)`.
 //! Before the first and after the last sample of a table the body stands still.
 //!
-//! A constant velocity moves the body itself. A conveyor belt, whose surface moves while its shape stays in place, acts
-//! on bodies by friction alone; without friction it is a fixed body.
+//! A constant velocity moves the body itself. A conveyor belt, whose surface moves while its shape stays in place, is
+//! a body with a [`surface_velocity`](crate::Body::surface_velocity).
 //!
 //! | module | holds |
 //! |---|---|
