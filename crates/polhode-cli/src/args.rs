@@ -19,7 +19,7 @@ pub(crate) struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what its method \
-     promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C.";
+     promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C; 143 SIGTERM.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -154,7 +154,7 @@ pub(crate) enum RunPlotArg {
 /// Where and when checkpoints are written.
 #[derive(Debug, Args)]
 pub(crate) struct CheckpointArgs {
-    /// Writes a checkpoint at the first step end after every S seconds of simulated time, and at Ctrl-C
+    /// Writes a checkpoint at the first step end after every S seconds of simulated time, and at Ctrl-C or SIGTERM
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) checkpoint_every: Option<f64>,
     /// Where checkpoints are written, one over the other; alone: at Ctrl-C [default: the scene file's name with the ending

@@ -1,9 +1,10 @@
 //! What went wrong, and the exit code it means.
 
 use crate::harmless::harmless;
+use crate::terminal;
 use crate::verbosity::{self, Verbosity};
 use polhode_scene::{CheckpointError, CompareError, MeshFileError, OutputError, SceneFileError};
-use std::io::{self, Write};
+use std::io;
 use std::process::ExitCode;
 
 /// Exit code of a check that failed, or of a run that diverged or is degraded.
@@ -18,6 +19,10 @@ const INPUT_OUTPUT: u8 = 3;
 /// Exit code of a run that Ctrl-C has ended: 128 and the number of the signal, as shells have it.
 pub(crate) const INTERRUPTED: u8 = 130;
 
+/// Exit code of a run that SIGTERM has ended: likewise.
+#[cfg(unix)]
+pub(crate) const TERMINATED: u8 = 143;
+
 /// Why the program ends without success.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -29,8 +34,8 @@ pub(crate) enum Failure {
     Usage(String),
     /// Reading or writing failed.
     InputOutput(String),
-    /// Ctrl-C.
-    Interrupted(String),
+    /// Ctrl-C or SIGTERM: what was reached, and the exit code.
+    Interrupted(String, u8),
     /// Whoever read the results has stopped reading.
     StdoutClosed,
 }
@@ -43,7 +48,7 @@ impl Failure {
             | Self::Degraded(message)
             | Self::Usage(message)
             | Self::InputOutput(message)
-            | Self::Interrupted(message) => message,
+            | Self::Interrupted(message, _) => message,
             Self::StdoutClosed => "",
         }
     }
@@ -54,7 +59,7 @@ impl Failure {
             Self::Check(_) | Self::Degraded(_) => CHECK,
             Self::Usage(_) => USAGE,
             Self::InputOutput(_) => INPUT_OUTPUT,
-            Self::Interrupted(_) => INTERRUPTED,
+            Self::Interrupted(_, code) => *code,
             Self::StdoutClosed => 0,
         }
     }
@@ -70,7 +75,7 @@ impl Failure {
 
 /// Prints a message to stderr; when that is closed there is nobody to tell.
 pub(crate) fn note(message: &str) {
-    let _ = writeln!(io::stderr(), "{}", harmless(message));
+    terminal::message(&harmless(message));
 }
 
 /// Prints what is good to know to stderr, unless the command line asks for quiet.

@@ -2,7 +2,7 @@
 //!
 //! Results go to stdout, progress (a bar on a terminal, else a line every ten seconds) and messages to stderr. Exit
 //! codes: 0 fine; 1 a check failed, the run diverged or has not kept the promise of its tier (`degraded`); 2 usage or a
-//! bad scene; 3 input or output; 130 interrupted. The clock is read here and nowhere else.
+//! bad scene; 3 input or output; 130 Ctrl-C, 143 SIGTERM. The clock is read here and nowhere else.
 //!
 //! | module | holds |
 //! |---|---|
@@ -16,8 +16,10 @@
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
 //! | `plots` | the plots of a run over time |
-//! | `watch` | the observer of a run: tells outputs and pictures; Ctrl-C |
+//! | `watch` | the observer of a run: tells outputs and pictures |
+//! | `interrupt` | Ctrl-C and SIGTERM |
 //! | `progress`, `verbosity` | progress of long work; how much is said on stderr |
+//! | `terminal` | stderr: messages, and the line that is drawn again |
 //! | `examples` | the shipped scenes, inside the program; new scenes |
 //! | `help` | examples below the help of each command |
 //! | `inputs` | files that an output never replaces |
@@ -52,6 +54,7 @@ mod harmless;
 mod heading;
 mod help;
 mod inputs;
+mod interrupt;
 mod mesh;
 mod pictures;
 mod plan;
@@ -61,6 +64,7 @@ mod run;
 mod run_files;
 mod scene;
 mod stdout;
+mod terminal;
 mod text;
 mod verbosity;
 mod view;

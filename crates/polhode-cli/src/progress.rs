@@ -3,12 +3,9 @@
 //! The work only leaves behind where it is. A thread of its own reads that and tells it, so that a step that takes
 //! minutes is not silent either. What is printed on stdout never depends on it.
 
-use crate::failure;
 use crate::text::number;
 use crate::verbosity::{self, Verbosity};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::fmt::Write as _;
-use std::io::IsTerminal;
+use crate::{failure, terminal};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -23,8 +20,14 @@ const BETWEEN_DRAWINGS: Duration = Duration::from_millis(200);
 /// Between two looks at the energies of a run, which cost a report.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(2);
 
-/// Parts that the bar divides a duration into.
-const PARTS: f64 = 1000.0;
+/// Shortest and longest bar, columns with its brackets: a shorter one says nothing, a longer one no more.
+const BAR: (usize, usize) = (10, 42);
+
+/// Digits of the time reached, counted from the first one of the duration: a slow run still moves.
+const DIGITS: usize = 7;
+
+/// Durations outside of these, s, are written as powers of ten.
+const PLAIN_S: (f64, f64) = (1e-3, 1e9);
 
 /// What is being done.
 #[derive(Debug, Clone, Copy)]
@@ -53,13 +56,30 @@ struct Shared {
 #[derive(Debug)]
 pub(crate) struct Progress {
     shared: Arc<Shared>,
-    bar: Option<ProgressBar>,
     teller: Option<JoinHandle<()>>,
+}
+
+/// How progress is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Telling {
+    /// One line that is drawn again, on a terminal.
+    Drawn,
+    /// A line now and then.
+    Lines,
 }
 
 impl Progress {
     /// Of work that has just begun.
     pub(crate) fn new(what: &'static str) -> Self {
+        Self::told(what, if terminal::width().is_some() { Telling::Drawn } else { Telling::Lines })
+    }
+
+    /// Of work that has just begun and prints to a terminal meanwhile, where nothing should be drawn.
+    pub(crate) fn in_lines(what: &'static str) -> Self {
+        Self::told(what, Telling::Lines)
+    }
+
+    fn told(what: &'static str, telling: Telling) -> Self {
         let shared = Arc::new(Shared {
             work: Mutex::new(Some((Work::Named(what), Instant::now()))),
             ended: Condvar::new(),
@@ -67,12 +87,11 @@ impl Progress {
             wants_look: AtomicBool::new(false),
         });
         if verbosity::asked() == Verbosity::Quiet {
-            return Self { shared, bar: None, teller: None };
+            return Self { shared, teller: None };
         }
-        let bar = std::io::stderr().is_terminal().then(new_bar);
-        let (own, drawn) = (Arc::clone(&shared), bar.clone());
-        let teller = std::thread::Builder::new().spawn(move || own.tell(drawn.as_ref())).ok();
-        Self { shared, bar, teller }
+        let own = Arc::clone(&shared);
+        let teller = std::thread::Builder::new().spawn(move || own.tell(telling)).ok();
+        Self { shared, teller }
     }
 
     /// Goes over to a run between two times, s.
@@ -114,23 +133,13 @@ impl Progress {
         }
     }
 
-    /// Writes a note to stderr, above the bar.
-    pub(crate) fn note(&self, message: &str) {
-        match &self.bar {
-            Some(bar) => bar.suspend(|| failure::note(message)),
-            None => failure::note(message),
-        }
-    }
-
     /// All is done.
     pub(crate) fn clear(&mut self) {
         *self.shared.work() = None;
         self.shared.ended.notify_all();
         if let Some(teller) = self.teller.take() {
             let _ = teller.join();
-        }
-        if let Some(bar) = self.bar.take() {
-            bar.finish_and_clear();
+            terminal::erase();
         }
     }
 }
@@ -147,8 +156,8 @@ impl Shared {
     }
 
     /// Tells where the work is until it is done.
-    fn tell(&self, bar: Option<&ProgressBar>) {
-        let pause = if bar.is_some() { BETWEEN_DRAWINGS } else { BETWEEN_LOOKS };
+    fn tell(&self, telling: Telling) {
+        let pause = if telling == Telling::Drawn { BETWEEN_DRAWINGS } else { BETWEEN_LOOKS };
         let (mut looked, mut told) = (Instant::now(), Instant::now());
         let mut work = self.work();
         while work.is_some() {
@@ -160,49 +169,92 @@ impl Shared {
                 looked = Instant::now();
             }
             let reached = self.reached.load(Ordering::Relaxed);
-            if let Some(bar) = bar {
-                bar.set_position((PARTS * present.fraction(reached)) as u64);
-                bar.set_message(present.line(reached, since.elapsed()));
+            let parts = present.parts(reached, since.elapsed());
+            // The width is asked for every time: a terminal can be resized.
+            if telling == Telling::Drawn {
+                terminal::draw(&drawn(present.fraction(reached), &parts, terminal::width().unwrap_or_default()));
             } else if told.elapsed() >= BETWEEN_LINES {
-                failure::note(&format!("progress: {}", present.line(reached, since.elapsed())));
+                failure::note(&format!("progress: {}", joined(&parts)));
                 told = Instant::now();
             }
         }
     }
 }
 
+/// A part of what is told: where the least room is, only those of the lowest ranks stay.
+#[derive(Debug, Clone)]
+struct Part {
+    rank: u8,
+    text: String,
+}
+
+/// All parts in a line.
+fn joined<'a>(parts: impl IntoIterator<Item = &'a Part>) -> String {
+    parts.into_iter().map(|part| part.text.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+/// What is drawn on a terminal of so many columns: a bar, where it is known how much is done, and the parts that fit
+/// behind it. The last column stays free, where some terminals would begin another line.
+fn drawn(fraction: Option<f64>, parts: &[Part], width: usize) -> String {
+    let room = width.saturating_sub(1);
+    let shortest = if fraction.is_some() { BAR.0 + 1 } else { 0 };
+    let most = parts.iter().map(|part| part.rank).max().unwrap_or_default();
+    let up_to = |rank: u8| joined(parts.iter().filter(|part| part.rank <= rank));
+    let fits = |text: &String| text.chars().count() + shortest <= room;
+    let Some(text) = (0..=most).rev().map(up_to).find(fits) else {
+        // No room for a bar.
+        return up_to(0).chars().take(room).collect();
+    };
+    let Some(fraction) = fraction else { return text };
+    let inner = (room - text.chars().count() - 1).min(BAR.1) - "[]".len();
+    // A quotient that is no number, as of a duration of 0, is a beginning; the cast takes it and what is below as 0.
+    let done = ((inner as f64 * fraction) as usize).min(inner);
+    format!("[{}{}] {text}", "#".repeat(done), "-".repeat(inner - done))
+}
+
 impl Work {
-    /// How much of it is done, from 0 to 1.
-    fn fraction(&self, reached: u64) -> f64 {
+    /// How much of it is done, from 0 to 1, if that is known.
+    fn fraction(&self, reached: u64) -> Option<f64> {
         match *self {
-            Self::Named(_) => 0.0,
-            Self::Run { from_s, to_s, .. } => (f64::from_bits(reached) - from_s) / (to_s - from_s),
-            Self::Parts { count, .. } => reached as f64 / count.max(1) as f64,
+            Self::Named(_) => None,
+            Self::Run { from_s, to_s, .. } => Some((f64::from_bits(reached) - from_s) / (to_s - from_s)),
+            Self::Parts { count, .. } => Some(reached as f64 / count.max(1) as f64),
         }
     }
 
-    /// Where it is, in a line.
-    fn line(&self, reached: u64, elapsed: Duration) -> String {
+    /// Where it is, in the order in which it is told.
+    fn parts(&self, reached: u64, elapsed: Duration) -> Vec<Part> {
         let wall_s = elapsed.as_secs_f64();
+        let part = |rank: u8, text: String| Part { rank, text };
+        let after = part(4, format!("after {}", time(wall_s)));
         match *self {
-            Self::Named(what) => format!("{what}, {}", time(wall_s)),
-            Self::Parts { what, count } => format!("{what}: {reached} of {count}, {}", time(wall_s)),
+            Self::Named(what) => vec![part(0, what.to_owned()), after],
+            Self::Parts { what, count } => vec![part(0, format!("{what}: {reached} of {count}")), after],
             Self::Run { from_s, to_s, energy_error } => {
                 let (t, rate) = (f64::from_bits(reached), (f64::from_bits(reached) - from_s) / wall_s);
-                let mut line = format!("t = {t:.6} of {to_s} s after {}", time(wall_s));
+                let mut parts = vec![part(0, format!("t = {} of {to_s} s", time_reached(t, to_s))), after];
                 if rate > 0.0 {
                     let rate: f64 = format!("{rate:.2e}").parse().unwrap_or(rate);
-                    let _ = write!(line, ", {} s/s, about {} left", number(rate), time((to_s - t) / rate));
+                    parts.push(part(2, format!("{} s/s", number(rate))));
+                    parts.push(part(1, format!("about {} left", time((to_s - t) / rate))));
                 } else {
-                    line.push_str(", the first step has not ended yet");
+                    parts.push(part(1, "the first step has not ended yet".to_owned()));
                 }
-                if let Some(error) = energy_error {
-                    let _ = write!(line, ", energy error {error:.1e}");
-                }
-                line
+                let error = |error: f64| if error == 0.0 { "0".to_owned() } else { format!("{error:.1e}") };
+                parts.extend(energy_error.map(|found| part(3, format!("energy error {}", error(found)))));
+                parts
             }
         }
     }
+}
+
+/// A time of a run of this duration, s, in as many digits as it needs to be seen to move.
+fn time_reached(t_s: f64, duration_s: f64) -> String {
+    if !(PLAIN_S.0..PLAIN_S.1).contains(&duration_s) {
+        return format!("{t_s:.prec$e}", prec = DIGITS - 1);
+    }
+    let whole = (duration_s as u64).to_string().len();
+    format!("{t_s:.prec$}", prec = DIGITS.saturating_sub(whole))
 }
 
 /// A time of waiting in a unit that suits it.
@@ -215,26 +267,78 @@ fn time(seconds: f64) -> String {
     }
 }
 
-fn new_bar() -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(Some(PARTS as u64), ProgressDrawTarget::stderr());
-    match ProgressStyle::with_template("{wide_bar} {msg}") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     //! What a line of progress says.
     use super::*;
 
+    fn run(reached_s: f64, to_s: f64, after_s: u64) -> (Option<f64>, Vec<Part>) {
+        let work = Work::Run { from_s: 0.0, to_s, energy_error: Some(1.5e-12) };
+        let reached = reached_s.to_bits();
+        (work.fraction(reached), work.parts(reached, Duration::from_secs(after_s)))
+    }
+
     #[test]
     fn a_run_says_rate_and_time_left() {
-        let work = Work::Run { from_s: 0.0, to_s: 10.0, energy_error: Some(1.5e-12) };
-        let line = work.line(2.0_f64.to_bits(), Duration::from_secs(20));
-        assert_eq!(line, "t = 2.000000 of 10 s after 20 s, 0.1 s/s, about 80 s left, energy error 1.5e-12");
-        let line = work.line(0.0_f64.to_bits(), Duration::from_secs(300));
-        assert!(line.contains("after 5.0 min, the first step has not ended yet"), "{line}");
+        let (_, parts) = run(2.0, 10.0, 20);
+        assert_eq!(joined(&parts), "t = 2.00000 of 10 s, after 20 s, 0.1 s/s, about 80 s left, energy error 1.5e-12");
+        let (_, parts) = run(0.0, 10.0, 300);
+        assert!(joined(&parts).contains("after 5.0 min, the first step has not ended yet"));
+    }
+
+    /// What is drawn always fits, and what matters most stays longest: the time reached, then the time left, then the
+    /// rate, then the error, then the time that has passed.
+    #[test]
+    fn narrow_terminals_get_less() {
+        let (fraction, parts) = run(2.0, 10.0, 20);
+        let line = |width| drawn(fraction, &parts, width);
+        assert_eq!(
+            line(120),
+            "[#######------------------------------] \
+             t = 2.00000 of 10 s, after 20 s, 0.1 s/s, about 80 s left, energy error 1.5e-12"
+        );
+        assert_eq!(line(80), "[#--------] t = 2.00000 of 10 s, 0.1 s/s, about 80 s left, energy error 1.5e-12");
+        assert_eq!(line(60), "[##---------] t = 2.00000 of 10 s, 0.1 s/s, about 80 s left");
+        assert_eq!(line(50), "[##--------] t = 2.00000 of 10 s, about 80 s left");
+        assert_eq!(line(40), "[###--------------] t = 2.00000 of 10 s");
+        assert_eq!(line(20), "t = 2.00000 of 10 s");
+        assert_eq!((line(10).as_str(), line(1).as_str(), line(0).as_str()), ("t = 2.000", "", ""));
+        for width in 0..300 {
+            assert!(line(width).chars().count() <= width.saturating_sub(1), "{}", line(width));
+        }
+    }
+
+    /// A bar stays a bar at the ends, beyond them, and for what is no number.
+    #[test]
+    fn bars_at_their_ends() {
+        let parts = [Part { rank: 0, text: "x".to_owned() }];
+        for (fraction, bar) in [
+            (0.0, "[--------] x"),
+            (1.0, "[########] x"),
+            (1.5, "[########] x"),
+            (-1.0, "[--------] x"),
+            (f64::NAN, "[--------] x"),
+            (f64::INFINITY, "[########] x"),
+        ] {
+            assert_eq!(drawn(Some(fraction), &parts, 13), bar);
+        }
+        assert_eq!(drawn(Some(0.5), &[], 13), "[####-----] ");
+        assert_eq!(drawn(None, &parts, 80), "x");
+    }
+
+    #[test]
+    fn a_sweep_says_how_many_are_done() {
+        let work = Work::Parts { what: "errors", count: 40 };
+        let line = drawn(work.fraction(10), &work.parts(10, Duration::from_secs(30)), 46);
+        assert_eq!(line, "[###-----------] errors: 10 of 40, after 30 s");
+    }
+
+    #[test]
+    fn times_have_as_many_digits_as_move() {
+        assert_eq!(time_reached(2.0, 3600.0), "2.000");
+        assert_eq!(time_reached(0.25, 0.5), "0.250000");
+        assert_eq!(time_reached(2e-10, 1e-9), "2.000000e-10");
+        assert_eq!(time_reached(1e12, 1e15), "1.000000e12");
     }
 
     #[test]

@@ -3,14 +3,16 @@
 use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
+use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
-use crate::watch::{Interrupt, Watch};
+use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
 use polhode::{Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
 use serde_json::json;
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -26,6 +28,13 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
     restored.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish()
 }
 
+/// Progress of a run that is prepared. A trajectory that goes to a terminal leaves no line there to draw on.
+fn preparing(asked: &RunOutputArgs) -> Progress {
+    let what = "preparing the run";
+    let is_covered = Report::of(asked) == Report::OnStderr && std::io::stdout().is_terminal();
+    if is_covered { Progress::in_lines(what) } else { Progress::new(what) }
+}
+
 /// A run of a scene from its start.
 fn prepared(args: &RunArgs) -> Result<Run, Failure> {
     let mut changes = scene::overrides(&args.scene.changes)?;
@@ -33,7 +42,7 @@ fn prepared(args: &RunArgs) -> Result<Run, Failure> {
     if let Some(accuracy) = args.accuracy {
         changes.extend(cost::settings_for(&text, &args.scene.changes, accuracy)?);
     }
-    let progress = Progress::new("preparing the run");
+    let progress = preparing(&args.output);
     let loaded = text.load(&changes)?;
     let file = args.scene.scene.as_path();
     if text.file().is_none() && (args.checkpoints.checkpoint.is_some() || args.checkpoints.checkpoint_every.is_some()) {
@@ -51,7 +60,7 @@ fn prepared(args: &RunArgs) -> Result<Run, Failure> {
 
 /// A run from a checkpoint on.
 fn restored(args: &ResumeArgs) -> Result<Run, Failure> {
-    let progress = Progress::new("preparing the run");
+    let progress = preparing(&args.output);
     let checkpoint = Checkpoint::read(&args.from)?;
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
@@ -91,7 +100,7 @@ type Reached<'a> = (&'a str, f64, f64);
 /// The failure, after the object that `--json` prints for a run that has no report.
 fn told(report: Report, failure: Failure, reached: Option<Reached<'_>>) -> Failure {
     if report == Report::Json && !matches!(failure, Failure::Degraded(_) | Failure::StdoutClosed) {
-        let outcome = if matches!(failure, Failure::Interrupted(_)) { "interrupted" } else { "failed" };
+        let outcome = if matches!(failure, Failure::Interrupted(..)) { "interrupted" } else { "failed" };
         let mut value = json!({
             "outcome": outcome,
             "error": failure.message().trim_start_matches("error: "),
@@ -148,7 +157,7 @@ impl Run {
         let reached_s = self.simulation.time();
         let name = self.loaded.scene.name().to_owned();
         let ended = match ended {
-            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(),
+            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(interrupt.code()),
             Ok(report) => self.completed(&report),
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
@@ -159,15 +168,15 @@ impl Run {
         ended.map_err(|(report, failure)| told(report, failure, Some((&name, reached_s, duration_s))))
     }
 
-    /// After Ctrl-C: keeps what was computed, and a checkpoint where one was asked for.
-    fn interrupted(self) -> Result<(), (Report, Failure)> {
+    /// After Ctrl-C or SIGTERM: keeps what was computed, and a checkpoint where one was asked for.
+    fn interrupted(self, code: u8) -> Result<(), (Report, Failure)> {
         let said = format!("interrupted at t = {} s of {} s", self.simulation.time(), self.loaded.scene.duration_s());
         self.files.keep(self.simulation.plan(), &said);
         let written = self.checkpoints.write(&self.simulation).map_err(|failure| (self.report, failure))?;
         if let Some(checkpoint) = written {
             failure::note(&checkpoint);
         }
-        Err((self.report, Failure::Interrupted(said)))
+        Err((self.report, Failure::Interrupted(said, code)))
     }
 
     /// At the end: completes the files and prints the report.
@@ -191,7 +200,7 @@ impl Run {
     }
 }
 
-/// Goes on to the end, to Ctrl-C or to a fault of writing; keeps checkpoints and looks at the energies on the way.
+/// Goes on to the end, to Ctrl-C, SIGTERM or to a fault of writing; keeps checkpoints and looks at the energies on the way.
 fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,
@@ -212,7 +221,7 @@ fn go_on(
             return Ok(report);
         }
         if is_due && let Some(said) = checkpoints.write(simulation)? {
-            watch.bar.note(&said);
+            failure::note(&said);
         }
     }
 }

@@ -74,7 +74,7 @@ impl RunFiles {
     }
 
     /// Where trajectories and events grow.
-    pub(crate) fn unfinished(&mut self) -> Vec<Unfinished> {
+    pub(crate) fn unfinished(&self) -> Vec<Unfinished> {
         self.outputs.unfinished()
     }
 

@@ -3,10 +3,11 @@
 use crate::args::ViewArgs;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
+use crate::interrupt::Interrupt;
 use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
 use crate::progress::Progress;
 use crate::viewpoint::viewpoint;
-use crate::watch::{Interrupt, Watch};
+use crate::watch::Watch;
 use crate::{cost, examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory};
@@ -191,7 +192,7 @@ fn show(
                 Ok(report) if interrupt.has_come() => {
                     let (t, duration) = (report.simulated_s, report.duration_s);
                     let said = format!("interrupted at t = {t} s of {duration} s");
-                    Ok((pictures::failed(&said), Err(Failure::Interrupted(said))))
+                    Ok((pictures::failed(&said), Err(Failure::Interrupted(said, interrupt.code()))))
                 }
                 Ok(report) => {
                     note_degraded(&report);

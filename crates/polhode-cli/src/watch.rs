@@ -1,14 +1,10 @@
 //! Who is told of a run while it goes on, and when it stops.
 
-use crate::failure::{self, Failure};
+use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use polhode::{BodySample, Event, Flow, Frame, Observer};
-use polhode_scene::Unfinished;
-use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 
-/// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C or when a checkpoint is due.
+/// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is due.
 pub(crate) struct Watch<'a> {
     /// Files and pictures that are written.
     pub(crate) observers: Vec<&'a mut dyn Observer>,
@@ -44,43 +40,5 @@ impl Observer for Watch<'_> {
         let flows: Vec<Flow> = self.observers.iter_mut().map(|observer| observer.progress(t)).collect();
         self.is_stopped |= flows.contains(&Flow::Stop);
         if is_over || self.is_stopped { Flow::Stop } else { Flow::Continue }
-    }
-}
-
-/// Whether Ctrl-C has been pressed.
-pub(crate) struct Interrupt {
-    pressed: Arc<AtomicBool>,
-    unfinished: Arc<Mutex<Vec<Unfinished>>>,
-}
-
-impl Interrupt {
-    /// From now on Ctrl-C ends the run at the end of its step; pressed again, the program at once.
-    pub(crate) fn listen() -> Result<Self, Failure> {
-        let pressed = Arc::new(AtomicBool::new(false));
-        let unfinished: Arc<Mutex<Vec<Unfinished>>> = Arc::default();
-        let (own, files) = (Arc::clone(&pressed), Arc::clone(&unfinished));
-        let listens = ctrlc::set_handler(move || {
-            if !own.swap(true, Ordering::SeqCst) {
-                return failure::remark("note: the run stops at the end of its step; Ctrl-C again stops it at once");
-            }
-            for file in files.lock().unwrap_or_else(PoisonError::into_inner).iter() {
-                if std::fs::rename(&file.temporary, &file.partial).is_ok() {
-                    failure::note(&format!("note: what was computed is in {}", file.partial.display()));
-                }
-            }
-            process::exit(i32::from(failure::INTERRUPTED));
-        });
-        listens.map_err(|error| Failure::InputOutput(format!("error: cannot listen to Ctrl-C: {error}")))?;
-        Ok(Self { pressed, unfinished })
-    }
-
-    /// Files that a program which ends at once keeps under their partial names.
-    pub(crate) fn keep(&self, files: Vec<Unfinished>) {
-        *self.unfinished.lock().unwrap_or_else(PoisonError::into_inner) = files;
-    }
-
-    /// Whether it has.
-    pub(crate) fn has_come(&self) -> bool {
-        self.pressed.load(Ordering::SeqCst)
     }
 }

@@ -69,8 +69,12 @@ fn innermost<'a>(folders: &[&'a str], path: &str) -> Option<&'a str> {
     folders.iter().filter(|folder| path.starts_with(**folder)).max_by_key(|folder| folder.len()).copied()
 }
 
+/// The names in a list of dependencies: those of every platform, and those of some alone.
 fn names_in<'a>(manifest: &'a Table, list: &str) -> impl Iterator<Item = &'a str> {
-    manifest.get(list).and_then(toml::Value::as_table).into_iter().flat_map(|list| list.keys().map(String::as_str))
+    let platforms = manifest.get("target").and_then(toml::Value::as_table).into_iter().flat_map(Table::values);
+    let tables = std::iter::once(manifest).chain(platforms.filter_map(toml::Value::as_table));
+    let lists = tables.filter_map(move |table| table.get(list).and_then(toml::Value::as_table));
+    lists.flat_map(|list| list.keys().map(String::as_str))
 }
 
 /// Whether a line of code speaks of a crate: in a path, an import or an attribute.
@@ -109,6 +113,13 @@ mod tests {
         let test = ("crates/a/tests/it.rs", "use glam::DVec3;\n");
         let other = ("crates/b/src/lib.rs", "use proptest::prelude::*;\nuse libm;\n");
         assert_eq!(violations(manifest, &[source, test, other]).len(), 3);
+    }
+
+    #[test]
+    fn dependencies_of_a_platform_count_too() {
+        let manifest = "[target.'cfg(unix)'.dependencies]\nlibm = \"1\"\nglam = \"1\"\n";
+        let found = violations(manifest, &[("crates/a/src/lib.rs", "use libm::sin;\n")]);
+        assert!(found.len() == 1 && found[0].contains("glam"), "{found:?}");
     }
 
     #[test]

@@ -7,6 +7,8 @@ mod check;
 mod compare;
 mod cost;
 mod every_day;
+#[cfg(unix)]
+mod interrupts;
 mod mesh;
 mod plan;
 mod plots;

@@ -16,13 +16,34 @@ pub struct AtomicFile {
     open: Option<Open>,
 }
 
-/// A file that grows: where it is, and the name under which what has been written is kept.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What makes a complete file of one that ends anywhere.
+type Mender = Box<dyn FnOnce(&mut File) -> io::Result<()> + Send>;
+
+/// A file that grows, for a program that must end at once: another thread may still be within a step, and never ends it.
 pub struct Unfinished {
-    /// Where it grows.
-    pub temporary: PathBuf,
-    /// Its name with `.partial` at its end.
-    pub partial: PathBuf,
+    temporary: PathBuf,
+    partial: PathBuf,
+    mend: Mender,
+}
+
+impl std::fmt::Debug for Unfinished {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Unfinished").field("temporary", &self.temporary).finish_non_exhaustive()
+    }
+}
+
+impl Unfinished {
+    /// Moves what has reached the disk to the name with `.partial` at its end, which is returned, and makes a readable file
+    /// of it. The program must end now: nothing more may be written.
+    ///
+    /// # Errors
+    /// Those of renaming: then nothing is kept.
+    pub fn keep(self) -> io::Result<PathBuf> {
+        fs::rename(&self.temporary, &self.partial)?;
+        // Even a file that could not be mended holds what was computed.
+        let _ = File::options().read(true).write(true).open(&self.partial).and_then(|mut file| (self.mend)(&mut file));
+        Ok(self.partial)
+    }
 }
 
 /// The temporary file. Dropped, it removes the file.
@@ -84,10 +105,10 @@ impl AtomicFile {
         Ok(partial)
     }
 
-    /// Where the file grows, and where an unfinished one is kept.
-    pub fn unfinished(&self) -> Option<Unfinished> {
-        let open = self.open.as_ref()?;
-        Some(Unfinished { temporary: open.path.to_path_buf(), partial: self.partial() })
+    /// The file as it grows; `mend` makes a readable file of what has reached the disk.
+    pub fn unfinished(&self, mend: impl FnOnce(&mut File) -> io::Result<()> + Send + 'static) -> Option<Unfinished> {
+        let temporary = self.open.as_ref()?.path.to_path_buf();
+        Some(Unfinished { temporary, partial: self.partial(), mend: Box::new(mend) })
     }
 
     /// After a fault of writing (a full disk): lets `mend` make a readable file of what has reached the disk, and keeps it

@@ -12,7 +12,7 @@ pub const COLUMNS: [&str; 15] =
     ["t", "body", "px", "py", "pz", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"];
 
 /// CSV with full round-trip digits; all bodies of one sample bear the same text in `t`.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Csv {
     /// Names of the bodies as fields.
     names: Vec<Vec<u8>>,
@@ -84,5 +84,9 @@ impl TrajectoryFormat for Csv {
             }
             length = (2 * length).min(end);
         }
+    }
+
+    fn mender(&self) -> Box<dyn TrajectoryFormat> {
+        Box::new(self.clone())
     }
 }

@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 
 /// JSON, streamed sample by sample.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Json {
     scene: String,
     bodies: Vec<String>,
@@ -50,5 +50,9 @@ impl TrajectoryFormat for Json {
         }
         file.seek(SeekFrom::End(0))?;
         file.write_all(b"\n]}\n")
+    }
+
+    fn mender(&self) -> Box<dyn TrajectoryFormat> {
+        Box::new(self.clone())
     }
 }

@@ -38,7 +38,7 @@ pub(crate) trait Sink: Write + Seek {}
 impl<T: Write + Seek> Sink for T {}
 
 /// A kind of trajectory file.
-pub(crate) trait TrajectoryFormat: std::fmt::Debug {
+pub(crate) trait TrajectoryFormat: std::fmt::Debug + Send {
     /// Writes what stands before the first sample.
     fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()>;
 
@@ -50,6 +50,9 @@ pub(crate) trait TrajectoryFormat: std::fmt::Debug {
 
     /// Makes a complete file of one that ends anywhere, in no more room than it has.
     fn mend(&mut self, file: &mut File) -> io::Result<()>;
+
+    /// One that mends such a file by what stands in it alone, in another thread than the one that writes.
+    fn mender(&self) -> Box<dyn TrajectoryFormat>;
 }
 
 /// Cuts a file of lines behind its last whole one.

@@ -20,7 +20,7 @@ const HEADER_LENGTH: usize = 192;
 const PREFIX_LENGTH: usize = 10;
 
 /// NPY, double precision, little-endian, C order.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Npy {
     bodies: usize,
     samples: u64,
@@ -78,5 +78,10 @@ impl TrajectoryFormat for Npy {
         file.set_len(HEADER_LENGTH as u64 + self.samples * sample)?;
         file.seek(SeekFrom::Start(0))?;
         file.write_all(&self.header())
+    }
+
+    fn mender(&self) -> Box<dyn TrajectoryFormat> {
+        // How many samples there are is for the length of the file to say.
+        Box::new(Self { samples: u64::MAX, ..self.clone() })
     }
 }

@@ -128,8 +128,13 @@ impl Outputs {
     }
 
     /// Where the files grow, for a program that must end at once.
-    pub fn unfinished(&mut self) -> Vec<Unfinished> {
-        self.files().filter_map(|file| file.unfinished()).collect()
+    pub fn unfinished(&self) -> Vec<Unfinished> {
+        let trajectories = self.trajectories.iter().filter_map(|(file, format)| {
+            let mut mender = format.mender();
+            file.unfinished(move |open| mender.mend(open))
+        });
+        let events = self.events.as_ref().and_then(|file| file.unfinished(cut_to_line));
+        trajectories.chain(events).collect()
     }
 
     /// After a run that failed: keeps what has been written under the names with `.partial` at their end, which are

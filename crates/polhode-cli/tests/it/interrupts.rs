@@ -1,0 +1,80 @@
+//! Ctrl-C and SIGTERM: what was computed is kept as a readable file, whether the run can end its step or not.
+//!
+//! Nothing here waits for a time to pass: a signal is sent when the file has grown, and stdout that nobody reads holds a
+//! run up within a step for as long as it takes.
+
+use crate::{FLIGHT, Place};
+use std::io::{BufRead as _, BufReader};
+use std::process::{Child, Command, Stdio};
+
+/// A flight with so many samples that it does not end by itself.
+fn long_flight() -> Place {
+    let text = FLIGHT.replace("duration = 0.5", "duration = 1e5").replace("interval = 0.125", "interval = 1e-4");
+    Place::with_scene(&text)
+}
+
+fn start(place: &Place, args: &[&str]) -> Child {
+    place.command(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+fn signal(child: &Child, name: &str) {
+    let sent = Command::new("sh").args(["-c", &format!("kill -{name} {}", child.id())]).status().unwrap();
+    assert!(sent.success());
+}
+
+/// Waits until a temporary file of this output holds something.
+fn wait_for(place: &Place, output: &str) {
+    let begins = format!(".{output}.");
+    let grows = |name: &String| {
+        name.starts_with(&begins) && std::fs::metadata(place.path(name)).is_ok_and(|file| file.len() > 0)
+    };
+    while !place.list().iter().any(grows) {
+        std::thread::yield_now();
+    }
+}
+
+/// Asked to end, a run ends its step and keeps what it has computed; the exit code says who asked.
+#[test]
+fn a_run_that_is_asked_to_end_keeps_its_results() {
+    for (name, code) in [("INT", 130), ("TERM", 143)] {
+        let place = long_flight();
+        let child = start(&place, &["run", "scene.toml", "-o", "a.csv", "-o", "a.npy", "--json"]);
+        wait_for(&place, "a.csv");
+        signal(&child, name);
+        let run: crate::Run = child.wait_with_output().unwrap().into();
+        assert_eq!(run.code, Some(code), "{}", run.stderr);
+        assert!(run.stderr.contains("note: what was computed is in a.csv.partial"), "{}", run.stderr);
+        let value = run.json();
+        assert_eq!((value["outcome"].as_str(), value["exit_code"].as_i64()), (Some("interrupted"), Some(code.into())));
+        assert_eq!(place.list(), ["a.csv.partial", "a.npy.partial", "scene.toml"]);
+        place.expect(0, &["view", "scene.toml", "a.npy.partial", "-o", "page.html"]);
+    }
+}
+
+/// Asked again while it cannot end its step, the program ends at once, and what has reached the disk is a readable file all the
+/// same: whole samples, of every kind of trajectory.
+#[test]
+fn a_program_that_ends_at_once_keeps_its_results() {
+    for (name, code) in [("INT", 130), ("TERM", 143)] {
+        let place = long_flight();
+        let kinds = ["a.csv", "a.npy", "a.json"];
+        // Nobody reads stdout: the run waits for room in the pipe.
+        let args = ["run", "scene.toml", "-o", kinds[0], "-o", kinds[1], "-o", kinds[2], "-o", "-"];
+        let mut child = start(&place, &args);
+        for kind in kinds {
+            wait_for(&place, kind);
+        }
+        signal(&child, name);
+        let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
+        assert!(said.next().unwrap().unwrap().starts_with("note: the run stops at the end of its step"));
+        signal(&child, name);
+        assert_eq!(child.wait().unwrap().code(), Some(code));
+        let said: String = said.map(|line| line.unwrap() + "\n").collect();
+        for kind in kinds {
+            let kept = format!("{kind}.partial");
+            assert!(said.contains(&format!("note: what was computed is in {kept}")), "{said}");
+            place.expect(0, &["view", "scene.toml", &kept, "-o", "page.html"]);
+        }
+        assert_eq!(place.list(), ["a.csv.partial", "a.json.partial", "a.npy.partial", "page.html", "scene.toml"]);
+    }
+}
