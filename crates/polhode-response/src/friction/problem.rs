@@ -20,7 +20,7 @@ const ROUNDING_UNITS: f64 = 8.0;
 
 /// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is more
 /// than this diverge.
-const LARGEST_ROUNDING: f64 = 1e-8;
+pub(crate) const LARGEST_ROUNDING: f64 = 1e-8;
 
 /// A frictional contact problem.
 #[derive(Debug, Clone, PartialEq)]

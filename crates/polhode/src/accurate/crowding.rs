@@ -56,6 +56,45 @@ const SAFETY: f64 = 0.8;
 /// Least and largest change of the time step from one to the next.
 const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
 
+/// The same with friction, where every length that is tried costs the solution of three cone problems.
+const STEP_CHANGE_WITH_FRICTION: (f64, f64) = (0.1, 8.0);
+
+/// How the lengths of time steps follow from their errors.
+#[derive(Debug, Clone, Copy)]
+enum StepControl {
+    /// After a step that had to be shortened the length from before is tried again.
+    Restoring,
+    /// A length grows from the one accepted last. A contact that begins to stick or to slide within a step leaves an
+    /// error that falls only with its length, so that many lengths would be refused before each step.
+    Growing,
+}
+
+impl StepControl {
+    fn of(world: &World) -> Self {
+        if world.has_friction() { Self::Growing } else { Self::Restoring }
+    }
+
+    /// The length after one of `h` (s) that was refused with this ratio of the optimal length to it, `refused` times now.
+    fn shorter(self, h: f64, ratio: f64, refused: usize) -> f64 {
+        match self {
+            Self::Restoring => h * ratio.clamp(STEP_CHANGE.0, SAFETY),
+            Self::Growing if refused > 1 => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, STEP_CHANGE.0),
+            Self::Growing => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, SAFETY),
+        }
+    }
+
+    /// The length after an accepted one, where `planned` was the first one tried.
+    fn next(self, h: f64, ratio: f64, planned: f64) -> f64 {
+        match self {
+            Self::Restoring => {
+                let next = h * ratio.clamp(STEP_CHANGE.0, STEP_CHANGE.1);
+                if h < planned { next.max(planned) } else { next }
+            }
+            Self::Growing => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, STEP_CHANGE_WITH_FRICTION.1),
+        }
+    }
+}
+
 /// The time stepper of a crowd.
 fn stepper(core: &Core) -> TimeStepper {
     let about = core.accounts.books.ledger.momentum.about;
@@ -138,6 +177,7 @@ impl Engine {
         let start = states_of(&self.states, &instant.bodies);
         let shortest = SHORTEST_STEP * longest;
         let mut scratch = std::mem::take(&mut self.scratch);
+        let (control, mut refused) = (StepControl::of(&core.world), 0);
         let made = loop {
             set_states(&mut scratch, &instant.bodies, &start);
             let mut stepper = before.clone();
@@ -149,12 +189,12 @@ impl Engine {
                 Err(source) => break Err(Core::response_error(t, source)),
             };
             let allowed = core.settings.crowding_tolerance * h / longest;
-            let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { STEP_CHANGE.1 };
+            let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
             if error <= allowed || h <= shortest {
-                let next = (h * ratio.clamp(STEP_CHANGE.0, STEP_CHANGE.1)).max(shortest);
-                break Ok((report, error, next.max(if h < crowd.step_s { crowd.step_s } else { 0.0 })));
+                break Ok((report, error, control.next(h, ratio, crowd.step_s).max(shortest)));
             }
-            h = (h * ratio.clamp(STEP_CHANGE.0, SAFETY)).max(shortest);
+            refused += 1;
+            h = control.shorter(h, ratio, refused).max(shortest);
         };
         let states = states_of(&scratch, &instant.bodies);
         let stuck = made.as_ref().ok().and_then(|(report, ..)| no_way_out(core, report, &scratch, &pairs, t + h));
