@@ -7,7 +7,7 @@
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::{FrictionBlocks, RowSolution};
-use super::least_sliding_forces::{RowFriction, least_sliding_forces};
+use super::least_sliding_forces::{RowFriction, exceeds_friction, least_sliding_forces};
 use super::rotation_row::RotationRow;
 use super::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::collision::contact_set::{ContactId, Touch};
@@ -274,7 +274,7 @@ fn stuck(
         let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
         let tangential = tangents.by_ref().take(own).fold(0.0, |sum: f64, force| libm::hypot(sum, *force));
         let limit = friction.as_ref().map_or(0.0, |friction| friction.coefficients.at_rest) * normal;
-        if normal < 0.0 || tangential > limit {
+        if normal < 0.0 || exceeds_friction(tangential, limit) {
             return Ok(None);
         }
     }
