@@ -145,7 +145,8 @@ impl FrictionProblem {
         if most == 0.0 { 0.0 } else { most / size }
     }
 
-    /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more.
+    /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more, and the
+    /// correction of De Saxce multiplies what is left of a slip by the coefficient of friction.
     pub(crate) fn rounding_of(&self, reactions: &[f64]) -> f64 {
         let size = largest(&self.constant);
         let terms = |row: usize| {
@@ -158,8 +159,15 @@ impl FrictionProblem {
             }
             largest(&sums)
         };
-        let most = (0..self.len()).map(terms).fold(size, f64::max);
-        if size > 0.0 { (ROUNDING_UNITS * f64::EPSILON * most / size).min(LARGEST_ROUNDING) } else { 0.0 }
+        if size == 0.0 {
+            return 0.0;
+        }
+        let rounding = |block: usize| {
+            let friction = self.blocks[block].friction().unwrap_or(0.0);
+            let plain = ROUNDING_UNITS * f64::EPSILON * terms(block).max(size) / size;
+            (1.0 + friction) * plain.min(LARGEST_ROUNDING)
+        };
+        (0..self.len()).map(rounding).fold(0.0, f64::max)
     }
 
     /// The natural map of one block, in units of velocity.

@@ -98,18 +98,15 @@ impl Accounts {
     }
 
     /// Records a time step: its books, its certificate, and its impacts as events.
-    pub(crate) fn note_time_step(&mut self, world: &World, states: &[BodyState], report: &TimeStepReport) {
+    pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
         for _ in 0..report.fallbacks {
-            self.tolerate(
-                report.impulses.last().map_or(0.0, |last| last.t),
-                "a contact problem of a time step was solved approximately",
-            );
+            self.tolerate(t, "a contact problem of a time step was solved approximately");
         }
         if report.raises_energy {
             let law = world.scene.method().restitution_law.unwrap_or_default().name();
-            self.warn(report.impulses.last().map_or(0.0, |last| last.t), raised_energy(law));
+            self.warn(t, raised_energy(law));
         }
         for given in &report.impulses {
             let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };

@@ -29,6 +29,10 @@ const NEGLIGIBLE_TRAVEL: f64 = 8.0;
 /// A slip ends soon only if it has become slower than this fraction of its speed at the start of the step (no unit).
 const SLOWED: f64 = 0.5;
 
+/// Slips of two pairs whose times until they end differ by at most this factor end together (no unit): symmetric pairs of a
+/// symmetric scene.
+const SAME_END: f64 = 1.0 + 1e-6;
+
 /// Whether a slip of this speed (m/s) ends within a negligible distance when it loses speed at this rate (m/s^2).
 fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, deceleration: f64) -> bool {
     let travel = NEGLIGIBLE_TRAVEL * world.touch_distance(states, id.a, id.b);
@@ -60,18 +64,32 @@ impl Engine {
     ) -> Result<bool, SimulationError> {
         let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
         let mut sticking = Vec::new();
-        let mut any = false;
+        let mut ending = Vec::new();
         for (row, touch) in members.iter().enumerate() {
             let Some(friction) = forces.friction(row) else { continue };
             let Some(direction) = friction.sliding else {
-                sticking.push(touch.id);
+                if friction.is_held {
+                    sticking.push(touch.id);
+                }
                 continue;
             };
             let Some(terms) = core.world.tangential_kinematics(&self.states, touch.id) else { continue };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
             if ends_at_once(&core.world, &self.states, touch.id, speed, deceleration) {
-                sticking.push(touch.id);
-                any |= instant.change.stopping.insert(touch.id);
+                ending.push((touch.id, speed / deceleration));
+            }
+        }
+        // The end of one slip changes the forces of the others: those that end later are looked at again.
+        let soonest = ending.iter().fold(f64::INFINITY, |soonest: f64, &(_, time)| soonest.min(time));
+        let ends_now = |id: ContactId| {
+            let of_pair = ending.iter().filter(|(other, _)| (other.a, other.b) == (id.a, id.b));
+            of_pair.fold(f64::INFINITY, |soonest: f64, &(_, time)| soonest.min(time)) <= SAME_END * soonest
+        };
+        let mut any = false;
+        for &(id, _) in &ending {
+            if ends_now(id) {
+                sticking.push(id);
+                any |= instant.change.stopping.insert(id);
             }
         }
         if !any {

@@ -20,6 +20,10 @@ use std::collections::{BTreeMap, BTreeSet};
 /// the group's contacts without contact forces. The rounding error of the solution is some 1e-15.
 const OPENING_RELATIVE: f64 = 1e-11;
 
+/// With friction, accelerations up to this many times the residual of the solver are zero (2 to 100): where bodies slide
+/// together with forces at the limit of friction, some converge slowly.
+const RESIDUALS: f64 = 10.0;
+
 /// The net force on a body in equilibrium is at most this fraction of the sum of the magnitudes of the forces on it;
 /// likewise for moments. The rounding error of a few hundred contacts is below 1e-13.
 const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
@@ -72,6 +76,8 @@ pub(super) struct ContactFriction {
     slip_acceleration: DVec3,
     /// The direction in which it slides from this instant on (unit vector, world); none when it sticks.
     pub(super) sliding: Option<DVec3>,
+    /// Whether its forces hold it.
+    pub(super) is_held: bool,
 }
 
 impl ContactFriction {
@@ -136,13 +142,13 @@ impl Forces {
 
     /// The forces of contacts with friction.
     fn with_friction(found: FrictionalAccelerations, t: f64, load: f64) -> Self {
-        let opening = OPENING_RELATIVE * found.scale;
+        let opening = OPENING_RELATIVE.max(RESIDUALS * found.solution.report.residual) * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
                 let ContactTangent { force, slip_acceleration, sliding, slides, .. } = contact;
                 let begins = slides && slip_acceleration.length() > opening;
                 let begins_along = if begins { contact.begins_along() } else { None };
-                ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along) }
+                ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along), is_held: !slides }
             })
         });
         let slides = found.contacts.iter().flatten().any(|contact| contact.sliding.is_some());

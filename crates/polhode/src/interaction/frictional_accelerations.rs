@@ -7,7 +7,7 @@
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::{FrictionBlocks, RowSolution};
-use super::least_sliding_forces::{RowFriction, least_sliding_forces};
+use super::least_sliding_forces::{RowFriction, exceeds_friction, least_sliding_forces};
 use super::rotation_row::RotationRow;
 use super::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::collision::contact_set::{ContactId, Touch};
@@ -303,7 +303,7 @@ fn stuck(
         let tangential: Vec<f64> = tangents.by_ref().take(own).copied().collect();
         let ellipse = friction.as_ref().map_or(FrictionEllipse::default(), |friction| friction.coefficients.at_rest);
         let (tangential, limit) = (ellipse.length(&tangential), ellipse.largest() * normal);
-        if normal < 0.0 || tangential > limit {
+        if normal < 0.0 || exceeds_friction(tangential, limit) {
             return Ok(None);
         }
     }
@@ -397,7 +397,7 @@ fn in_equilibrium(
     for reserve in RESERVES {
         // Where nothing balances with the least reserve nothing does with a larger one.
         let Some(balancing) = balancing_reactions(&problem, reserve)? else { break };
-        let reactions = blocks.in_rows(&balancing);
+        let reactions = blocks.reactions_in_rows(&balancing);
         let held = made_exact(of, assembly, (delassus, constants), frictional, reactions)?;
         if held.is_some() {
             return Ok(held);

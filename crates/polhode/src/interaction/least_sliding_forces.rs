@@ -11,7 +11,25 @@ use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
+use polhode_spatial::DVec3;
 use std::ops::Range;
+
+/// A tangential force exceeds what friction bears from this much above it on, relative to it (no unit, 1e-11 to 5e-10):
+/// bodies of one material that slide together hold each other with forces exactly at the limit, and errors of steps must
+/// not decide whether they slide on each other.
+const EXCEEDED: f64 = 3e-10;
+
+/// A moment of tangential forces about the centre of pressure counts as none below this part of what they could have (no
+/// unit, 1e-12 to 1e-6).
+const NO_MOMENT: f64 = 1e-9;
+
+/// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
+const SAME_NORMAL: f64 = 1e-10;
+
+/// Whether a tangential force is more than friction bears (both N).
+pub(super) fn exceeds_friction(tangential: f64, limit: f64) -> bool {
+    tangential > limit * (1.0 + EXCEEDED)
+}
 
 /// Friction of a contact among the rows of an assembly.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,6 +49,49 @@ impl RowFriction {
             Self::Frictionless => 0,
             Self::Sticks(_) => 2,
             Self::Slides(_) => 1,
+        }
+    }
+}
+
+/// A contact that sticks, with its rows along tangents among the forces.
+#[derive(Debug)]
+struct StickingContact {
+    contact: usize,
+    rows: Range<usize>,
+    tangents: [DVec3; 2],
+}
+
+/// Shares the tangential force of each pair of bodies among its contacts in proportion to their normal forces, where they
+/// have one normal and the force has no moment about the centre of pressure: least forces are shared evenly, and would
+/// leave the cones of contacts with small normal forces although those of all contacts together can bear the force.
+fn share_by_pressure(contacts: &[Touch], sticking: &[StickingContact], forces: &mut [f64]) {
+    let pair = |one: &StickingContact| (contacts[one.contact].id.a, contacts[one.contact].id.b);
+    for of_pair in sticking.chunk_by(|x, y| pair(x) == pair(y)) {
+        let geometry = |one: &StickingContact| &contacts[one.contact].kinematics.geometry;
+        let Some(n) = of_pair.first().map(|first| geometry(first).normal) else { continue };
+        let pressure: f64 = of_pair.iter().map(|one| forces[one.contact]).sum();
+        let is_flush = |one: &StickingContact| {
+            forces[one.contact] >= 0.0 && (geometry(one).normal - n).abs().max_element() <= SAME_NORMAL
+        };
+        if of_pair.len() < 2 || pressure <= 0.0 || !of_pair.iter().all(is_flush) {
+            continue;
+        }
+        let along = |one: &StickingContact, forces: &[f64]| {
+            one.tangents.iter().zip(&forces[one.rows.clone()]).map(|(tangent, force)| *tangent * *force).sum::<DVec3>()
+        };
+        let center = of_pair.iter().map(|one| geometry(one).point * (forces[one.contact] / pressure)).sum::<DVec3>();
+        let total: DVec3 = of_pair.iter().map(|one| along(one, forces)).sum();
+        let arm = |one: &StickingContact| geometry(one).point - center;
+        let moment: f64 = of_pair.iter().map(|one| n.dot(arm(one).cross(along(one, forces)))).sum();
+        let largest = of_pair.iter().map(|one| arm(one).length()).fold(0.0, f64::max) * total.length();
+        if moment.abs() > NO_MOMENT * largest {
+            continue;
+        }
+        for one in of_pair {
+            let own = total * (forces[one.contact] / pressure);
+            for (row, tangent) in one.rows.clone().zip(one.tangents) {
+                forces[row] = tangent.dot(own);
+            }
         }
     }
 }
@@ -90,11 +151,17 @@ pub(crate) fn least_sliding_forces(
         return Ok(None);
     }
     let held_constants: Vec<f64> = order.iter().take(held).map(|&row| constants[row]).collect();
-    let forces = least_norm_sliding_forces(&delassus, &held_constants, &sliding)?;
+    let mut forces = least_norm_sliding_forces(&delassus, &held_constants, &sliding)?;
+    let tangent = |row: usize| order[row].checked_sub(first_tangent).and_then(|k| assembly.tangents().get(k));
+    let patches = sticks.iter().filter_map(|(normal, rows, _)| {
+        let tangents = [tangent(rows.start)?.along.normal, tangent(rows.start + 1)?.along.normal];
+        Some(StickingContact { contact: *normal, rows: rows.clone(), tangents })
+    });
+    share_by_pressure(contacts, &patches.collect::<Vec<_>>(), &mut forces);
     let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
-    let slips = sticks
-        .iter()
-        .any(|(normal, rows, ellipse)| ellipse.length(&forces[rows.clone()]) > ellipse.largest() * forces[*normal]);
+    let slips = sticks.iter().any(|(normal, rows, ellipse)| {
+        exceeds_friction(ellipse.length(&forces[rows.clone()]), ellipse.largest() * forces[*normal])
+    });
     let accelerations = delassus.times(&forces)?;
     let left = accelerations.iter().zip(&held_constants).fold(0.0, |most: f64, (w, b)| most.max((w + b).abs()));
     if pulls || slips || left > rounding(&delassus, &forces) {

@@ -194,7 +194,7 @@ impl SteppedEngine {
 
     /// Records the forces and problems of an island's step of length `h` (s).
     fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
-        core.accounts.note_time_step(&core.world, &self.states, report);
+        core.accounts.note_time_step(&core.world, core.t, &self.states, report);
         for given in &report.impulses {
             *self.forces.entry(given.id).or_insert(0.0) += given.impulse / h;
         }

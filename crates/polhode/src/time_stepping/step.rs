@@ -5,6 +5,7 @@ use super::contacts::{NearContact, Span, may_change_features, near_contacts, poi
 use super::drift;
 use super::kick::kick;
 use super::report::TimeStepReport;
+use super::sustained::slips_at_start;
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;
@@ -169,6 +170,7 @@ impl TimeStepper {
         report.steps = 1;
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
+        let slips = slips_at_start(world, states, &near);
         let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
 
         let before = report.books.balance(world, states, bodies);
@@ -178,7 +180,7 @@ impl TimeStepper {
         let middle = report.books.balance(world, states, bodies);
         report.books.smooth_stage(before, middle, received);
 
-        let carrying = self.sustain(world, states, bodies, &near, (t + 0.5 * h, h), &mut report)?;
+        let carrying = self.sustain(world, states, bodies, (&near, &slips), (t + 0.5 * h, h), &mut report)?;
         let before = report.books.balance(world, states, bodies);
         let received = self.fly(world, states, bodies, 0.5 * h);
         world.prescribe_members(pairs, t + h, states);

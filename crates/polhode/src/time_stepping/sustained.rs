@@ -82,7 +82,8 @@ impl Row {
 
 impl TimeStepper {
     /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, after the first half of the free flight.
-    /// Returns the contacts (by index) that carry an impulse.
+    /// `slips` are the speeds of slip of `near` at the start of the step ([`slips_at_start`]). Returns the contacts (by
+    /// index) that carry an impulse.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -91,11 +92,11 @@ impl TimeStepper {
         world: &World,
         states: &mut [BodyState],
         bodies: &[usize],
-        near: &[NearContact],
+        (near, slips): (&[NearContact], &[f64]),
         (t, h): (f64, f64),
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let rows = rows(world, states, bodies, near, (t, h))?;
+        let rows = rows(world, states, bodies, (near, slips), (t, h))?;
         let mut taken: Vec<bool> =
             rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
         let before = states_of(states, bodies);
@@ -171,12 +172,24 @@ impl TimeStepper {
     }
 }
 
+/// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
+pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
+    let slip = |near: &NearContact| {
+        world.friction_of(near.id.a, near.id.b)?;
+        Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
+    };
+    if !world.has_friction() {
+        return vec![0.0; near.len()];
+    }
+    near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
+}
+
 /// The contacts in the middle of the step; those whose features no longer define a contact are left out.
 fn rows(
     world: &World,
     states: &[BodyState],
     bodies: &[usize],
-    near: &[NearContact],
+    (near, slips): (&[NearContact], &[f64]),
     (t, h): (f64, f64),
 ) -> Result<Vec<Row>, ResponseError> {
     let here: Vec<(usize, ContactKinematics)> = near
@@ -195,11 +208,12 @@ fn rows(
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
     let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
     let mut slip_rates = accelerations[assembly.first_tangent()..].as_chunks::<2>().0.iter();
-    let mut with_rates = |row: TangentialRow, acceleration: f64| {
-        slip_rates.next().map(|&rates| row.with_rates(rates, h, 0.5 * h * acceleration))
+    let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
+        slip_rates.next().map(|&rates| row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
     };
-    let friction = friction.into_iter().zip(&accelerations);
-    let friction: Vec<_> = friction.map(|(row, &acceleration)| with_rates(row?, acceleration)).collect();
+    let friction = friction.into_iter().zip(&here).zip(&accelerations);
+    let friction: Vec<_> =
+        friction.map(|((row, (contact, _)), &acceleration)| with_rates(row?, *contact, acceleration)).collect();
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
         let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;

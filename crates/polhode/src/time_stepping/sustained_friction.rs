@@ -20,7 +20,7 @@ use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::friction_blocks::FrictionBlocks;
+use crate::interaction::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::interaction::rotation_row::RotationRow;
 use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::scene::FrictionEllipse;
@@ -32,9 +32,9 @@ use polhode_response::{Delassus, ResponseError, SolverReport};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
-/// A slip below this fraction of what a step may change it by is none (1e-9 to 1e-4): contacts that stick are left with
-/// the residual of the solver.
-const STICKING_RELATIVE: f64 = 1e-6;
+/// A slip below this fraction of what a step may change it by is none (1e-6 to 1e-4): contacts that stick are left with
+/// the residual of the solver, at most `ACCEPTED_RESIDUAL`.
+const STICKING_RELATIVE: f64 = 1e-5;
 
 /// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The terms of contacts that depend
 /// on each other, as the four corners of a box, contradict each other by such a share where a body turns or gaps differ:
@@ -89,11 +89,10 @@ impl TangentialRow {
         self.along
     }
 
-    /// The same with the rates of its slip without contact forces, m/s^2, over a step of `h` (s) in whose first half
-    /// the separation changes its rate by `half_fall` (m/s).
-    pub(super) fn with_rates(self, rates: [f64; 2], h: f64, half_fall: f64) -> Self {
+    /// The same with its slip at the start of a step of `h` (s), m/s, and the rates of its slip without contact forces,
+    /// m/s^2. In the first half of the step the separation changes its rate by `half_fall` (m/s).
+    pub(super) fn with_rates(self, (at_start, rates): (f64, [f64; 2]), h: f64, half_fall: f64) -> Self {
         let change = rates.map(|rate| 0.5 * h * rate);
-        let at_start = libm::hypot(self.slip[0] - change[0], self.slip[1] - change[1]);
         let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest.largest() * half_fall.abs();
         let sticks = at_start <= STICKING_RELATIVE * given;
         let whole = Self { half_change: change, sticks, ..self };
@@ -234,7 +233,7 @@ pub(super) fn solve(
         } else {
             solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
         };
-        if !slide_under_static_friction(&mut friction, &solved.statuses) {
+        if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
             break solved;
         }
     };
@@ -280,14 +279,22 @@ fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> Friction
 }
 
 /// Gives contacts that slide although static friction holds them their kinetic coefficient. Returns whether there are
-/// any.
-fn slide_under_static_friction(friction: &mut [Option<TangentialRow>], statuses: &[ContactStatus]) -> bool {
+/// any. A contact at the limit of its cone without slip does not slide: where several contacts share a load that friction
+/// bears, the part of each is not determined.
+fn slide_under_static_friction(
+    friction: &mut [Option<TangentialRow>],
+    rows: &[Range<usize>],
+    solved: &RowSolution,
+    constants: &[f64],
+) -> bool {
+    let scale = constants.iter().fold(0.0, |most: f64, constant| most.max(constant.abs()));
     let mut any = false;
-    for (friction, status) in friction.iter_mut().zip(statuses) {
+    for ((friction, status), tangents) in friction.iter_mut().zip(&solved.statuses).zip(rows) {
         let Some(friction) = friction.as_mut().filter(|friction| friction.is_held_by_static_friction()) else {
             continue;
         };
-        if *status == ContactStatus::Slide {
+        let slip = tangents.clone().fold(0.0, |sum: f64, row| libm::hypot(sum, solved.velocities[row]));
+        if *status == ContactStatus::Slide && slip > STICKING_RELATIVE * scale {
             friction.sticks = false;
             any = true;
         }
