@@ -95,7 +95,7 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
         }));
     }
     if !options.bless && selected(book::NAME) && !options.extent.quick {
-        steps.push(Step::new(book::NAME, Company::Alone, || book::check(context)));
+        steps.push(Step::new(book::NAME, Company::Alone, || book::check(context, &names(scenes))));
     }
     if !options.bless && selected(gallery::CASE) {
         steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
@@ -112,15 +112,19 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
 }
 
 fn no_such_case(options: &Options, scenes: &[String]) -> String {
+    let pattern = options.only.as_deref().unwrap_or_default();
+    format!("no case contains \"{pattern}\"; the cases are: {}", names(scenes).join(", "))
+}
+
+/// The names of all that `--only` can select.
+fn names(scenes: &[String]) -> Vec<String> {
     let cases = [HOUSE, book::NAME, gallery::CASE]
         .into_iter()
         .chain(cases::ALL.iter().map(|case| case.name))
         .map(str::to_owned);
     let goldens = scenes.iter().map(|scene| golden::case_name(scene));
     let stills = golden::STILLS.iter().map(golden::GoldenStill::case_name);
-    let names: Vec<String> = cases.chain(goldens).chain(stills).chain([viewer::NAME.to_owned()]).collect();
-    let pattern = options.only.as_deref().unwrap_or_default();
-    format!("no case contains \"{pattern}\"; the cases are: {}", names.join(", "))
+    cases.chain(goldens).chain(stills).chain([viewer::NAME.to_owned()]).collect()
 }
 
 fn print(rows: &[Row], options: &Options) -> Result<(), Box<dyn Error>> {

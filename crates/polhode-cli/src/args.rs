@@ -18,6 +18,9 @@ pub(crate) struct Cli {
     pub(crate) command: Command,
 }
 
+/// Most samples that errors are taken from: they stay in memory, those of several runs at a time.
+const MOST_SAMPLES: i64 = 1_000_000;
+
 const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what its method \
      promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C; 143 SIGTERM.";
 
@@ -218,7 +221,7 @@ pub(crate) struct CostArgs {
     #[arg(long)]
     pub(crate) json: bool,
     /// Samples that errors are taken from
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
     pub(crate) samples: u32,
     /// Rounds of timing at the most
     #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..))]

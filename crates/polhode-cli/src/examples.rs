@@ -50,7 +50,8 @@ pub(crate) fn scenes() -> Result<(), Failure> {
 pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let path = PathBuf::from(format!("{name}.toml"));
-    let Some(stem) = path.file_stem().and_then(OsStr::to_str).filter(|stem| !stem.is_empty() && *stem != ".toml")
+    let Some(stem) =
+        path.file_stem().and_then(OsStr::to_str).filter(|stem| stem.contains(|c| c != '.') && *stem != ".toml")
     else {
         return Err(Failure::Usage(format!("error: {}: this names no scene: give a name such as my-scene", args.name)));
     };

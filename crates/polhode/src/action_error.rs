@@ -1,5 +1,6 @@
 //! Errors of actions: why a simulation refuses what a program wants to do to a body.
 
+use crate::few_digits::length;
 use thiserror::Error;
 
 /// Why an action is refused. The simulation is as it was before.
@@ -36,8 +37,9 @@ pub enum ActionError {
     },
     /// The body would overlap another one.
     #[error(
-        "body {body_a} would overlap body {body_b} by {depth_m:e} m, and at most {allowed_m:e} m counts as touch: \
-         choose another pose"
+        "body {body_a} would overlap body {body_b} by {}, and at most {} counts as touch: choose another pose",
+        length(*depth_m),
+        length(*allowed_m)
     )]
     Overlap {
         /// The body.

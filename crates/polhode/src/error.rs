@@ -1,6 +1,7 @@
 //! Errors of a simulation: why it cannot be made, cannot continue, or refuses what a program asks for.
 
 use crate::action_error::ActionError;
+use crate::few_digits::length;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_contact::{BroadPhaseError, ImpactError};
@@ -127,8 +128,9 @@ pub enum SimulationError {
     },
     /// A prescribed motion presses a body into another one that cannot yield.
     #[error(
-        "{body_a} and {body_b} overlap by {overlap_m:e} m at t = {t} s, and no impulse can separate them: a prescribed \
-         motion leaves a body no room; give it room, or end the prescribed motion before"
+        "{body_a} and {body_b} overlap by {} at t = {t} s, and no impulse can separate them: a prescribed motion leaves a \
+         body no room; give it room, or end the prescribed motion before",
+        length(*overlap_m)
     )]
     NoWayOut {
         /// When, s.

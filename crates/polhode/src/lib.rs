@@ -133,6 +133,7 @@
 //! | `interaction` | constraints, impacts, projection and event location, which the tiers share |
 //! | `time_stepping` | the time step at the level of velocities |
 //! | `accurate`, `stepped`, `thesis` | the tiers, behind the trait of `tier` |
+//! | `few_digits` | lengths as messages say them |
 //! | `accounting`, `promise` | books, measures and warnings of a run; the limits that a tier promises |
 //!
 //! This crate is all that a program needs to name: the crates below it are re-exported as [`contact`], [`dynamics`],
@@ -152,6 +153,7 @@ mod effects;
 mod energy;
 pub mod error;
 pub mod event;
+mod few_digits;
 pub mod frame;
 mod free_method;
 mod free_stage;

@@ -7,6 +7,7 @@
 
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
+use crate::few_digits::length;
 use crate::interaction::overlap::Overlaps;
 use crate::scene::{OverlapAtStart, SceneError};
 use crate::settings::Settings;
@@ -45,8 +46,10 @@ pub(crate) fn separate(
         return Err(SceneError::InitialOverlap(left).into());
     }
     let what = format!(
-        "{count} pairs of bodies overlapped by up to {depth_m:e} m at the start, which start.separate = {limit_m:e} m \
-         allows: they were moved apart, by at most {moved_m:e} m"
+        "{count} pairs of bodies overlapped by up to {} at the start, which start.separate = {limit_m:e} m allows: they \
+         were moved apart, by at most {}",
+        length(depth_m),
+        length(moved_m)
     );
     Ok(Some(what))
 }

@@ -21,6 +21,7 @@
 //! | `python` | blocks of Python |
 //! | `programs` | blocks of Rust, and the built book |
 //! | `links` | links to files and headings |
+//! | `selections` | cases that documents tell to run |
 //! | `step` | the step of a verification |
 
 mod commands;
@@ -29,6 +30,7 @@ mod page;
 mod programs;
 mod python;
 mod scenes;
+mod selections;
 mod step;
 
 pub(crate) use step::{NAME, check};

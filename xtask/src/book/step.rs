@@ -2,7 +2,7 @@
 
 use super::commands::{self, Shell};
 use super::page::{Block, Page, pages_in};
-use super::{links, programs, python, scenes};
+use super::{links, programs, python, scenes, selections};
 use crate::cases::{CaseResult, Context, build_program, guarded};
 use crate::row::Row;
 use std::collections::BTreeSet;
@@ -22,12 +22,12 @@ const BOOK: &str = "docs/book";
 /// Files of the workspace that commands of a page name.
 const SHIPPED: [&str; 2] = ["fixtures/scenes", "fixtures/meshes"];
 
-/// Runs what README and book print, and follows their links.
-pub(crate) fn check(context: &Context) -> Vec<Row> {
-    guarded(NAME, || rows(context))
+/// Runs what README and book print, and follows their links; `names` are those of all that can be verified.
+pub(crate) fn check(context: &Context, names: &[String]) -> Vec<Row> {
+    guarded(NAME, || rows(context, names))
 }
 
-fn rows(context: &Context) -> CaseResult {
+fn rows(context: &Context, names: &[String]) -> CaseResult {
     let root = &context.root;
     let program = build_program(root)?;
     let build_folder = program.parent().ok_or("the program lies in no folder")?.join(NAME);
@@ -44,7 +44,11 @@ fn rows(context: &Context) -> CaseResult {
     rows.push(run_python(&run, &shells));
     let in_rust = run.iter().flat_map(Page::blocks).filter(is("rust")).count();
     rows.push(programs::rust(NAME, root, in_rust)?);
-    rows.push(links(root)?);
+    let documents = documents(root)?;
+    let (broken, count) = links::broken(root, &documents);
+    rows.push(judged(&format!("{count} links of all documents lead somewhere"), &broken));
+    let (faults, count) = selections::of_nothing(&documents, names);
+    rows.push(judged(&format!("{count} selections of cases in all documents select some"), &faults));
     rows.push(programs::mdbook(NAME, root)?);
     Ok(rows)
 }
@@ -113,8 +117,8 @@ fn run_python(pages: &[Page], shells: &[Shell<'_>]) -> Row {
     judged(&quantity, &faults)
 }
 
-/// Links of all documents.
-fn links(root: &Path) -> Result<Row, Box<dyn Error>> {
+/// All documents: README and changelog, those of the book and beside it, and the README of each crate.
+fn documents(root: &Path) -> Result<Vec<Page>, Box<dyn Error>> {
     let mut paths = vec![README.to_owned(), CHANGELOG.to_owned()];
     paths.extend(pages_in(root, DOCUMENTS)?);
     let mut crates: Vec<PathBuf> = std::fs::read_dir(root.join("crates"))?
@@ -124,9 +128,7 @@ fn links(root: &Path) -> Result<Row, Box<dyn Error>> {
     paths.extend(
         crates.iter().map(|path| format!("crates/{}/{README}", path.file_name().unwrap_or_default().to_string_lossy())),
     );
-    let pages: Vec<Page> = paths.iter().map(|path| Page::read(root, path)).collect::<Result<_, _>>()?;
-    let (broken, count) = links::broken(root, &pages);
-    Ok(judged(&format!("{count} links of all documents lead somewhere"), &broken))
+    paths.iter().map(|path| Page::read(root, path)).collect()
 }
 
 /// A row that fails with the first fault; all go to stderr.

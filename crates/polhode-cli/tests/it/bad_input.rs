@@ -224,6 +224,49 @@ const COMMANDS: &[Case] = &[
     (2, &["new", "scene.toml", "--from", "diamond-4"], "is there already"),
     (2, &["new", "mine", "--from", "nothing-like-it"], "no example is named `nothing-like-it`"),
     (3, &["new", "no/folder/mine"], "cannot write"),
+    (2, &["new", ".."], "this names no scene"),
+    (2, &["new", "a/.."], "this names no scene"),
+    (2, &["new", ""], "this names no scene"),
+    (2, &["new", "mine", "--from", "example:"], "`polhode scenes` lists them"),
+    (3, &["new", "scene.toml/mine"], "cannot write scene.toml/mine.toml"),
+    (2, &["completions", ""], "possible values: bash"),
+    (2, &["schema", "extra"], "unexpected argument 'extra'"),
+    (2, &["scenes", "extra"], "unexpected argument 'extra'"),
+    (2, &["plan", "-"], "missing key `format`"),
+    (2, &["check", "empty.toml"], "missing key `format`"),
+    (2, &["check", "bytes.toml"], "is not UTF-8"),
+    (3, &["check", "scene.toml/"], "cannot read scene.toml/"),
+    (2, &["check", ""], "a value is required"),
+    (2, &["run", "scene.toml", "-o", ""], "a value is required"),
+    (2, &["run", "scene.toml", "-o", ".csv"], "unknown ending"),
+    (2, &["run", "scene.toml", "-o", "/dev/full"], "unknown ending"),
+    (3, &["run", "scene.toml", "-o", "kept.csv/b.csv"], "cannot write kept.csv/b.csv"),
+    (2, &["run", "scene.toml", "-o", "a.csv", "--events", "a.csv"], "is named twice"),
+    (2, &["run", "scene.toml", "--duration", "-0"], "0 is not accepted"),
+    (2, &["run", "scene.toml", "--accuracy", "nan"], "a positive number"),
+    (2, &["run", "scene.toml", "--checkpoint", "kept.csv"], "is no checkpoint: give another file"),
+    (2, &["run", "scene.toml", "--plot", "heat", "-o", "a.svg"], "invalid value 'heat'"),
+    (2, &["resume", "kept.csv", "-o", "kept.csv"], "is no checkpoint"),
+    (2, &["resume", "scene.toml", "--duration", "3"], "unexpected argument '--duration'"),
+    (2, &["cost", "scene.toml", "--budget", "nan"], "a positive number"),
+    (2, &["cost", "scene.toml", "--target", "nan"], "a positive number"),
+    (2, &["cost", "scene.toml", "--samples", "4294967295"], "--samples"),
+    (2, &["cost", "scene.toml", "--vary", "method.step="], "a key or a value is empty"),
+    (2, &["cost", "scene.toml", "--html", "scene.toml"], "an output never replaces it"),
+    (2, &["mesh", "empty.toml"], "no mesh file"),
+    (2, &["mesh", "cube.obj", "--scale", "0"], "positive, finite factor"),
+    (2, &["mesh", "cube.obj", "--monte-carlo", "0"], "at least 2 points"),
+    (2, &["mesh", "cube.obj", "--repair", "--weld-tolerance", "nan"], "found NaN m"),
+    (2, &["mesh", "cube.obj", "--repair", "--largest-hole", "-1"], "from 0 to 1"),
+    (2, &["mesh", "cube.obj", "-o", "a.xyz"], "names its format"),
+    (2, &["mesh", "cube.obj", "-o", "a.obj", "--encoding", "binary"], "no binary encoding"),
+    (2, &["compare", "kept.csv", "kept.csv", "--atol", "nan"], "a tolerance is NaN"),
+    (2, &["compare", "kept.csv", "kept.csv", "-o", "kept.csv"], "unknown ending"),
+    (2, &["view", "scene.toml", "--camera", "nowhere", "-o", "a.png"], "not of the form X,Y,Z"),
+    (2, &["view", "scene.toml", "--size", "0x0", "-o", "a.png"], "1 to 8192 pixels"),
+    (2, &["view", "scene.toml", "--still", "t=1e400", "-o", "a.png"], "the motion is from t = 0 s to"),
+    (2, &["view", "scene.toml", "--beside", "method.step=0", "-o", "a.html"], "0 is not accepted"),
+    (2, &["view", "scene.toml", "--beside", "nonsense", "-o", "a.html"], "not of the form KEY=VALUE"),
     (2, &["completions", "tcsh"], "invalid value 'tcsh'"),
 ];
 
@@ -234,6 +277,8 @@ fn commands_that_are_wrong() {
     place.write("cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     place.write("bad.obj", "v 0 0 zero\nf 1 2 3\n");
     place.write("kept.csv", "mine\n");
+    place.write("empty.toml", "");
+    std::fs::write(place.path("bytes.toml"), [0xff, 0xfe]).unwrap();
     let before = place.list();
     for (code, args, word) in COMMANDS {
         let run = place.expect(*code, args);
@@ -246,7 +291,7 @@ fn commands_that_are_wrong() {
 /// There are as many cases as the program promises to answer.
 #[test]
 fn there_are_enough_cases() {
-    assert!(SCENES.len() + COMMANDS.len() >= 130, "{}", SCENES.len() + COMMANDS.len());
+    assert!(SCENES.len() + COMMANDS.len() >= 170, "{}", SCENES.len() + COMMANDS.len());
 }
 
 /// All errors of a scene are told at once, in the order of the file, at most twenty; what follows from another is not told.

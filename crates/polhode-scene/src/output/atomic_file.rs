@@ -74,6 +74,10 @@ impl AtomicFile {
         #[cfg(unix)]
         builder.permissions(as_other_files());
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        // Said here, where no temporary name stands in the message.
+        if !fs::metadata(folder)?.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::NotADirectory, format!("{} is no folder", folder.display())));
+        }
         remove_stale(folder, &prefix.to_string_lossy());
         let (file, path) = builder.tempfile_in(folder)?.into_parts();
         // Where a file system has no locks nothing is lost but the mark.

@@ -420,5 +420,5 @@ fn errors_of_the_engine() {
     };
     let error = loaded.explain(polhode::SceneError::InitialOverlap(vec![pair]));
     assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
-    assert!(error.to_string().contains("overlap by 1.000e-1 m"), "{error}");
+    assert!(error.to_string().contains("overlap by 0.1 m"), "{error}");
 }

@@ -7,6 +7,7 @@ use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
+use crate::few_digits::length;
 use crate::interaction::groups::{coupled_groups, groups};
 use crate::interaction::projection;
 use crate::scene::{OverlapAtStart, SceneError};
@@ -114,7 +115,8 @@ impl Engine {
             return Ok(());
         }
         let what = format!(
-            "bodies overlapped by up to {deepest:e} m at the start, which counts as touch: they were moved apart"
+            "bodies overlapped by up to {} at the start, which counts as touch: they were moved apart",
+            length(deepest)
         );
         core.accounts.warn(core.t, what);
         let all: Vec<_> = contacts.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b)).collect();

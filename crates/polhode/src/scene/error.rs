@@ -1,6 +1,7 @@
 //! Errors of a scene: why it is refused.
 
 use super::MotionError;
+use crate::few_digits::length;
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use thiserror::Error;
@@ -266,8 +267,9 @@ fn overlapping(pairs: &[OverlapAtStart]) -> String {
     let sentence = |pair: &OverlapAtStart| {
         let OverlapAtStart { body_a, body_b, depth_m, allowed_m } = pair;
         format!(
-            "bodies {body_a} and {body_b} overlap by {depth_m:.3e} m at the start, and at most {allowed_m:.3e} m counts \
-             as touch"
+            "bodies {body_a} and {body_b} overlap by {} at the start, and at most {} counts as touch",
+            length(*depth_m),
+            length(*allowed_m)
         )
     };
     let mut sentences: Vec<_> = pairs.iter().take(MOST_PAIRS).map(sentence).collect();
