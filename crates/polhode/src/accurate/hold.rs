@@ -20,10 +20,6 @@ use std::collections::{BTreeMap, BTreeSet};
 /// the group's contacts without contact forces. The rounding error of the solution is some 1e-15.
 const OPENING_RELATIVE: f64 = 1e-11;
 
-/// With friction, accelerations up to this many times the residual of the solver are zero (2 to 100): where bodies slide
-/// together with forces at the limit of friction, some converge slowly.
-const RESIDUALS: f64 = 10.0;
-
 /// The net force on a body in equilibrium is at most this fraction of the sum of the magnitudes of the forces on it;
 /// likewise for moments. The rounding error of a few hundred contacts is below 1e-13.
 const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
@@ -142,7 +138,7 @@ impl Forces {
 
     /// The forces of contacts with friction.
     fn with_friction(found: FrictionalAccelerations, t: f64, load: f64) -> Self {
-        let opening = OPENING_RELATIVE.max(RESIDUALS * found.solution.report.residual) * found.scale;
+        let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
                 let ContactTangent { force, slip_acceleration, sliding, slides, .. } = contact;

@@ -247,3 +247,15 @@ fn near_contact(
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
     }
 }
+
+/// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
+pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
+    let slip = |near: &NearContact| {
+        world.friction_of(near.id.a, near.id.b)?;
+        Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
+    };
+    if !world.has_friction() {
+        return vec![0.0; near.len()];
+    }
+    near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
+}

@@ -1,11 +1,10 @@
 //! One time step, and steps that are split at impacts.
 
 use super::NO_WORK_J;
-use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed};
+use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed, slips_at_start};
 use super::drift;
 use super::kick::kick;
 use super::report::TimeStepReport;
-use super::sustained::slips_at_start;
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;

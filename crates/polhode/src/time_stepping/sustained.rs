@@ -82,7 +82,7 @@ impl Row {
 
 impl TimeStepper {
     /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, after the first half of the free flight.
-    /// `slips` are the speeds of slip of `near` at the start of the step ([`slips_at_start`]). Returns the contacts (by
+    /// `slips` are the speeds of slip of `near` at the start of the step ([`slips_at_start`](super::contacts::slips_at_start)). Returns the contacts (by
     /// index) that carry an impulse.
     ///
     /// # Errors
@@ -170,18 +170,6 @@ impl TimeStepper {
         }
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new() })
     }
-}
-
-/// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
-pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
-    let slip = |near: &NearContact| {
-        world.friction_of(near.id.a, near.id.b)?;
-        Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
-    };
-    if !world.has_friction() {
-        return vec![0.0; near.len()];
-    }
-    near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
 }
 
 /// The contacts in the middle of the step; those whose features no longer define a contact are left out.
