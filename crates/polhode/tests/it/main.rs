@@ -13,6 +13,7 @@ mod forces;
 mod forces_with_contact;
 mod frames;
 mod friction;
+mod friction_at_its_limit;
 mod friction_effects;
 mod friction_on_moving_ground;
 mod grain;
