@@ -38,7 +38,7 @@ fn in_workspace(context: &Context) -> CaseResult {
         for example in examples_of(&context.root, name)? {
             let mut program = Command::new(folder.join(stem(&example)));
             program.current_dir(&context.root);
-            rows.push(run(&mut program, format!("{name}: {}", stem(&example)))?);
+            rows.push(run(&mut program, &format!("{name}: {}", stem(&example)))?);
         }
     }
     Ok(rows)
@@ -66,7 +66,7 @@ fn in_packages(context: &Context) -> CaseResult {
         let mut program = commands::cargo(&users);
         let package = format!("user-of-{name}");
         program.args(["run", "--quiet", "--offline", "--package", &package, "--bin", example]);
-        run(&mut program, format!("{name} alone: {example}"))
+        run(&mut program, &format!("{name} alone: {example}"))
     });
     rows.collect()
 }
@@ -118,13 +118,13 @@ fn write_package(root: &Path, users: &Path, name: &str, examples: &[PathBuf]) ->
     Ok(())
 }
 
-fn run(program: &mut Command, quantity: String) -> Result<Row, Box<dyn Error>> {
+fn run(program: &mut Command, quantity: &str) -> Result<Row, Box<dyn Error>> {
     let output = program.stdin(Stdio::null()).output()?;
     if !output.status.success() {
         eprintln!("\n{}", String::from_utf8_lossy(&output.stderr));
     }
     let measured = if output.status.success() { "success".to_owned() } else { output.status.to_string() };
-    Ok(Row::exact("one dependency", &quantity, "success", measured))
+    Ok(Row::exact("one dependency", quantity, "success", measured))
 }
 
 /// Name of a file without its ending.
