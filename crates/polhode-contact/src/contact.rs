@@ -84,7 +84,8 @@ pub enum SeparatingAxis {
     /// The line between the nearest points of the two bodies, one of which is a smooth shape, a point cloud, a mesh or
     /// a compound.
     Nearest,
-    /// The pair never touches (two half-spaces, two clouds), or the poses are not finite.
+    /// None: the pair never touches (two half-spaces, two clouds), a pose is not finite, or
+    /// [`near_manifold`](crate::near_manifold) found only that the pair is beyond the reach.
     None,
 }
 

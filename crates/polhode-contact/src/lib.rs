@@ -53,6 +53,9 @@
 //! | patch | neighbouring triangles of a mesh that lie in one plane |
 //! | round shape | a capsule, cylinder or cone |
 //! | ring | a torus; its centre circle is the middle of its tube |
+//! | smooth shape | a sphere, a round shape or a ring |
+//! | locus | the point, line, circle, plane or side of a cone of an element, without the ball |
+//! | branch | one of two halves of a circle; a feature names it by `RimExit` or `RimEntry` |
 //! | best axis, face or edges | those with the largest separation |
 //! | deciding axis, face or edges | the best ones after ties are decided: the contacts follow from them |
 //! | clear | separated, in the search for impacts |

@@ -71,7 +71,8 @@ pub struct IslandView {
     pub bodies: Vec<BodyId>,
 }
 
-/// All bodies at one time, with contacts and islands. The place of a body in the lists is its [`BodyId::index`].
+/// All bodies at one time, with contacts and islands: a frame of an animation, not a coordinate frame. The place of a
+/// body in the lists is its [`BodyId::index`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// Time, s.

@@ -6,9 +6,10 @@
 //! | conservative, no body may collide, at most sixteen splittings a step at the start | `exact-adaptive` |
 //! | any others | `dop853` |
 //!
-//! An integrator that the scene names is used in any case. Splitting integrates free rotation exactly, however fast the
-//! spin, and the energy of a bound motion does not drift. Its order is 4, so that DOP853 is better for forces that
-//! change much within a step. Both are under error control: for a comet that starts far from its sun the splitting
+//! An integrator that the scene names is used, except in the tier `stepped`, which has its own, and for coupled bodies
+//! that may collide, which `dop853` integrates unless the scene names `rk4`. Splitting integrates free rotation
+//! exactly, however fast the spin, and the energy of a bound motion does not drift. Its order is 4, so that DOP853 is
+//! better for forces that change much within a step. Both are under error control: for a comet that starts far from its sun the splitting
 //! takes shorter steps near the sun, and where a step would need more than 64 splittings DOP853 takes over.
 
 use crate::scene::{Integrator, Tier};

@@ -33,7 +33,8 @@ pub struct Certificate {
     /// Largest bound `sqrt(f.w)` on the error of the accelerations from a solve for contact forces, in the norm of
     /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves.
     pub max_acceleration_error_bound: f64,
-    /// Largest estimated local error of a step of constrained motion, relative to its tolerance.
+    /// Largest estimated local error of a step under error control, of free or constrained motion, relative to its
+    /// tolerance.
     pub max_step_error: f64,
     /// Number of fallbacks: a fallback solver answered, an event was postponed (backoff), a contact was not projected.
     /// [`RunReport::tolerated`] names them.

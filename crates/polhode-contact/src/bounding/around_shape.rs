@@ -28,10 +28,10 @@ pub fn aabb_of(shape: &Shape, pose: &Pose) -> Result<Aabb, AabbError> {
 
 /// A box that contains the shape at every time of `[t0, t1]` (s).
 ///
-/// The centre of mass stays within `a T^2/8` of the chord between its two ends (a the bound of its acceleration, T the
-/// duration) and within `v T` of its start; a point at distance `r` from it deviates from its position relative to it
-/// at the middle of the interval by at most `r min(w T/2, 2)` (w the bound of the angular speed). A half-space is
-/// unbounded.
+/// Let a, v and w be the bounds of acceleration, speed and angular speed over the duration T. The centre of mass stays
+/// within `v T` of its start, and within `a T^2/8` of the straight line between its first and its last position. Seen
+/// from the centre of mass, a point at the distance r from it stays within `r min(w T/2, 2)` of its place at the middle
+/// of the interval. A half-space is unbounded.
 ///
 /// # Errors
 /// When the interval is not finite or reversed, or the motion is not finite.

@@ -9,12 +9,12 @@
 //! `gap'' = n.(v_V' - v_E') + n.(alpha_V x r + w_V x (w_V x r)) - n.(alpha_E x y) - (w_E x n).(w_E x y)
 //!          + 2 (w_E x n).(v_V - v_E + w_V x r)`
 //!
-//! `|gap''| <= |v_V' - v_E'| + (alpha_V + w_V^2)|r| + (alpha_E + w_E^2) Y + 2 w_E (V + w_V |r|)`,
-//! `Y = |y| + (V + w_V |r|) T`, `V` the largest relative speed of the centres.
+//! `|gap''| <= |v_V' - v_E'| + (alpha_V + w_V^2)|r| + (alpha_E + w_E^2) Y + 2 w_E (S + w_V |r|)`,
+//! `Y = |y| + (S + w_V |r|) T`, `S` the largest relative speed of the centres.
 //!
 //! For two edges the axis is `N = e_A x e_B`, which turns with both: `f = N.u` for a vector `u` fixed in A has
-//! `|f''| <= E |u x e_A|`, `E = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves
-//! `|f''| <= E C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
+//! `|f''| <= K |u x e_A|`, `K = alpha_A + alpha_B + w_A w_B + (w_A + w_B)^2`, and between the edges themselves
+//! `|f''| <= K C + 2 (w_A + w_B) U + |relative acceleration|`, with `C` and `U` the largest distance and relative speed
 //! of the two nearest points (all in A's frame, where `e_A` is at rest).
 //!
 //! A circle (centre `c`, axis `a`, radius `R`) extends `R |a x n|` farther along `n` than its centre; `circle_below`
@@ -281,9 +281,9 @@ impl<'a> Window<'a> {
         clear
     }
 
-    /// The angular velocity perpendicular to an axis with which the axis stays perpendicular to lines fixed in the
-    /// bodies; for each line the unit vector perpendicular to it and the axis. None without lines; of parallel lines
-    /// the first is used.
+    /// The angular velocity, perpendicular to an axis, at which the axis stays perpendicular to a line fixed in A and
+    /// to one fixed in B. `across` holds for each line the unit vector perpendicular to the line and to the axis. None
+    /// without lines; of parallel lines the first is used.
     pub(crate) fn turn_with(&self, across: [Option<DVec3>; 2]) -> Option<DVec3> {
         let (spin_a, spin_b) = (self.a.velocity.angular, self.b.velocity.angular);
         match across {

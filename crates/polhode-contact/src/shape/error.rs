@@ -20,7 +20,7 @@ pub enum ShapeError {
         /// The number.
         value: f64,
     },
-    /// A length is not positive.
+    /// A length is less than [`SMALLEST_LENGTH`].
     #[error("{what} is {value} m: it must be at least {SMALLEST_LENGTH:e} m")]
     TooSmall {
         /// What the length is.

@@ -294,10 +294,10 @@ fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64
 }
 
 /// The change of the force (N) and moment (N m) of fields on a body by the rounding of its pose, from its states and
-/// loads at both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-52`. It is the change of the
-/// load over the step, divided by the number of rounding units by which the pose has changed. Of position and attitude
-/// the larger number counts, so that the result is not too large if the load depends on one of them alone. For a body
-/// that has not moved the result is zero.
+/// loads at both ends of a step: a spring of stiffness k at a coordinate x gives `k x 2^-53`. It is the change of the
+/// load over the step, divided by the change of the pose in units of its rounding ([`POSE_ROUNDING`]). Of position and
+/// attitude the larger number counts, so that the result is not too large if the load depends on one of them alone. For
+/// a body that has not moved the result is zero.
 fn field_rounding([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) -> [f64; 2] {
     let (from, to) = (&start.pose, &end.pose);
     let unit = POSE_ROUNDING * from.translation.abs().max(to.translation.abs()).max_element();

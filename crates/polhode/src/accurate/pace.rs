@@ -33,8 +33,8 @@ const MOST_STEPS: u64 = 256;
 /// and a lower limit detects this earlier.
 const MOST_STEPS_AGAIN: u64 = 128;
 
-/// [`MOST_STEPS`] where a contact slides. A slip that is slow for long, because the forces hardly exceed what sticks, makes
-/// the equations stiff: friction turns it at the rate `mu g / |u_T|`, which every step must follow. A slip that stops takes
+/// [`MOST_STEPS`] where a contact slides. A slip that stays slow, because the forces hardly exceed friction, makes the
+/// equations stiff: friction turns it at the rate `mu g / |u_T|`, which every step must follow. A slip that stops takes
 /// some ten steps.
 const MOST_SLIDING_STEPS: u64 = 16;
 

@@ -41,9 +41,9 @@ const NEGLIGIBLE_HEIGHT: f64 = 64.0;
 /// that of velocities that cancelled, over some thousand steps.
 const SLIP_NOISE: f64 = 1e-13;
 
-/// Component of a slip across its direction that friction does not resist, as a fraction of the speed that a body reaches
-/// when it falls by its own size (1e-13 to 1e-11). Rounding of forces that cancel gathers it in slips of long duration,
-/// however slow they are, and friction would resist it at the rate `mu g / |u_T|`, which no step could follow.
+/// Component of a slip across its direction at the start of the step that counts as rounding, as a fraction of the
+/// speed of a fall by the body's own size (1e-13 to 1e-11). In a slow slip that lasts long, the rounding of forces that
+/// cancel adds up to such a component; friction would oppose it at the rate `mu g / |u_T|`, which no step could follow.
 const GATHERED_SLIP: f64 = 1e-12;
 
 /// What is counted where friction lowers the restitution of an impact.

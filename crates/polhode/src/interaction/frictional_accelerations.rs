@@ -87,10 +87,11 @@ pub(crate) struct ContactTangent {
 }
 
 impl ContactTangent {
-    /// The direction in which the slip of a contact begins to grow: against its force. The slip acceleration has the same
-    /// direction, but just beyond what static friction bears it is small, and its direction rounding. There the forces of
-    /// several contacts of one pair may point a little apart without a difference to the motion; a slip that begins in
-    /// such directions would turn at once. Where they nearly agree, that of their sum is taken for all.
+    /// The direction in which the slip of a contact begins to grow: against its friction force. The slip acceleration
+    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. There
+    /// the forces at several contacts of one pair may differ a little in direction without effect on the motion; slips
+    /// that begin in such directions would turn at once. A force that nearly agrees with the sum of its pair takes the
+    /// direction of the sum.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
         let against = |force| self.coefficients.at_rest.slip_against(self.basis, force);
         let own = against(self.force).or_else(|| self.slip_acceleration.try_normalize())?;
@@ -437,8 +438,9 @@ fn made_exact(
     stuck(assembly, (delassus, constants), frictional, reactions)
 }
 
-/// The solution with the least change of the forces of contacts that stick with which they stick exactly: at large ratios
-/// of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies.
+/// Changes the forces by as little as possible so that all contacts that hold and stick have no acceleration: at large
+/// ratios of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies. The
+/// solution is returned as it is where a contact slides.
 fn refined(
     (world, states, contacts): (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,

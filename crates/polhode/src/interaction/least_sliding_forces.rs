@@ -1,9 +1,10 @@
 //! The least forces with which all contacts hold while some of them slide.
 //!
-//! Where normal forces are not unique, bodies whose contacts slide in different directions move as the choice says. The
-//! motion between events takes the least forces; those at one instant are the same, if they push everywhere and lie in
-//! the cones of the contacts that stick. A contact that slides and whose normal force would press it less by its own
-//! friction (`G_nn - mu G_nt <= 0`, Painleve) is left to the cone problem.
+//! Where normal forces are not unique and contacts slide in different directions, the motion depends on the forces that
+//! are taken. Between events they are those of least norm (`accurate/friction_forces.rs`). At one instant the same
+//! forces are taken if none pulls and those of contacts that stick lie in their friction cones. Where the friction of a
+//! sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem
+//! decides.
 
 use super::assembly::Assembly;
 use crate::collision::contact_set::Touch;

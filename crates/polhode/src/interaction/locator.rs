@@ -7,8 +7,9 @@
 //!
 //! Assumption: one change of side in the bracket; of several, one is found. Bisection needs no smoothness: contact
 //! forces have corners where contacts break, and a test without a value cannot be interpolated. Errors are those of the
-//! evaluation of the side. Impacts of separate bodies are found by bounds that miss none (`polhode-contact`), events of
-//! free motion that a user of `polhode-dynamics` defines by its own secant method (Oliveira and Takahashi 2021).
+//! evaluation of the side. Impacts of separate bodies are found by bounds that miss none (`polhode-contact`). Events of
+//! free motion that a user of `polhode-dynamics` defines are found there, by a secant method (Oliveira and Takahashi
+//! 2021).
 
 /// Halvings of a bracket: 2^-44 is below 1e-13.
 const HALVINGS: usize = 44;

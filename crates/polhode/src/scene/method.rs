@@ -47,7 +47,7 @@ impl ImpactLaw {
 /// How the forces of resting contacts are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactMethod {
-    /// The thesis's linear programme of least total force with its guesses of vanishing contacts.
+    /// The thesis's linear programme of least total force, with its guesses of which contacts open and bear no force.
     LeastForce,
     /// The exact complementarity problem by the active set.
     ActiveSet,
@@ -123,8 +123,9 @@ pub struct Method {
     pub response: Option<Response>,
     /// Broad phase: how pairs that may touch are found. It affects the computing time only; results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
-    /// Local error per step of constrained motion, relative to size and speed of each body. Above the default (1e-11)
-    /// it is also the promised limit of penetration, relative to size.
+    /// Error allowed under error control, relative to size and speed of each body: of each step of constrained motion,
+    /// and of free motion by an integrator that controls its error. Above the default (1e-11) it is also the promised
+    /// limit of penetration, relative to size.
     pub tolerance: Option<f64>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,

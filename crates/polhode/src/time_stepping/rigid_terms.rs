@@ -1,8 +1,9 @@
 //! Terms of the contacts of one pair of bodies that do not contradict each other.
 //!
-//! The contacts of two flush faces are redundant: sticking at all of them asks for the same rigid motion several times. What
-//! the bodies gain in half a step, `r` (`sustained.rs`, `sustained_friction.rs`), has a part of order `h w^2 d` (`w` angular
-//! velocity, `d` distance of the contacts) that no rigid motion has, so that the rows contradict each other a little.
+//! The contacts of two flush faces are redundant: sticking at all of them asks for the same rigid motion several times.
+//! The terms `r` of the rows (`sustained.rs`, `sustained_friction.rs`), read as velocities of the contact points,
+//! differ from those of a rigid motion by a part of order `h w^2 d` (`w` angular velocity, `d` distance of the
+//! contacts), so that the rows contradict each other a little.
 //! Coulomb's law then has a solution only in which some corners slip or part by that little, with forces at the edge of
 //! their cones. Here `r` is replaced by that of the nearest rigid motion: with the mean normal `n`, the distances `d_i` of
 //! the points from their mean and `r_i` (m/s),

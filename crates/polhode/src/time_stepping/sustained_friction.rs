@@ -36,13 +36,14 @@ use std::ops::Range;
 /// the residual of the solver, at most `ACCEPTED_RESIDUAL`.
 const STICKING_RELATIVE: f64 = 1e-5;
 
-/// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The terms of contacts that depend
-/// on each other, as the four corners of a box, contradict each other by such a share where a body turns or gaps differ:
-/// reactions that satisfy the law to rounding then let a corner slip or part by that share of the speed that gravity gives in
-/// a step. Within a step of 1e-3 s that is a way of some 1e-11 m.
+/// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The rows of contacts that
+/// depend on each other, as the four corners of a box, contradict each other by about this fraction when the body turns
+/// or the gaps differ. Reactions that satisfied Coulomb's law to rounding would let a corner slip or part, by this
+/// fraction of the speed that gravity gives in a step: in a step of 1e-3 s by some 1e-11 m.
 const ACCEPTED_RESIDUAL: f64 = 1e-6;
 
-/// Sweeps of the last resort: what they leave the error estimate of a stretch contains.
+/// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
+/// of the error estimate of a stretch of crowded events.
 const LAST_SWEEPS: u32 = 100;
 
 /// Friction of a contact in the middle of a step.

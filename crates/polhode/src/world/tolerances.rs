@@ -8,7 +8,8 @@ use polhode_dynamics::BodyState;
 /// struck together (docs/NOTATION.md, "touch").
 pub(crate) const TOUCH_RELATIVE: f64 = 1e-11;
 
-/// Overlap at the start that counts as touch and is removed by a projection, relative to the size of the smaller body.
+/// Overlap that is tolerated where bodies are placed, at the start and by actions of a program, relative to the size of
+/// the smaller body. It is larger than the touch distance; at the start a projection removes it.
 pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;
 
 /// Displacement of a surface by the rounding of its pose, in units in the last place of the largest coordinate.

@@ -14,9 +14,10 @@
 //! | circle, both tori, both branches named and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | if the circles cross, seen along the normal |
 //! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | if the planes of the circles cross |
 //!
-//! Circle 1 is the one whose branch is named. If both are, it is the rim of a disc rather than a torus, whose axis has
-//! no outer side, and otherwise the first. Two rims that touch have opposite axes, `a_1 = -n`; their offset, like that
-//! of two tori, does not depend on which is first. With two different branches it may: swapping A and B can then
+//! A feature names one half of its circle, a *branch*, by `RimExit` or `RimEntry`; `Rim` names none. Circle 1 is the
+//! circle whose branch is named. If both branches are named, it is the rim of a disc where the other is a torus (whose
+//! axis has no outer side), and otherwise the first. Two rims that touch have opposite axes, `a_1 = -n`; their offset,
+//! like that of two tori, does not depend on which is first. With two different branches it may: swapping A and B can then
 //! exchange the names of the two places, which cannot be avoided for two equal tori that a half turn about the normal
 //! exchanges. No length distinguishes the places of two circles in every configuration: the third line fails for
 //! circles that are tilted about one centre, the fifth for coplanar ones. A contact of a torus uses the first offset

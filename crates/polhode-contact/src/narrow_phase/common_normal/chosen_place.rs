@@ -36,7 +36,7 @@ pub(crate) fn margin(place: &Place, a: &Element<'_>, b: &Element<'_>) -> f64 {
 }
 
 /// The common normal of two curves with the right sign. The curves may have passed through each other: outward
-/// directions of the bodies decide the sign. Axes and tori have no outward direction; their normal points along `F`.
+/// directions of the bodies decide the sign. Axes and tori have no outward direction; their normal points from B to A.
 fn oriented(place: Place, a: &Element<'_>, b: &Element<'_>) -> Place {
     let curve = |e: &Element<'_>| matches!(e.locus, Locus::Line(..) | Locus::Circle(_));
     if !(curve(a) && curve(b)) {

@@ -10,8 +10,8 @@
 //!
 //! where `u = v_V - v_E` and `a_V - a_E` are the velocity and acceleration of the point relative to the material point
 //! of E that coincides with it: thesis 3.4, `chi''` before equation (18), extended to curved distances and to
-//! separations that are not zero. `H` is 0 for a face, `(1 - g g' - e e')/phi` for an edge along `e` and
-//! `(1 - g g')/phi` for a vertex or a sphere.
+//! separations that are not zero. `H` is 0 for a face, `(1 - g g^T - e e^T)/phi` for an edge along `e` and
+//! `(1 - g g^T)/phi` for a vertex or a sphere.
 //!
 //! The contact point is `x_V - (rho_V + chi/2) g`, and the gradient turns at the rate `g' = w_E x g + H u`: the
 //! tangential terms follow from the rates of these two (`tangential.rs`).
