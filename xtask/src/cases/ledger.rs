@@ -3,6 +3,7 @@
 use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::Row;
+use polhode::scene::RestitutionLaw;
 use polhode::{Effects, Scene};
 
 /// What may be left unexplained, relative to the largest energy of the run.
@@ -45,15 +46,19 @@ pub(super) fn elastic_scenes(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Whether there are contacts and each has restitution 1.
+/// Whether there are contacts, each has restitution 1, and none has friction that takes the energy of a slip: friction
+/// with tangential restitution 1 reverses the slip.
 fn is_elastic(scene: &Scene) -> bool {
     let count = scene.bodies().len();
+    let law = scene.method().restitution_law;
+    let reverses_slips = law == Some(RestitutionLaw::ChatterjeeRuina { tangential_restitution: 1.0 });
     let mut pairs =
         (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b))).filter(|&(a, b)| scene.may_collide(a, b));
     let mut any = false;
     let all = pairs.all(|(a, b)| {
         any = true;
-        scene.pair_material(a, b).restitution() == 1.0
+        let material = scene.pair_material(a, b);
+        material.restitution() == 1.0 && (reverses_slips || material.friction() == 0.0)
     });
     any && all
 }

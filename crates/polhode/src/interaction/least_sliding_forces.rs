@@ -15,10 +15,10 @@ use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_f
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
-/// A tangential force exceeds what friction bears from this much above it on, relative to it (no unit, 1e-11 to 5e-10):
+/// A tangential force exceeds what friction bears from this much above it on, relative to it (no unit, 1e-11 to 1e-10):
 /// bodies of one material that slide together hold each other with forces exactly at the limit, and errors of steps must
 /// not decide whether they slide on each other.
-const EXCEEDED: f64 = 3e-10;
+const EXCEEDED: f64 = 5e-11;
 
 /// A moment of tangential forces about the centre of pressure counts as none below this part of what they could have (no
 /// unit, 1e-12 to 1e-6).
