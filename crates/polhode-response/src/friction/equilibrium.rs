@@ -8,10 +8,9 @@
 //! minimise |r|^2   subject to   G r + q = 0,   (1 - s) mu r_n >= |r_t| at every contact
 //! ```
 //!
-//! with `s` the part of friction that is kept in reserve: a convex programme over second-order cones, with rows scaled
-//! to one inverse mass. Source: Heyman 1966 (a structure
-//! stands if forces within the cones balance it); Goulart and Chen 2024 (the solver). Failure: `None` where no reactions balance, and where
-//! the interior point finds none.
+//! with `s` the part of friction that is kept in reserve: a convex programme over second-order cones, with rows scaled to
+//! one inverse mass. Source: Heyman 1966 (a structure stands if forces within the cones balance it); Goulart and Chen 2024
+//! (the solver). Failure: `None` where no reactions balance, and where the interior point finds none.
 
 use crate::error::ResponseError;
 use crate::friction::block::FrictionBlock;

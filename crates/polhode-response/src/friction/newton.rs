@@ -18,7 +18,7 @@ use crate::friction::coulomb_cone::rows_of;
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::linearisation::{ContactStatus, Linearised, linearise};
 use crate::friction::multifrontal::{BlockSystem, Multifrontal};
-use crate::friction::problem::{FrictionProblem, LARGEST_ROUNDING};
+use crate::friction::problem::FrictionProblem;
 
 /// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
 /// direction that moves something.
@@ -114,7 +114,7 @@ impl NewtonLimits {
     pub(crate) fn are_reached(&self, problem: &FrictionProblem, iterate: &Iterate) -> bool {
         let residual = iterate.residual;
         // What cannot be rounding is not compared with it, which would cost as much as a product with the matrix.
-        let may_be_rounding = residual <= LARGEST_ROUNDING;
+        let may_be_rounding = residual <= problem.largest_rounding();
         residual <= self.tolerance || (may_be_rounding && residual <= problem.rounding_of(&iterate.reactions))
     }
 }

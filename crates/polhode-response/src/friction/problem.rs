@@ -20,7 +20,7 @@ const ROUNDING_UNITS: f64 = 8.0;
 
 /// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is more
 /// than this diverge.
-pub(crate) const LARGEST_ROUNDING: f64 = 1e-8;
+const LARGEST_ROUNDING: f64 = 1e-8;
 
 /// A frictional contact problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,6 +143,12 @@ impl FrictionProblem {
         let size = largest(&self.constant);
         let most = (0..self.len()).map(|block| self.block_residual(block, reactions, velocities)).fold(0.0, nan_max);
         if most == 0.0 { 0.0 } else { most / size }
+    }
+
+    /// The largest residual that is ever taken for rounding.
+    pub(crate) fn largest_rounding(&self) -> f64 {
+        let friction = self.blocks.iter().filter_map(|block| block.friction()).fold(0.0, f64::max);
+        (1.0 + friction) * LARGEST_ROUNDING
     }
 
     /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more, and the

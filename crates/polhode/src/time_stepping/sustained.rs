@@ -82,8 +82,8 @@ impl Row {
 
 impl TimeStepper {
     /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, after the first half of the free flight.
-    /// `slips` are the speeds of slip of `near` at the start of the step ([`slips_at_start`](super::contacts::slips_at_start)). Returns the contacts (by
-    /// index) that carry an impulse.
+    /// `slips` are the speeds of slip of `near` at the start of the step
+    /// ([`slips_at_start`](super::contacts::slips_at_start)). Returns the contacts (by index) that carry an impulse.
     ///
     /// # Errors
     /// When a number is not finite.

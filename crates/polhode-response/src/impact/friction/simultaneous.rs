@@ -35,11 +35,12 @@ const ROUNDS: usize = 64;
 /// Restitutions tried in a round of reflection that would raise the energy.
 const LOWERED: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 
-/// Most steps to the largest `lambda`, and the width of its interval where they end (no unit, 1e-9 to 1e-4). Work is
-/// continuous in `lambda` but where forces are not unique, as under a box: there the interval closes by halves, and the
-/// lower end keeps the law. Coefficients of restitution are known to three digits.
+/// Most steps to the largest `lambda`, and the width of its interval where they end (no unit).
 const LAMBDA_STEPS: usize = 40;
-const LAMBDA_WIDTH: f64 = 1e-6;
+const LAMBDA_WIDTH: f64 = 1e-12;
+
+/// An excess that is zero to the residual of the cone problems (no unit).
+const EXCESS_ROUNDING: f64 = 1e-13;
 
 /// Impulses are shortened for the rounding of the energy to this at most (no unit): the residual of the cone problems is far
 /// below, and a real gain is a defect that must show.
@@ -148,7 +149,7 @@ fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: f64) -> R
         let is_inside = high.1.is_finite() && secant > low.0 && secant < high.0;
         let lambda = if is_inside { secant } else { 0.5 * (low.0 + high.0) };
         let Attempt { answer, excess } = attempt(part, asked, lambda, &best.impulses)?;
-        if excess.abs() <= ENERGY_ROUNDING {
+        if excess.abs() <= EXCESS_ROUNDING {
             return Ok(answer);
         }
         let below = excess < 0.0;
