@@ -51,6 +51,9 @@ pub(crate) enum Cause<'a> {
     Jam(f64, &'a Loads),
 }
 
+/// Largest residual of an impact that is taken for the rounding of velocities (no unit, 1e-6 to 1e-3).
+const LARGEST_ROUNDING: f64 = 1e-4;
+
 /// Whether an impact gave the restitution asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Restitution {
@@ -95,6 +98,7 @@ pub(crate) fn solve(
             Some(assembly.acceleration_constants(world, t, states, &free, kinematics)?)
         }
     };
+    let settings = settings_for(world.velocity_rounding(states, bodies), &before);
     let strike = |blocks: &FrictionBlocks, before: &[f64], _: Option<&[f64]>| {
         let mut restitution: Vec<f64> =
             contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
@@ -106,7 +110,7 @@ pub(crate) fn solve(
             restitution: &restitution,
             law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
             single: world.scene.method().restitution_law.unwrap_or_default(),
-            settings: &MultipleImpactSettings::default(),
+            settings: &settings,
         };
         let struck = match &accelerations {
             None => impact.resolve()?,
@@ -133,6 +137,17 @@ pub(crate) fn solve(
     let friction_work_j = works[assembly.first_tangent()..].iter().sum();
     let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled };
     Ok(impact_of(assembly, contacts.len(), &found, rows))
+}
+
+/// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts
+/// hardly approach, redundant ones contradict each other by that.
+fn settings_for(rounding: f64, before: &[f64]) -> MultipleImpactSettings {
+    let mut settings = MultipleImpactSettings::default();
+    let largest = before.iter().fold(0.0, |most: f64, velocity| most.max(velocity.abs()));
+    if largest > 0.0 {
+        settings.solver.acceptance = settings.solver.acceptance.max((rounding / largest).min(LARGEST_ROUNDING));
+    }
+    settings
 }
 
 /// What an impact did to the rows of an assembly.

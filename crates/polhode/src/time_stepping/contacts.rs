@@ -135,12 +135,6 @@ fn with_rate_at_point(
     ContactKinematics { separation_rate: kinematics.geometry.normal.dot(a - b), ..kinematics }
 }
 
-/// Largest speed of any point of a body, m/s, bounded by its size.
-pub(super) fn point_speed(world: &World, states: &[BodyState], body: usize) -> f64 {
-    let velocity = world.velocity(body, &states[body]);
-    velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
-}
-
 /// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those at which the
 /// bodies would penetrate at the end of their flight. While bodies are apart, the features that will meet need not be
 /// the nearest ones yet (the nearest points of two edges may lie beyond their ends).
@@ -197,7 +191,7 @@ pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (
     if is_sphere(shape_a) && is_sphere(shape_b) {
         return false;
     }
-    let travel = h * (point_speed(world, states, a) + point_speed(world, states, b));
+    let travel = h * (world.point_speed(states, a) + world.point_speed(states, b));
     travel > STANDING_RELATIVE * world.pair_size(a, b)
 }
 
@@ -212,7 +206,7 @@ fn contacts_within_reach(
 ) -> Vec<NearContact> {
     let h = span.h;
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
-    let speed = bodies.iter().fold(0.0, |most, &body| point_speed(world, states, body).max(most));
+    let speed = bodies.iter().fold(0.0, |most, &body| world.point_speed(states, body).max(most));
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
     let mut near = Vec::new();
     for &(a, b) in pairs {

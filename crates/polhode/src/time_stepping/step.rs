@@ -1,7 +1,7 @@
 //! One time step, and steps that are split at impacts.
 
 use super::NO_WORK_J;
-use super::contacts::{NearContact, Span, may_change_features, near_contacts, point_speed, slips_at_start};
+use super::contacts::{NearContact, Span, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::kick;
 use super::report::TimeStepReport;
@@ -170,7 +170,7 @@ impl TimeStepper {
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
         let slips = slips_at_start(world, states, &near);
-        let speeds: Vec<f64> = bodies.iter().map(|&body| point_speed(world, states, body)).collect();
+        let speeds: Vec<f64> = bodies.iter().map(|&body| world.point_speed(states, body)).collect();
 
         let before = report.books.balance(world, states, bodies);
         let mut received = self.fly(world, states, bodies, 0.5 * h);
@@ -237,7 +237,7 @@ fn rest_exactly(
         }
     }
     let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
-        speed.max(point_speed(world, states, body)) <= REST_RELATIVE * given
+        speed.max(world.point_speed(states, body)) <= REST_RELATIVE * given
     };
     report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
     if report.at_rest {

@@ -1,5 +1,5 @@
 //! The distances that decide whether two bodies touch or overlap: each relative to the size of the pair, with an
-//! allowance for the rounding of their poses.
+//! allowance for the rounding of their poses; and the rounding of the velocities of contacts.
 
 use super::model::World;
 use polhode_dynamics::BodyState;
@@ -18,6 +18,9 @@ const ROUNDING_ULPS: f64 = 8.0;
 /// Allowance for rounding in the penetration that a tier promises, in units in the last place of the largest
 /// coordinate.
 const PENETRATION_ULPS: f64 = 4.0;
+
+/// Error of the velocity of a contact by rounding, in rounding units of the largest speed of a point of its bodies.
+const VELOCITY_UNITS: f64 = 4.0;
 
 impl World {
     /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
@@ -57,5 +60,17 @@ impl World {
             if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
         };
         f64::EPSILON * coordinate(a).max(coordinate(b))
+    }
+
+    /// Largest speed of any point of a body, m/s, bounded by its size.
+    pub(crate) fn point_speed(&self, states: &[BodyState], body: usize) -> f64 {
+        let velocity = self.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
+    }
+
+    /// Error of the velocities of contacts of these bodies by rounding, m/s.
+    pub(crate) fn velocity_rounding(&self, states: &[BodyState], bodies: &[usize]) -> f64 {
+        let speed = bodies.iter().fold(0.0, |most, &body| self.point_speed(states, body).max(most));
+        VELOCITY_UNITS * f64::EPSILON * speed
     }
 }

@@ -18,6 +18,10 @@ use polhode_spatial::DisjointSets;
 /// are known to three digits.
 const ACCEPTED: f64 = 1e-10;
 
+/// Most impulses for each contact where a sequence takes the place of a cone problem that was not solved: sequences at
+/// contacts that share bodies may go on for long, and what is left is stopped at once.
+const IMPULSES_IN_PLACE: usize = 100;
+
 /// Tolerances and limits of impacts at several contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultipleImpactSettings {
@@ -157,10 +161,12 @@ impl MultipleFrictionalImpact<'_> {
         if together && strike_together(part, struck)? {
             return Ok(());
         }
+        let mut limit = self.settings.limit;
         if together {
             part.status = part.status.and(MultipleImpactStatus::StruckInOrder);
+            limit = limit.min(IMPULSES_IN_PLACE * contacts.len());
         }
-        strike_in_order(part, struck, self.single, self.settings.limit)
+        strike_in_order(part, struck, self.single, limit)
     }
 
     fn book(&self, group: &[usize], part: &Part, struck: &Struck, outcome: &mut MultipleImpact) {

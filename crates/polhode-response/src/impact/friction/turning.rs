@@ -81,7 +81,7 @@ impl Turning {
         let (mut turning, mut speed_rate) = (zero, zero);
         for n in 0..=ORDER {
             let [c, s] = &self.direction;
-            let (cc, cs, ss) = (product(c, c, n), product(c, s, n), product(s, s, n));
+            let [cc, cs, ss] = products([(c, c), (c, s), (s, s)], n);
             turning[n] = k2 * c[n] - k1 * s[n] - mu * (t12 * (cc - ss) + (t22 - t11) * cs);
             speed_rate[n] = k1 * c[n] + k2 * s[n] - mu * (t11 * cc + 2.0 * t12 * cs + t22 * ss);
             self.normal_rate[n] = -mu * (k1 * c[n] + k2 * s[n]);
@@ -92,19 +92,21 @@ impl Turning {
                 break;
             }
             let next = (n + 1) as f64 * unit;
-            let (turn_c, turn_s) = (-product(s, &turning, n) / next, product(c, &turning, n) / next);
-            let (slip_1, slip_2) = (product(&self.speed, c, n), product(&self.speed, s, n));
-            self.direction[0][n + 1] = turn_c;
-            self.direction[1][n + 1] = turn_s;
-            self.speed[n + 1] = product(&self.speed, &speed_rate, n) / next;
+            let r = &self.speed;
+            let pairs = [(s, &turning), (c, &turning), (r, c), (r, s), (r, &speed_rate), (r, r)];
+            let [turn_c, turn_s, slip_1, slip_2, slowing, square] = products(pairs, n);
+            self.direction[0][n + 1] = -turn_c / next;
+            self.direction[1][n + 1] = turn_s / next;
+            self.speed[n + 1] = slowing / next;
             self.normal_impulse[n + 1] = self.speed[n] / next;
             self.tangential_impulse[0][n + 1] = -mu * slip_1 / next;
             self.tangential_impulse[1][n + 1] = -mu * slip_2 / next;
             let tangential = [self.tangential_impulse[0][n + 1], self.tangential_impulse[1][n + 1]];
             self.normal_velocity[n + 1] =
                 matrix.normal * self.normal_impulse[n + 1] + plane::dot(matrix.coupling, tangential);
-            self.normal_work[n + 1] = product(&self.normal_velocity, &self.speed, n) / next;
-            self.friction_work[n + 1] = -mu * product(&self.speed, &self.speed, n) / next;
+            let [normal_power] = products([(&self.normal_velocity, &self.speed)], n);
+            self.normal_work[n + 1] = normal_power / next;
+            self.friction_work[n + 1] = -mu * square / next;
         }
     }
 
@@ -114,7 +116,8 @@ impl Turning {
         let relative = self.speed.map(|coefficient| coefficient / self.speed[0]);
         let radius = |order: usize| {
             let [c, s] = [&self.direction[0], &self.direction[1]].map(|series| series[order].abs());
-            libm::pow(c.max(s).max(product(&relative, &relative, order).abs()), -1.0 / order as f64)
+            let [square] = products([(&relative, &relative)], order);
+            libm::pow(c.max(s).max(square.abs()), -1.0 / order as f64)
         };
         (SHARE_OF_RADIUS * radius(ORDER).min(radius(ORDER - 1))).min(LONGEST)
     }
@@ -157,9 +160,17 @@ impl Turning {
     }
 }
 
-/// Coefficient `n` of a product.
-fn product(a: &Series, b: &Series, n: usize) -> f64 {
-    (0..=n).map(|k| a[k] * b[n - k]).sum()
+/// Coefficient `n` of the products of pairs of series. All sums run at once: one alone waits for each of its additions.
+fn products<const PAIRS: usize>(pairs: [(&Series, &Series); PAIRS], n: usize) -> [f64; PAIRS] {
+    let lines = pairs.map(|(a, b)| (&a[..=n], &b[..=n]));
+    // Empty sums of floating-point numbers begin with -0.
+    let mut sums = [-0.0; PAIRS];
+    for k in 0..=n {
+        for (sum, (a, b)) in sums.iter_mut().zip(&lines) {
+            *sum += a[k] * b[n - k];
+        }
+    }
+    sums
 }
 
 /// The sum of a series.
