@@ -14,6 +14,8 @@ pub(super) struct Crowd {
     pub(super) step_s: f64,
     /// Number of the stretch in the accounts.
     pub(super) number: usize,
+    /// Error that is left for steps within which contacts begin to stick or to slide, relative to the size of a body.
+    pub(super) spare_error: f64,
 }
 
 /// One time step of a crowd.

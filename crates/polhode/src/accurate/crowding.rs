@@ -59,6 +59,14 @@ const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
 /// The same with friction, where every length that is tried costs the solution of three cone problems.
 const STEP_CHANGE_WITH_FRICTION: (f64, f64) = (0.1, 8.0);
 
+/// Share of the error allowed with friction that is spread over a stretch evenly (no unit). The rest is spare, for steps
+/// within which a contact begins to stick or to slide: their error falls only with the square of their length, but there
+/// are few of them.
+const EVEN_SHARE: f64 = 0.5;
+
+/// The share of the spare error that is left which one step may use (no unit): what is left never ends.
+const SHARE_OF_SPARE: f64 = 0.125;
+
 /// How the lengths of time steps follow from their errors.
 #[derive(Debug, Clone, Copy)]
 enum StepControl {
@@ -72,6 +80,14 @@ enum StepControl {
 impl StepControl {
     fn of(world: &World) -> Self {
         if world.has_friction() { Self::Growing } else { Self::Restoring }
+    }
+
+    /// What part of the error allowed is spread over a stretch evenly (no unit).
+    const fn even_share(self) -> f64 {
+        match self {
+            Self::Restoring => 1.0,
+            Self::Growing => EVEN_SHARE,
+        }
     }
 
     /// The length after one of `h` (s) that was refused with this ratio of the optimal length to it, `refused` times now.
@@ -140,7 +156,8 @@ impl Engine {
             self.tracks[body].last_stretch_s = span;
         }
         let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
-        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number };
+        let spare_error = (1.0 - StepControl::of(&core.world).even_share()) * core.settings.crowding_tolerance * span / longest;
+        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number, spare_error };
         self.crowd_step(core, instant, crowd)
     }
 
@@ -188,10 +205,13 @@ impl Engine {
                 Ok(made) => made,
                 Err(source) => break Err(Core::response_error(t, source)),
             };
-            let allowed = core.settings.crowding_tolerance * h / longest;
+            let even = control.even_share() * core.settings.crowding_tolerance * h / longest;
+            let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
             let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
             if error <= allowed || h <= shortest {
-                break Ok((report, error, control.next(h, ratio, crowd.step_s).max(shortest)));
+                let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
+                let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
+                break Ok((report, error, Crowd { step_s, spare_error, ..crowd }));
             }
             refused += 1;
             h = control.shorter(h, ratio, refused).max(shortest);
@@ -205,7 +225,7 @@ impl Engine {
         let (report, error, next) = made?;
         core.accounts.crowded.step(crowd.number, end, report.steps, error);
         for &body in &instant.bodies {
-            self.tracks[body].mode = Mode::Crowded(Crowd { step_s: next, ..crowd });
+            self.tracks[body].mode = Mode::Crowded(next);
             self.tracks[body].pace = Pace::after_stretch(t);
         }
         let motions = motions((t, &start), (end, &states));

@@ -289,8 +289,8 @@ fn save_track(track: &Track) -> content::Track {
             Mode::Constrained => content::Mode::Constrained,
             Mode::Stepped => content::Mode::Stepped,
             Mode::Crowded(crowd) => {
-                let Crowd { until, step_s, number } = *crowd;
-                content::Mode::Crowded { until, step_s, number }
+                let Crowd { until, step_s, number, spare_error } = *crowd;
+                content::Mode::Crowded { until, step_s, number, spare_error }
             }
             Mode::Rest => content::Mode::Rest,
         },
@@ -314,8 +314,8 @@ fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>
             (content::Mode::Flight(flight), Some(rigid)) => Mode::Flight(Box::new(restored_flight(rigid, flight)?)),
             (content::Mode::Constrained, Some(_)) => Mode::Constrained,
             (content::Mode::Stepped, Some(_)) => Mode::Stepped,
-            (&content::Mode::Crowded { until, step_s, number }, Some(_)) => {
-                Mode::Crowded(Crowd { until, step_s, number })
+            (&content::Mode::Crowded { until, step_s, number, spare_error }, Some(_)) => {
+                Mode::Crowded(Crowd { until, step_s, number, spare_error })
             }
             (content::Mode::Rest, Some(_)) => Mode::Rest,
             _ => return Err(SnapshotError::Invalid("the way a body moves is not one that its scene allows")),

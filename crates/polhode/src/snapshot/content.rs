@@ -230,7 +230,7 @@ pub(crate) enum Mode {
     Flight(Flight),
     Constrained,
     Stepped,
-    Crowded { until: f64, step_s: f64, number: usize },
+    Crowded { until: f64, step_s: f64, number: usize, spare_error: f64 },
     Rest,
 }
 
