@@ -26,7 +26,7 @@ use crate::pivots::with_pivots_reduced;
 use crate::states_of::{set_states, states_of};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
-use polhode_contact::aabb_of;
+use polhode_contact::{aabb_of, separation};
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
 use std::collections::BTreeSet;
@@ -156,7 +156,8 @@ impl Engine {
             self.tracks[body].last_stretch_s = span;
         }
         let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
-        let spare_error = (1.0 - StepControl::of(&core.world).even_share()) * core.settings.crowding_tolerance * span / longest;
+        let spare_error =
+            (1.0 - StepControl::of(&core.world).even_share()) * core.settings.crowding_tolerance * span / longest;
         let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number, spare_error };
         self.crowd_step(core, instant, crowd)
     }
@@ -283,10 +284,13 @@ impl Engine {
             let mut joins = BTreeSet::new();
             for &body in &instant.bodies {
                 for other in self.near_boxes(core, body) {
-                    pairs.insert((body.min(other), body.max(other)));
                     if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+                        if !self.may_touch_within(core, (body, other), (t, h))? {
+                            continue;
+                        }
                         joins.insert(other);
                     }
+                    pairs.insert((body.min(other), body.max(other)));
                 }
                 let coupled = core.world.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
@@ -306,10 +310,31 @@ impl Engine {
         }
     }
 
+    /// Whether a body of a crowd and another body, whose boxes overlap, may touch within `h` seconds. Without friction,
+    /// stretches are rare, and the boxes decide.
+    ///
+    /// # Errors
+    /// When the state of the other body cannot be evaluated.
+    fn may_touch_within(
+        &mut self,
+        core: &Core,
+        (body, other): (usize, usize),
+        (t, h): (f64, f64),
+    ) -> Result<bool, SimulationError> {
+        let shapes = core.world.shapes(body, other).filter(|_| core.world.has_friction());
+        let Some((shape, other_shape)) = shapes else { return Ok(true) };
+        let state = self.state_at(core, other, t)?;
+        let mut states = std::mem::take(&mut self.scratch);
+        (states[body], states[other]) = (self.states[body], state);
+        let way = reach(core, &states, body, h) + reach(core, &states, other, h);
+        let apart = separation(shape, &states[body].pose, other_shape, &states[other].pose);
+        self.restore_scratch(core, states, &[body, other]);
+        Ok(apart <= way)
+    }
+
     /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
     fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
-        let travel = core.world.touch_distance(&self.states, body, body)
-            + SWEEP_FACTOR * h * (self.speed(core, body) + core.world.gravity().length() * h);
+        let travel = reach(core, &self.states, body, h);
         let shape = core.world.bodies[body].shape.as_ref();
         let aabb = shape.map(|shape| aabb_of(shape, &self.states[body].pose).and_then(|aabb| aabb.inflated(travel)));
         self.set_box(body, aabb.and_then(Result::ok));
@@ -388,6 +413,12 @@ impl Engine {
             Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
         }
     }
+}
+
+/// How far a body in these states may travel within `h` (s), m.
+fn reach(core: &Core, states: &[BodyState], body: usize, h: f64) -> f64 {
+    let speed = core.world.point_speed(states, body) + core.world.gravity().length() * h;
+    core.world.touch_distance(states, body, body) + SWEEP_FACTOR * h * speed
 }
 
 /// The error of a time step that ends at `t` (s) with a large remaining penetration in one of `pairs`.

@@ -257,7 +257,8 @@ impl Engine {
             if !self.states[body].is_finite() {
                 return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
             }
-            self.tracks[body].speed_scale = self.tracks[body].speed_scale.max(self.speed(core, body));
+            self.tracks[body].speed_scale =
+                self.tracks[body].speed_scale.max(core.world.point_speed(&self.states, body));
         }
         // The separation of a contact point measures penetration only while the point lies on its features. Held
         // contacts satisfy this; other contacts are measured when they are detected.
@@ -319,7 +320,7 @@ impl Engine {
         }
         for &body in &bodies {
             self.scratch[body] = self.states[body];
-            self.tracks[body].speed_scale = speed_scale.max(self.speed(core, body));
+            self.tracks[body].speed_scale = speed_scale.max(core.world.point_speed(&self.states, body));
             if !self.states[body].is_finite() {
                 return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
             }

@@ -163,7 +163,8 @@ impl Engine {
         step.states_at(&core.world, start, states);
         let mut closing = Vec::new();
         for (a, b) in step.held_pairs() {
-            let travel = (self.speed(core, a) + self.speed(core, b)) * (end - start);
+            let travel =
+                (core.world.point_speed(&self.states, a) + core.world.point_speed(&self.states, b)) * (end - start);
             let (_, contacts) = core.world.pair(states, a, b, travel + core.world.touch_distance(states, a, b));
             let open = contacts.iter().filter(|touch| step.active.held.binary_search(&touch.id).is_err());
             let wait = open.filter_map(|touch| {

@@ -55,7 +55,7 @@ impl Engine {
             self.scratch[body] = self.states[body];
             self.tracks[body].pace = Pace::starting_at(instant.t);
             self.tracks[body].proposed_step_s = core.settings.step_s;
-            instant.speed_scale = instant.speed_scale.max(self.speed(core, body));
+            instant.speed_scale = instant.speed_scale.max(core.world.point_speed(&self.states, body));
         }
         for &body in moved {
             self.find_touched(core, &mut instant, body)?;
@@ -109,7 +109,8 @@ impl Engine {
         self.scratch.push(state);
         let size = core.world.bodies[body].size;
         self.tracks.push(Track::new(core, body));
-        self.tracks[body].speed_scale = self.speed(core, body).max((core.world.gravity().length() * size).sqrt());
+        self.tracks[body].speed_scale =
+            core.world.point_speed(&self.states, body).max((core.world.gravity().length() * size).sqrt());
         self.contacts.make_room();
         self.near.make_room();
     }

@@ -558,7 +558,7 @@ impl Engine {
 
     /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
     pub(super) fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
-        let speed = |body: usize| self.speed(core, body);
+        let speed = |body: usize| core.world.point_speed(&self.states, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
 
@@ -603,13 +603,7 @@ impl Engine {
     }
 
     fn is_slow(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        self.speed(core, body) <= STOPPED_RELATIVE * speed_scale
-    }
-
-    /// Largest speed of any point of a body, m/s (bounded by its size).
-    pub(super) fn speed(&self, core: &Core, body: usize) -> f64 {
-        let velocity = core.world.velocity(body, &self.states[body]);
-        velocity.linear.length() + velocity.angular.length() * core.world.bodies[body].size
+        core.world.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
     }
 
     /// Evaluates every contact of the instant at the current states and drops those that no longer exist.

@@ -24,7 +24,7 @@ impl Engine {
         for body in 0..self.tracks.len() {
             self.begin_free_motion(core, body, core.t);
             let gravity_speed = (core.world.gravity().length() * core.world.bodies[body].size).sqrt();
-            self.tracks[body].speed_scale = self.speed(core, body).max(gravity_speed);
+            self.tracks[body].speed_scale = core.world.point_speed(&self.states, body).max(gravity_speed);
         }
         let mut contacts = Vec::new();
         for (a, b) in self.initial_pairs(core)? {
