@@ -2,12 +2,15 @@
 
 use crate::args::CheckArgs;
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::{scene, stdout};
 
 /// Loads the scene and prepares it, which finds bodies that overlap.
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
+    let progress = Progress::new("checking the scene");
     let loaded = scene::load(&args.scene)?;
     scene::prepare(&loaded, &args.scene.changes)?;
+    drop(progress);
     let bodies = loaded.scene.bodies();
     let fixed = bodies.iter().filter(|body| body.is_fixed()).count();
     let (path, name, duration) = (args.scene.scene.display(), loaded.scene.name(), loaded.scene.duration_s());

@@ -3,6 +3,7 @@
 use crate::args::{CompareArgs, ComparePlotArg};
 use crate::failure::Failure;
 use crate::plots::{cannot_write, is_plot};
+use crate::progress::Progress;
 use crate::scene::load_changed;
 use crate::{inputs, stdout, text};
 use polhode_scene::{AtomicFile, Comparison, Tolerance, compare_rows};
@@ -13,6 +14,7 @@ use std::path::{Path, PathBuf};
 /// Compares and prints the largest difference of every column; exit code 1 when they differ beyond the tolerance.
 pub(crate) fn compare(args: &CompareArgs) -> Result<(), Failure> {
     let tolerance = Tolerance { absolute: args.atol, relative: args.rtol };
+    let progress = Progress::new("comparing the trajectories");
     let mut plots = Plots::create(args)?;
     let comparison = compare_rows(&args.a, &args.b, tolerance, |row| {
         if let (Some(plots), Some([a, b])) = (&mut plots, &row.samples) {
@@ -22,6 +24,7 @@ pub(crate) fn compare(args: &CompareArgs) -> Result<(), Failure> {
     if let Some(plots) = plots {
         plots.finish(args, &comparison)?;
     }
+    drop(progress);
     stdout::text(&text::comparison(&comparison))?;
     // What differs has been printed.
     if comparison.agrees() { Ok(()) } else { Err(Failure::Check(String::new())) }

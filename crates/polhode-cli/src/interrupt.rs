@@ -1,9 +1,10 @@
-//! Ctrl-C and SIGTERM: the first ends a run at the end of its step, the second ends the program at once. Neither loses what
-//! was computed.
+//! Ctrl-C and SIGTERM: the first ends a run at the end of its step and drawing at the end of its frame, the second ends the
+//! program at once. Neither loses what was computed.
 
 use crate::failure::{self, Failure};
 use polhode_scene::Unfinished;
 use std::io;
+use std::path::PathBuf;
 use std::process;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -20,6 +21,8 @@ struct Asked {
     code: AtomicU8,
     /// Files that a program which ends at once keeps under their partial names.
     unfinished: Mutex<Vec<Unfinished>>,
+    /// Temporary files that it removes.
+    temporary: Mutex<Vec<PathBuf>>,
 }
 
 impl Interrupt {
@@ -41,6 +44,11 @@ impl Interrupt {
         *self.asked.unfinished.lock().unwrap_or_else(PoisonError::into_inner) = files;
     }
 
+    /// Temporary files that a program which ends at once removes: nobody could open them.
+    pub(crate) fn remove(&self, files: Vec<PathBuf>) {
+        *self.asked.temporary.lock().unwrap_or_else(PoisonError::into_inner) = files;
+    }
+
     /// Whether the program has been asked to end.
     pub(crate) fn has_come(&self) -> bool {
         self.code() != 0
@@ -56,7 +64,7 @@ impl Asked {
     /// Someone asks for an end that has this exit code.
     fn ask(&self, code: u8) {
         if self.code.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst).is_ok() {
-            return failure::remark("note: the run stops at the end of its step; Ctrl-C again stops it at once");
+            return failure::remark("note: stopping at the end of this step or frame; Ctrl-C again stops at once");
         }
         for file in self.unfinished.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
             match file.keep() {
@@ -65,6 +73,10 @@ impl Asked {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {}
                 Err(error) => failure::note(&format!("error: cannot keep what was computed: {error}")),
             }
+        }
+        for file in self.temporary.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+            // One that has been moved to its name is gone.
+            let _ = std::fs::remove_file(file);
         }
         process::exit(i32::from(code));
     }

@@ -48,6 +48,7 @@ mod check;
 mod checkpoints;
 mod compare;
 mod cost;
+mod drawing;
 mod examples;
 mod failure;
 mod harmless;

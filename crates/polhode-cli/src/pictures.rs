@@ -1,10 +1,12 @@
 //! What a run is shown as: pages, pictures and models, which polhode-view makes.
 
+use crate::drawing::Drawing;
 use crate::failure::Failure;
 use crate::heading::Heading;
+use crate::interrupt::Interrupt;
 use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
 use polhode_scene::{AtomicFile, report_json};
-use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
+use polhode_view::animation::{Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
 use polhode_view::page::MOST_FRAMES;
@@ -170,22 +172,31 @@ impl Pictures {
         Ok(())
     }
 
+    /// The temporary names under which pictures and models grow.
+    pub(crate) fn temporary(&self) -> Vec<PathBuf> {
+        self.files.iter().filter_map(|(_, file)| file.temporary().map(Path::to_owned)).collect()
+    }
+
     /// Completes the files and moves them to their names.
     ///
     /// # Errors
-    /// When something cannot be written.
-    pub(crate) fn finish(mut self, report: &Value) -> Result<(), Failure> {
+    /// When something cannot be written, or drawing is stopped.
+    pub(crate) fn finish(mut self, report: &Value, interrupt: &Interrupt) -> Result<(), Failure> {
         for (path, page) in self.pages {
             let mut file = page.finish(report).map_err(|error| failure(&path, error))?;
             file.commit().map_err(|error| failure(&path, ViewError::Write(error)))?;
         }
         let Some(mut recording) = self.recording.take() else { return Ok(()) };
+        let drawing = Drawing::watched_by(interrupt);
         for (number, (kind, mut file)) in self.files.into_iter().enumerate() {
             let ended = if number == 0 { recording.end() } else { Ok(()) };
             ended
-                .and_then(|()| encode(&recording, kind, &self.options, &mut file))
+                .and_then(|()| encode(&recording, kind, &self.options, &drawing, &mut file))
                 .and_then(|()| file.commit().map_err(ViewError::Write))
-                .map_err(|error| failure(file.target(), error))?;
+                .map_err(|error| match error {
+                    ViewError::Stopped { .. } => Failure::Interrupted(said(file.target(), &error), drawing.code()),
+                    error => failure(file.target(), error),
+                })?;
         }
         Ok(())
     }
@@ -220,9 +231,19 @@ impl Observer for Pictures {
 }
 
 /// Writes a recording into a file of a kind.
-fn encode(recording: &Recording, kind: Kind, options: &Options, file: &mut AtomicFile) -> Result<(), ViewError> {
+fn encode(
+    recording: &Recording,
+    kind: Kind,
+    options: &Options,
+    drawing: &Drawing<'_>,
+    file: &mut AtomicFile,
+) -> Result<(), ViewError> {
     let size = options.size_of(kind)?;
-    let pace = || Pace::new(recording, size)?.seen_from(&options.viewpoint);
+    let told = |drawn| drawing.reached(drawn);
+    let pace = || {
+        drawing.begin(recording.times().len());
+        Ok::<_, ViewError>(Pace::new(recording, size)?.seen_from(&options.viewpoint)?.watched_by(Watcher(&told)))
+    };
     match kind {
         Kind::Still => {
             let last = recording.times().len().saturating_sub(1);
@@ -260,11 +281,16 @@ pub(crate) fn failed(message: &str) -> String {
     format!("failed: {}", message.trim_start_matches("error: "))
 }
 
+/// A message about this file.
+fn said(path: &Path, error: &ViewError) -> String {
+    format!("{}: {error}", path.display())
+}
+
 /// A failure of making this file.
 fn failure(path: &Path, error: ViewError) -> Failure {
     match error {
         ViewError::Write(error) => Failure::InputOutput(format!("error: cannot write {}: {error}", path.display())),
-        error @ ViewError::Encoding(_) => Failure::InputOutput(format!("error: {}: {error}", path.display())),
-        error => Failure::Usage(format!("error: {}: {error}", path.display())),
+        error @ ViewError::Encoding(_) => Failure::InputOutput(format!("error: {}", said(path, &error))),
+        error => Failure::Usage(format!("error: {}", said(path, &error))),
     }
 }

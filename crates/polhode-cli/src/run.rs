@@ -149,6 +149,7 @@ impl Run {
         let (duration_s, at_start_s) = (self.loaded.scene.duration_s(), self.simulation.time());
         self.files.begin(&self.loaded, &self.simulation);
         interrupt.keep(self.files.unfinished());
+        interrupt.remove(self.files.temporary());
         self.progress.run(at_start_s, duration_s);
         let (observers, bar) = (self.files.observers(), &self.progress);
         let mut watch = Watch { observers, bar, interrupt: &interrupt, stop_s: f64::INFINITY, is_stopped: false };
@@ -157,11 +158,11 @@ impl Run {
         let reached_s = self.simulation.time();
         let name = self.loaded.scene.name().to_owned();
         let ended = match ended {
-            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(interrupt.code()),
-            Ok(report) => self.completed(&report),
+            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(&interrupt),
+            Ok(report) => self.completed(&report, &interrupt),
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-                self.files.keep(self.simulation.plan(), failure.message());
+                self.files.keep(self.simulation.plan(), failure.message(), &interrupt);
                 return Err(told(self.report, failure, Some((&name, reached_s, duration_s))));
             }
         };
@@ -169,20 +170,20 @@ impl Run {
     }
 
     /// After Ctrl-C or SIGTERM: keeps what was computed, and a checkpoint where one was asked for.
-    fn interrupted(self, code: u8) -> Result<(), (Report, Failure)> {
+    fn interrupted(self, interrupt: &Interrupt) -> Result<(), (Report, Failure)> {
         let said = format!("interrupted at t = {} s of {} s", self.simulation.time(), self.loaded.scene.duration_s());
-        self.files.keep(self.simulation.plan(), &said);
+        self.files.keep(self.simulation.plan(), &said, interrupt);
         let written = self.checkpoints.write(&self.simulation).map_err(|failure| (self.report, failure))?;
         if let Some(checkpoint) = written {
             failure::note(&checkpoint);
         }
-        Err((self.report, Failure::Interrupted(said, code)))
+        Err((self.report, Failure::Interrupted(said, interrupt.code())))
     }
 
     /// At the end: completes the files and prints the report.
-    fn completed(self, report: &RunReport) -> Result<(), (Report, Failure)> {
+    fn completed(self, report: &RunReport, interrupt: &Interrupt) -> Result<(), (Report, Failure)> {
         let told = self.report;
-        self.files.finish(report).map_err(|failure| (told, failure))?;
+        self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
         let wall_s = self.started.elapsed().as_secs_f64();
         let printed = match told {
             Report::Json => stdout::json(&scene_report_json(&self.loaded, report, wall_s)),

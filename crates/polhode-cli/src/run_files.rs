@@ -5,6 +5,7 @@ use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::inputs;
+use crate::interrupt::Interrupt;
 use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::plots::{Plots, is_plot};
 use crate::scene::STANDARD;
@@ -78,32 +79,38 @@ impl RunFiles {
         self.outputs.unfinished()
     }
 
+    /// The temporary names of files that are of no use before they are complete.
+    pub(crate) fn temporary(&self) -> Vec<PathBuf> {
+        self.pictures.temporary()
+    }
+
     /// Completes all files and moves them to their names.
     ///
     /// # Errors
-    /// When something cannot be written.
-    pub(crate) fn finish(mut self, report: &RunReport) -> Result<(), Failure> {
+    /// When something cannot be written, or drawing is stopped.
+    pub(crate) fn finish(mut self, report: &RunReport, interrupt: &Interrupt) -> Result<(), Failure> {
         if let Err(error) = self.stream.take().map_or(Ok(()), CsvStream::finish) {
             // The run has stopped there: the files are not whole either.
             let failure = Failure::from(error);
-            self.keep(&report.plan, "stdout was closed");
+            self.keep(&report.plan, "stdout was closed", interrupt);
             return Err(failure);
         }
         self.outputs.finish()?;
-        show(self.pictures, &crate::pictures::outcome(report), &crate::pictures::report_in_page(report))?;
+        let outcome = crate::pictures::outcome(report);
+        show(self.pictures, &outcome, &crate::pictures::report_in_page(report), interrupt)?;
         self.plots.finish(report)
     }
 
     /// Keeps what has been written of a run that did not come to its end, says where, and lets pictures and plots say
     /// why. What goes wrong here is told, but is not why the run ended.
-    pub(crate) fn keep(self, plan: &Plan, why: &str) {
+    pub(crate) fn keep(self, plan: &Plan, why: &str, interrupt: &Interrupt) {
         let kept = self.outputs.keep_partial().map_err(Failure::from);
         let told = kept.map(|paths| {
             for path in paths {
                 failure::note(&format!("note: what was computed is in {}", path.display()));
             }
         });
-        let shown = show(self.pictures, &crate::pictures::failed(why), &Value::Null);
+        let shown = show(self.pictures, &crate::pictures::failed(why), &Value::Null, interrupt);
         let plotted = self.plots.finish_stopped(plan, why);
         let streamed = self.stream.map_or(Ok(()), CsvStream::finish).map_err(Failure::from);
         for other in [told, shown, plotted, streamed].into_iter().filter_map(Result::err) {
@@ -113,9 +120,9 @@ impl RunFiles {
 }
 
 /// Completes what shows the run, whether it has ended well or not: a page says itself where the run stopped.
-fn show(mut pictures: Pictures, outcome: &str, report: &Value) -> Result<(), Failure> {
+fn show(mut pictures: Pictures, outcome: &str, report: &Value, interrupt: &Interrupt) -> Result<(), Failure> {
     pictures.end_run(outcome)?;
-    pictures.finish(report)
+    pictures.finish(report, interrupt)
 }
 
 /// That stdout is asked for by one thing at the most.

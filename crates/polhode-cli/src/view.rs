@@ -38,7 +38,9 @@ struct ShownRun {
 pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
     let paths = outputs(args)?;
     let interval_s = interval(args.fps, &paths)?;
+    let reading = Progress::new("reading the scene");
     let runs = runs(args, interval_s)?;
+    drop(reading);
     check_pictures_of_two(&paths, &runs)?;
     for path in &paths {
         let meshes: Vec<PathBuf> = runs.iter().flat_map(|run| run.loaded.mesh_files()).collect();
@@ -51,12 +53,15 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
         viewpoint: viewpoint(args, &paths)?,
     };
     let mut pictures = Pictures::create(&paths, &heading, options)?;
+    let interrupt = Interrupt::listen()?;
+    interrupt.remove(pictures.temporary());
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
+        let progress = Progress::new("simulating to the picture");
         pictures.take(at_instant(run, args, still_time(text, run)?)?);
-        pictures.finish(&Value::Null)?;
+        drop(progress);
+        pictures.finish(&Value::Null, &interrupt)?;
         return print_paths(&paths);
     }
-    let interrupt = Interrupt::listen()?;
     let mut reports = Vec::new();
     let mut ended = Ok(());
     for run in &runs {
@@ -77,7 +82,7 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
         }
     }
     let report = if reports.len() == 1 { reports.swap_remove(0) } else { Value::Array(reports) };
-    pictures.finish(&report)?;
+    pictures.finish(&report, &interrupt)?;
     print_paths(&paths)?;
     ended
 }
@@ -176,7 +181,9 @@ fn show(
     match &run.motion {
         Motion::Read(path) => {
             pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Trajectory)?;
+            let progress = Progress::new("reading the trajectory");
             read(path, run, pictures)?;
+            drop(progress);
             Ok(("completed".to_owned(), Ok(Value::Null)))
         }
         Motion::Simulated => {

@@ -76,6 +76,11 @@ impl MonteCarlo {
         if samples >= 2 { Ok(Self { samples, seed }) } else { Err(MonteCarloError::Samples(samples)) }
     }
 
+    /// How many points.
+    pub const fn samples(&self) -> u64 {
+        self.samples
+    }
+
     /// The estimate for a solid, from its density (kg/m^3) or its mass.
     ///
     /// # Errors

@@ -53,6 +53,14 @@ pub enum ViewError {
         /// Bytes.
         bytes: usize,
     },
+    /// Whoever watched the drawing has stopped it.
+    #[error("drawing was stopped after {drawn} of {frames} frames")]
+    Stopped {
+        /// Frames drawn.
+        drawn: usize,
+        /// Frames of the motion.
+        frames: usize,
+    },
     /// A picture could not be put into its format.
     #[error("the picture could not be encoded: {0}")]
     Encoding(String),

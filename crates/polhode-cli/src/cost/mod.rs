@@ -63,7 +63,7 @@ const SEARCH_S: f64 = 10.0;
 /// Samples that it takes errors from.
 const SEARCH_SAMPLES: u32 = 100;
 
-/// Runs the study and tells it in every way asked for; exit code 1 when a target is not reached.
+/// Runs the study and tells it in every way asked for; exit code 1 when no candidate runs or a target is not reached.
 pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     positive("--target", args.target)?;
     positive("--budget", Some(args.budget))?;
@@ -99,6 +99,7 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
         stdout::text(&text::page(&study, args.target))?;
     }
     match args.target {
+        _ if study.base.is_none() => Err(Failure::Check(text::none_ran(&study))),
         Some(target) if study.cheapest(target).is_none() => Err(Failure::Check(text::not_reached(&study, target))),
         _ => Ok(()),
     }

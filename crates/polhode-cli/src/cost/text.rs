@@ -17,11 +17,13 @@ pub(super) fn page(study: &Study, target: Option<f64>) -> String {
             table.cells(row(study, entry, measured));
         }
     }
-    page.push_str(&table.print());
-    page.push_str("  * on the Pareto front: none is both cheaper and more accurate (an error above 1 is no answer)\n");
+    if study.base.is_some() {
+        page.push_str(&table.print());
+        page.push_str("  * on the Pareto front: none is both cheaper and more accurate (an error above 1 is no answer)\n");
+    }
     let failures = failures(study);
     if !failures.is_empty() {
-        page.push_str("\nnot in the table\n");
+        page.push_str(if study.base.is_some() { "\nnot in the table\n" } else { "none of the candidates ran\n" });
         let mut reasons = Table::default();
         for (names, reason) in failures {
             reasons.row([&names, &reason]);
@@ -199,6 +201,13 @@ pub(super) fn reached(study: &Study, entry: &Entry, target: f64) -> String {
 
 /// Ties that are named at the most.
 const MOST_TIES: usize = 6;
+
+/// That no candidate ran, and why the first did not.
+pub(super) fn none_ran(study: &Study) -> String {
+    let first = failures(study).into_iter().next();
+    let why = first.map_or_else(String::new, |(name, reason)| format!(": {name}: {reason}"));
+    format!("error: none of the {} candidates ran{why}", study.entries.len())
+}
 
 /// That no candidate reaches a target, and what can be done.
 pub(super) fn not_reached(study: &Study, target: f64) -> String {

@@ -37,7 +37,7 @@ pub(crate) fn mesh(args: &MeshArgs) -> Result<(), Failure> {
     if let Some(path) = &args.output.output {
         inputs::check_output(path, [args.file.as_path()])?;
     }
-    let _progress = Progress::new("measuring the mesh");
+    let progress = Progress::new("measuring the mesh");
     let mut mesh = read_mesh(&args.file)?;
     if let Some(factor) = args.frame.scale {
         mesh = mesh.scaled(factor)?;
@@ -48,11 +48,12 @@ pub(crate) fn mesh(args: &MeshArgs) -> Result<(), Failure> {
         mesh = if args.frame.principal { in_principal_axes(&mesh, body)? } else { recentered(&mesh, body)? };
         report = MeshReport::new(mesh.clone(), filling, amount);
     }
-    let (studies, parts) = if report.mass_properties.is_ok() {
-        (Studies::of(args, &mesh, amount)?, Parts::of(&args.studies, &mesh)?)
+    let (parts, studies) = if report.mass_properties.is_ok() {
+        (Parts::of(&args.studies, &mesh)?, Studies::of(args, &mesh, amount, &progress)?)
     } else {
-        (Studies::default(), None)
+        (None, Studies::default())
     };
+    drop(progress);
     match (&output, &parts) {
         (Some(output), Some(parts)) => output.write_parts(parts.meshes())?,
         // What could not be repaired whole is written all the same: its defects are in the report.

@@ -2,14 +2,19 @@
 
 use crate::args::MeshArgs;
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::text;
 use polhode::mesh::{
-    Amount, Estimate, MonteCarlo, MonteCarloEstimate, ReferencePointCost, SolidMesh, TriangleMesh,
+    Amount, Estimate, MonteCarlo, MonteCarloEstimate, PointLocator, ReferencePointCost, SolidMesh, TriangleMesh,
     compare_reference_points, compare_reference_points_hollow, solid_mass_properties,
 };
 use polhode::spatial::MassProperties;
 use serde_json::{Value, json};
+use std::cell::Cell;
 use std::time::Instant;
+
+/// Points between two counts of progress.
+const MILLION: u64 = 1_000_000;
 
 /// What was asked for beside the report.
 #[derive(Default)]
@@ -28,10 +33,10 @@ struct MonteCarloStudy {
 }
 
 impl MonteCarloStudy {
-    fn of(samples: u64, seed: u64, mesh: TriangleMesh, amount: Amount) -> Result<Self, Failure> {
+    fn of(points: MonteCarlo, mesh: TriangleMesh, amount: Amount, progress: &Progress) -> Result<Self, Failure> {
         let solid = SolidMesh::new(mesh)?;
         let start = Instant::now();
-        let estimate = MonteCarlo::new(samples, seed)?.estimate(&solid, amount)?;
+        let estimate = estimate(&solid, points, amount, progress)?;
         let estimate_s = start.elapsed().as_secs_f64();
         let start = Instant::now();
         let volume_m3 = polhode::mesh::VolumeIntegrals::of(solid.mesh()).volume;
@@ -56,14 +61,41 @@ impl MonteCarloStudy {
     }
 }
 
+/// The estimate, with progress in millions of points.
+fn estimate(
+    solid: &SolidMesh,
+    points: MonteCarlo,
+    amount: Amount,
+    progress: &Progress,
+) -> Result<MonteCarloEstimate, Failure> {
+    progress.phase("millions of Monte Carlo points", points.samples().div_ceil(MILLION) as usize);
+    let (locator, drawn) = (PointLocator::new(solid), Cell::new(0_u64));
+    let contains = |point| {
+        drawn.set(drawn.get() + 1);
+        if drawn.get() % MILLION == 0 {
+            progress.part_done();
+        }
+        locator.contains(point)
+    };
+    Ok(points.estimate_region(solid.mesh().bounds(), contains, amount)?)
+}
+
 impl Studies {
-    pub(super) fn of(args: &MeshArgs, mesh: &TriangleMesh, amount: Amount) -> Result<Self, Failure> {
+    pub(super) fn of(
+        args: &MeshArgs,
+        mesh: &TriangleMesh,
+        amount: Amount,
+        progress: &Progress,
+    ) -> Result<Self, Failure> {
         let compare = if args.hollow { compare_reference_points_hollow } else { compare_reference_points };
         let reference_points = args.studies.compare_reference_points.then(|| compare(mesh));
         let monte_carlo = args
             .studies
             .monte_carlo
-            .map(|samples| MonteCarloStudy::of(samples, args.studies.seed, mesh.clone(), amount))
+            .map(|samples| {
+                let points = MonteCarlo::new(samples, args.studies.seed)?;
+                MonteCarloStudy::of(points, mesh.clone(), amount, progress)
+            })
             .transpose()?;
         Ok(Self { reference_points, monte_carlo })
     }

@@ -66,7 +66,7 @@ fn a_program_that_ends_at_once_keeps_its_results() {
         }
         signal(&child, name);
         let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
-        assert!(said.next().unwrap().unwrap().starts_with("note: the run stops at the end of its step"));
+        assert!(said.next().unwrap().unwrap().starts_with("note: stopping at the end of this step"));
         signal(&child, name);
         assert_eq!(child.wait().unwrap().code(), Some(code));
         let said: String = said.map(|line| line.unwrap() + "\n").collect();
@@ -76,5 +76,21 @@ fn a_program_that_ends_at_once_keeps_its_results() {
             place.expect(0, &["view", "scene.toml", &kept, "-o", "page.html"]);
         }
         assert_eq!(place.list(), ["a.csv.partial", "a.json.partial", "a.npy.partial", "page.html", "scene.toml"]);
+    }
+}
+
+/// Asked to end while it draws, the program stops after a frame and leaves no file behind: a picture that is cut off is of no
+/// use.
+#[test]
+fn drawing_that_is_asked_to_end_leaves_nothing() {
+    for (name, code) in [("INT", 130), ("TERM", 143)] {
+        let place = Place::with_scene(FLIGHT);
+        let child = start(&place, &["view", "scene.toml", "-o", "a.gif", "--fps", "1e9"]);
+        wait_for(&place, "a.gif");
+        signal(&child, name);
+        let run: crate::Run = child.wait_with_output().unwrap().into();
+        assert_eq!(run.code, Some(code), "{}", run.stderr);
+        assert!(run.stderr.contains("a.gif: drawing was stopped after"), "{}", run.stderr);
+        assert_eq!(place.list(), ["scene.toml"]);
     }
 }

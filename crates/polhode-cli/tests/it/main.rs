@@ -8,6 +8,8 @@ mod compare;
 mod cost;
 mod every_day;
 #[cfg(unix)]
+mod help_examples;
+#[cfg(unix)]
 mod interrupts;
 mod mesh;
 mod plan;

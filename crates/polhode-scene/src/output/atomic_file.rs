@@ -90,6 +90,11 @@ impl AtomicFile {
         &self.target
     }
 
+    /// The temporary name under which it grows; none when it is complete.
+    pub fn temporary(&self) -> Option<&Path> {
+        self.open.as_ref().map(|open| &*open.path)
+    }
+
     /// Moves the complete file to its name, replacing what stood there.
     ///
     /// # Errors

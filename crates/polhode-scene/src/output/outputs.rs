@@ -19,6 +19,12 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
+    /// The ending of a file's name says that it holds something else than events.
+    #[error("{}: events are written as CSV: name a file that ends in .csv", path.display())]
+    EventsEnding {
+        /// The file.
+        path: PathBuf,
+    },
     /// Two outputs have one name.
     #[error("{} is named twice: every output needs a file of its own", path.display())]
     Twice {
@@ -41,6 +47,11 @@ pub enum OutputError {
         /// The files.
         kept: Vec<PathBuf>,
     },
+}
+
+/// Whether the ending of a name fits events: `.csv`, or none.
+fn may_hold_events(path: &Path) -> bool {
+    path.extension().is_none_or(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
 /// Names of files, in a line.
@@ -70,13 +81,16 @@ impl Outputs {
     /// Opens files for the trajectory of `scene`, of the kinds their endings say, and for its events (CSV).
     ///
     /// # Errors
-    /// When an ending is unknown, a name is given twice or a file cannot be opened.
+    /// When an ending is unknown or that of events is another than `.csv`, a name is given twice or a file cannot be opened.
     pub fn create(scene: &Scene, trajectories: &[PathBuf], events: Option<&Path>) -> Result<Self, OutputError> {
         let bodies: Vec<String> = scene.bodies().iter().map(|body| body.name().to_owned()).collect();
         let mut all: Vec<&Path> = trajectories.iter().map(PathBuf::as_path).chain(events).collect();
         all.sort();
         if let Some(pair) = all.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(OutputError::Twice { path: pair[0].to_owned() });
+        }
+        if let Some(path) = events.filter(|path| !may_hold_events(path)) {
+            return Err(OutputError::EventsEnding { path: path.to_owned() });
         }
         let mut formats = Vec::with_capacity(trajectories.len());
         for path in trajectories {

@@ -11,14 +11,15 @@ const COARSENESS: i32 = 10;
 /// Writes a moving picture as GIF, which repeats for ever.
 ///
 /// # Errors
-/// When a picture is wider or higher than 65535, and those of writing.
+/// When a picture is wider or higher than 65535, where the watcher stops it, and those of writing.
 pub fn write_gif(pace: &Pace<'_>, out: impl Write) -> Result<(), ViewError> {
     let side = |pixels: u32| u16::try_from(pixels).map_err(|error| ViewError::Encoding(error.to_string()));
     let (width, height) = (side(pace.size().width())?, side(pace.size().height())?);
     let mut encoder = Encoder::new(out, width, height, &[]).map_err(gif_error)?;
     encoder.set_repeat(Repeat::Infinite).map_err(gif_error)?;
     let mut late_ms = 0;
-    for (picture, shown_ms) in pace.pictures() {
+    for drawn in pace.pictures() {
+        let (picture, shown_ms) = drawn?;
         let mut frame = Frame::from_rgb_speed(width, height, &picture.rgb, COARSENESS);
         // GIF counts hundredths of a second; what rounding leaves over is made up for later.
         let due_ms = shown_ms + late_ms;

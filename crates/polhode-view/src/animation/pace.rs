@@ -5,12 +5,25 @@ use crate::error::ViewError;
 use crate::raster::{Picture, PictureSize};
 use crate::recording::Recording;
 use crate::still::frame_from;
+use polhode::Flow;
 use polhode::spatial::DVec3;
+use std::fmt;
 
 /// Milliseconds that the last frame is shown before the picture begins anew.
 const LAST_MS: u32 = 1000;
 /// Milliseconds that a frame is shown at the least: browsers show shorter ones slowly.
 const LEAST_MS: u32 = 20;
+
+/// Who is told of every frame that has been drawn, by the number drawn so far, and says whether to go on: thousands of
+/// frames take minutes.
+#[derive(Clone, Copy)]
+pub struct Watcher<'a>(pub &'a dyn Fn(usize) -> Flow);
+
+impl fmt::Debug for Watcher<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Watcher")
+    }
+}
 
 /// The frames of a moving picture in real time, seen by a camera that stands.
 #[derive(Debug)]
@@ -19,6 +32,7 @@ pub struct Pace<'a> {
     bounds: [DVec3; 2],
     camera: Camera,
     size: PictureSize,
+    watcher: Option<Watcher<'a>>,
 }
 
 impl<'a> Pace<'a> {
@@ -31,7 +45,8 @@ impl<'a> Pace<'a> {
             return Err(ViewError::NoFrames);
         }
         let bounds = recording.bounds();
-        Ok(Self { recording, bounds, camera: Camera::for_box(bounds, size.aspect()), size })
+        let camera = Camera::for_box(bounds, size.aspect());
+        Ok(Self { recording, bounds, camera, size, watcher: None })
     }
 
     /// Seen from a viewpoint.
@@ -41,6 +56,13 @@ impl<'a> Pace<'a> {
     pub fn seen_from(mut self, viewpoint: &Viewpoint) -> Result<Self, ViewError> {
         self.camera = viewpoint.camera(self.bounds, self.size.aspect())?;
         Ok(self)
+    }
+
+    /// Watched while it is drawn.
+    #[must_use]
+    pub const fn watched_by(mut self, watcher: Watcher<'a>) -> Self {
+        self.watcher = Some(watcher);
+        self
     }
 
     /// Width and height.
@@ -54,13 +76,19 @@ impl<'a> Pace<'a> {
     }
 
     /// The pictures in order, with how long each is shown, ms. The times add up to those of the recording.
-    pub fn pictures(&self) -> impl Iterator<Item = (Picture, u32)> + '_ {
+    ///
+    /// # Errors
+    /// [`ViewError::Stopped`] where the watcher stops it.
+    pub fn pictures(&self) -> impl Iterator<Item = Result<(Picture, u32), ViewError>> + '_ {
         let times = self.recording.times();
         let ms = |t: f64| (1000.0 * t).round() as u32;
         (0..times.len()).map(move |frame| {
+            if self.watcher.is_some_and(|Watcher(told)| told(frame) == Flow::Stop) {
+                return Err(ViewError::Stopped { drawn: frame, frames: times.len() });
+            }
             let shown = times.get(frame + 1).map_or(LAST_MS, |&next| ms(next).saturating_sub(ms(times[frame])));
             let picture = frame_from(self.recording, frame, self.camera, self.bounds, self.size);
-            (picture, shown.max(LEAST_MS))
+            Ok((picture, shown.max(LEAST_MS)))
         })
     }
 }

@@ -20,7 +20,7 @@ const FILE_HEADER: usize = 12;
 /// Writes a moving picture as WebP, which repeats for ever.
 ///
 /// # Errors
-/// When it becomes larger than 4 GiB, and those of writing.
+/// When it becomes larger than 4 GiB, where the watcher stops it, and those of writing.
 pub fn write_webp(pace: &Pace<'_>, mut out: impl Write) -> Result<(), ViewError> {
     let (width, height) = (pace.size().width(), pace.size().height());
     let mut body = b"WEBP".to_vec();
@@ -30,7 +30,8 @@ pub fn write_webp(pace: &Pace<'_>, mut out: impl Write) -> Result<(), ViewError>
     add_chunk(&mut body, *b"VP8X", &extended)?;
     // Background (transparent), and repeat for ever.
     add_chunk(&mut body, *b"ANIM", &[0; 6])?;
-    for (picture, shown_ms) in pace.pictures() {
+    for drawn in pace.pictures() {
+        let (picture, shown_ms) = drawn?;
         let mut frame = Vec::new();
         for number in [0, 0, width - 1, height - 1, shown_ms] {
             frame.extend(three_bytes(number));
