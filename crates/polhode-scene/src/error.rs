@@ -351,6 +351,9 @@ impl Refusal {
     /// What is accepted instead, in a sentence; `None` when the message says it already.
     pub(crate) fn accepted(&self) -> Option<String> {
         match self {
+            Self::UnknownKey { key, accepted } if is_of_material(key, accepted) => Some(format!(
+                "`{key}` is a key of a material: write it below [materials.NAME], and `material = \"NAME\"` here; accepted: {accepted}"
+            )),
             Self::UnknownKey { key: word, accepted } | Self::UnknownValue { value: word, accepted } => {
                 Some(format!("{}accepted: {accepted}", meant(word, accepted)))
             }
@@ -430,6 +433,12 @@ pub(crate) fn nearest(name: &str, names: &[&str], none: &str) -> String {
     let mut sorted = names.to_vec();
     sorted.sort_by_cached_key(|known| edits(name, known));
     list(&sorted)
+}
+
+/// Whether a key that was given to something with a material is one of a material.
+fn is_of_material(key: &str, accepted: &str) -> bool {
+    const KEYS: [&str; 5] = ["friction", "static_friction", "rolling_friction", "spinning_friction", "restitution"];
+    accepted.contains("`material`") && KEYS.contains(&key)
 }
 
 /// The question whether one of a list of quoted words was meant; empty when none is like the word.

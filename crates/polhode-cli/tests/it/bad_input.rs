@@ -91,6 +91,7 @@ const SCENES: &[Change] = &[
     ("name = \"brick\"", "", &["missing key `name`"]),
     ("name = \"brick\"", "name = \"brik\"", &["no body is named `brick`", "did you mean `brik`?"]),
     ("mass = 2.0", "", &["needs `mass` or `density`"]),
+    ("mass = 2.0", "mass = 2.0\nfriction = 0.5", &["is a key of a material: write it below [materials.NAME]"]),
     ("mass = 2.0", "mass = 0", &["mass must be a positive number"]),
     ("mass = 2.0", "mass = -1", &["found -1"]),
     ("mass = 2.0", "mass = nan", &["found NaN"]),
