@@ -19,7 +19,9 @@ pub(super) fn page(study: &Study, target: Option<f64>) -> String {
     }
     if study.base.is_some() {
         page.push_str(&table.print());
-        page.push_str("  * on the Pareto front: none is both cheaper and more accurate (an error above 1 is no answer)\n");
+        page.push_str(
+            "  * on the Pareto front: none is both cheaper and more accurate (an error above 1 is no answer)\n",
+        );
     }
     let failures = failures(study);
     if !failures.is_empty() {
