@@ -3,10 +3,10 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass};
-use polhode::{Body, Effects, Scene, Simulation};
-use polhode_view::Recording;
-use polhode_view::animation::{Pace, write_apng, write_gif, write_webp};
+use polhode::{Body, Effects, Flow, Scene, Simulation};
+use polhode_view::animation::{Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::raster::PictureSize;
+use polhode_view::{Recording, ViewError};
 use std::io::Cursor;
 
 const FRAMES: usize = 6;
@@ -47,7 +47,8 @@ fn apng() {
     write_apng(&pace, &mut bytes).unwrap();
     let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
     assert_eq!(reader.info().animation_control().unwrap().num_frames as usize, FRAMES);
-    for (picture, shown_ms) in pace.pictures() {
+    for drawn in pace.pictures() {
+        let (picture, shown_ms) = drawn.unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut pixels).unwrap();
         assert!(pixels == picture.rgb);
@@ -67,9 +68,22 @@ fn webp() {
     let mut decoder = image_webp::WebPDecoder::new(Cursor::new(&bytes)).unwrap();
     assert!(decoder.is_animated());
     assert_eq!((decoder.dimensions(), decoder.num_frames() as usize), ((64, 48), FRAMES));
-    for (picture, shown_ms) in pace.pictures() {
+    for drawn in pace.pictures() {
+        let (picture, shown_ms) = drawn.unwrap();
         let mut pixels = vec![0; decoder.output_buffer_size().unwrap()];
         assert_eq!(decoder.read_frame(&mut pixels).unwrap(), shown_ms);
         assert!(pixels == picture.rgb);
+    }
+}
+
+/// Whoever watches the drawing is told how far it is, and stops it where they will.
+#[test]
+fn drawing_stops_when_it_is_told_to() {
+    let recording = recording();
+    let told = |drawn| if drawn < 2 { Flow::Continue } else { Flow::Stop };
+    let pace = Pace::new(&recording, size()).unwrap().watched_by(Watcher(&told));
+    let written = [write_gif(&pace, Vec::new()), write_apng(&pace, Vec::new()), write_webp(&pace, Vec::new())];
+    for stopped in written {
+        assert!(matches!(stopped, Err(ViewError::Stopped { drawn: 2, frames: FRAMES })), "{stopped:?}");
     }
 }
