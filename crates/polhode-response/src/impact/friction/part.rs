@@ -94,8 +94,10 @@ impl Part {
     ) -> Result<ConeAnswer, ResponseError> {
         let problem = chosen_blocks(&self.contacts, chosen, constant)?;
         let rows: Vec<usize> = chosen.iter().flat_map(|&block| self.contacts.range(block)).collect();
-        let start: Option<Vec<f64>> = start.map(|start| rows.iter().map(|&row| start[row]).collect());
-        let solution = solve_friction(&problem, start.as_deref(), &self.settings)?;
+        // From zero where nothing is known: Newton's method finds the same answer for contacts in any order, while sweeps
+        // prefer those that come first, where the impulses are not unique.
+        let start: Vec<f64> = rows.iter().map(|&row| start.map_or(0.0, |start| start[row])).collect();
+        let solution = solve_friction(&problem, Some(&start), &self.settings)?;
         self.solves += 1;
         let is_solved = solution.report.status == SolverStatus::Solved;
         if is_solved {
