@@ -18,7 +18,7 @@
 //! | `cone_programme` | the convex relative, and the proof that there is no solution |
 //! | `equilibrium` | [`balancing_reactions`]: what is at rest stays at rest if it can |
 //! | `solver` | [`solve_friction`]: the chain of methods |
-//! | `settings`, `solution` | [`FrictionSettings`], [`FrictionSolution`] |
+//! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
 
 pub(crate) mod block;
 pub(crate) mod block_matrix;
@@ -42,6 +42,6 @@ pub use equilibrium::balancing_reactions;
 pub use gauss_seidel::gauss_seidel;
 pub use linearisation::ContactStatus;
 pub use problem::FrictionProblem;
-pub use settings::FrictionSettings;
+pub use settings::{FrictionSettings, Redundancy};
 pub use solution::{FrictionMethod, FrictionReport, FrictionSolution};
 pub use solver::solve_friction;

@@ -12,7 +12,7 @@ use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::gauss_seidel::GaussSeidel;
 use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonSteps};
 use crate::friction::problem::FrictionProblem;
-use crate::friction::settings::FrictionSettings;
+use crate::friction::settings::{FrictionSettings, Redundancy};
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::report::SolverStatus;
 use crate::settings::FallbackPolicy;
@@ -99,6 +99,10 @@ impl Solver<'_> {
                 return;
             }
             let reactions = self.within_cones(start);
+            let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
+            if is_chosen && self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton) {
+                return;
+            }
             if self.newton_from(reactions, FrictionMethod::WarmNewton) || self.best.residual <= self.settings.acceptance
             {
                 return;

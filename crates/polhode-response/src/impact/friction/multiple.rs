@@ -11,7 +11,7 @@ use super::sequence::strike_in_order;
 use super::simultaneous::strike_together;
 use super::without_collision::strike_without_collision;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::{FrictionProblem, FrictionSettings};
+use crate::friction::{FrictionProblem, FrictionSettings, Redundancy};
 use polhode_spatial::DisjointSets;
 
 /// The residual of an impact's cone problem that counts as solved (no unit, 1e-12 to 1e-9): coefficients of restitution
@@ -38,7 +38,11 @@ impl Default for MultipleImpactSettings {
         Self {
             threshold: 1e-12,
             limit: 100_000,
-            solver: FrictionSettings { acceptance: ACCEPTED, ..FrictionSettings::default() },
+            solver: FrictionSettings {
+                acceptance: ACCEPTED,
+                redundancy: Redundancy::LeastNorm,
+                ..FrictionSettings::default()
+            },
         }
     }
 }
