@@ -41,6 +41,10 @@ const STOPPED_SLIP: f64 = 1e-9;
 /// while it slides stop together, and their directions turn ever faster before.
 const STOPPED_NOISE: f64 = 100.0;
 
+/// A slip that points against its direction at the start of the step has stopped if it is below this fraction of its
+/// speed there (1e-9 to 1e-4). A faster one has turned.
+const TURNED_SLIP: f64 = 1e-6;
+
 /// Most searches for an earlier violation. After them the time found so far is accepted.
 const MOST_VIOLATIONS: usize = 16;
 
@@ -124,6 +128,10 @@ impl Engine {
                 let settling: BTreeSet<_> = settled(core, step, violated, states).collect();
                 if !(stopping.is_empty() && settling.is_empty()) {
                     return Ok(ContactChange { t: violated, stopping, settling, ..ContactChange::default() });
+                }
+                if stopped(core, step, violated, states).next().is_some() {
+                    // Slips that have only turned go on in their new directions.
+                    return Ok(at(violated));
                 }
                 return breaking(core, step, violated, states);
             };
@@ -430,14 +438,15 @@ fn settled<'a>(
     })
 }
 
-/// If a slip has just vanished at `t` (s), all contacts whose slips vanish then.
+/// If a slip has just vanished at `t` (s), all contacts whose slips vanish then; none if it has only turned.
 fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [BodyState]) -> BTreeSet<ContactId> {
     step.states_at(&core.world, t, states);
     if stopped(core, step, t, states).next().is_none() {
         return BTreeSet::new();
     }
     let vanishes = |(slide, slip): (&Slide, &DVec3)| {
-        slip.length() <= (STOPPED_SLIP * slide.speed).max(STOPPED_NOISE * slide.noise) || slide.along(*slip) <= 0.0
+        let share = if slide.along(*slip) <= 0.0 { TURNED_SLIP } else { STOPPED_SLIP };
+        slip.length() <= (share * slide.speed).max(STOPPED_NOISE * slide.noise)
     };
     slips(core, step, states).filter(|(_, slide, slip)| vanishes((slide, slip))).map(|(id, ..)| id).collect()
 }
