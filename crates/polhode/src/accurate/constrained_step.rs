@@ -81,6 +81,13 @@ impl ConstrainedStep {
         self.motions.get(self.bodies.binary_search(&body).ok()?)?.as_ref()
     }
 
+    /// The island at a time within its step, as interpolated.
+    pub(super) fn at(&self, t: f64) -> StepEndStates {
+        let mut flat = vec![0.0; self.end_state.len()];
+        self.dense.evaluate(t, &mut flat);
+        self.at_end(&flat, t)
+    }
+
     /// The island at the end of its step, from its flat state there.
     pub(super) fn at_end(&self, flat: &[f64], t: f64) -> StepEndStates {
         let states = (0..self.bodies.len()).filter_map(|index| self.state(flat, index, t)).collect();

@@ -10,18 +10,21 @@
 //! Assumes that the deceleration lasts. Limit: the time until the slip would have ended, `u / a`, is lost; for a body
 //! on a floor of friction 0.5 it is some microseconds.
 
-use super::constrained_step::ConstrainedStep;
+use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::engine::Engine;
 use super::hold::Forces;
 use super::instant::Instant;
+use super::locate::has_vanished;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::FrictionMode;
 use crate::core::Core;
 use crate::interaction::groups::Group;
 use crate::interaction::projection::{self, Removal};
+use crate::states_of::set_states;
 use crate::world::World;
 use polhode_dynamics::BodyState;
+use std::collections::BTreeSet;
 
 /// Distance, in touch distances, within which a slip may end at once (1 to 64; no unit).
 const NEGLIGIBLE_TRAVEL: f64 = 8.0;
@@ -51,6 +54,28 @@ pub(super) fn slip_nearly_ended(core: &Core, step: &ConstrainedStep, states: &[B
 }
 
 impl Engine {
+    /// Whether a step that has been repeated up to the time at which these slips vanish ends elsewhere. Its last stages
+    /// lie where slips are as small as the errors of stages, so that the directions of friction there may be any. Up to
+    /// that time the longer step, which goes on beyond it, is the better one.
+    pub(super) fn misses_ends(
+        &mut self,
+        core: &Core,
+        step: &ConstrainedStep,
+        stopping: &BTreeSet<ContactId>,
+        repeated: &StepEndStates,
+    ) -> bool {
+        let mut states = std::mem::take(&mut self.scratch);
+        set_states(&mut states, &step.bodies, &repeated.states);
+        let misses = |id: &ContactId| {
+            let Some(FrictionMode::Sliding(slide)) = step.active.friction.get(id) else { return false };
+            let terms = core.world.tangential_kinematics(&states, *id);
+            terms.is_some_and(|terms| !has_vanished(slide, terms.slip_velocity))
+        };
+        let misses = stopping.iter().any(misses);
+        self.restore_scratch(core, states, &step.bodies);
+        misses
+    }
+
     /// Ends the slips of candidates whose way to a stop is negligible under these forces. Returns whether there are any.
     ///
     /// # Errors

@@ -207,7 +207,10 @@ impl Engine {
     fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<Option<Balance>, SimulationError> {
         let (states, received) = match &mut island.step {
             Step::Constrained(step) => {
-                let end = self.constrained_end(core, step, t)?;
+                let mut end = self.constrained_end(core, step, t)?;
+                if island.changes && island.due <= t && self.misses_ends(core, step, &island.change.stopping, &end) {
+                    end = step.at(t);
+                }
                 (end.states, end.received)
             }
             Step::Free(step) => {

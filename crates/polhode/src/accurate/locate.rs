@@ -444,11 +444,13 @@ fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [
     if stopped(core, step, t, states).next().is_none() {
         return BTreeSet::new();
     }
-    let vanishes = |(slide, slip): (&Slide, &DVec3)| {
-        let share = if slide.along(*slip) <= 0.0 { TURNED_SLIP } else { STOPPED_SLIP };
-        slip.length() <= (share * slide.speed).max(STOPPED_NOISE * slide.noise)
-    };
-    slips(core, step, states).filter(|(_, slide, slip)| vanishes((slide, slip))).map(|(id, ..)| id).collect()
+    slips(core, step, states).filter(|(_, slide, slip)| has_vanished(slide, *slip)).map(|(id, ..)| id).collect()
+}
+
+/// Whether a slip is zero to the error of its step.
+pub(super) fn has_vanished(slide: &Slide, slip: DVec3) -> bool {
+    let share = if slide.along(slip) <= 0.0 { TURNED_SLIP } else { STOPPED_SLIP };
+    slip.length() <= (share * slide.speed).max(STOPPED_NOISE * slide.noise)
 }
 
 /// The held contacts that break under pushing forces, without the tolerated ones.
