@@ -2,7 +2,7 @@
 //!
 //! | tier | penetration of a pair | displacement by one projection | energy that projections take |
 //! |---|---|---|---|
-//! | `accurate` | `1e-12 s + 4 ulp`; above the default tolerance `tolerance s + 4 ulp` | `drift s + 8 ulp` | `drift E`, one or all |
+//! | `accurate` | `1e-12 s + 18 ulp`; above the default tolerance `tolerance s + 18 ulp` | `drift s + 40 ulp` | `drift E`, one or all |
 //! | `accurate` by `rk4` | as above | no promise: depends on the step | no promise |
 //! | `stepped` | no promise: depends on the step | no promise | no promise |
 //! | `thesis` | no promise | no promise: projects only if asked to | no promise |
@@ -22,6 +22,10 @@ use crate::interaction::projection::Projection;
 use crate::world::{World, WorldBody};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
+
+/// How far a projection of a separation that is rounding may move a tilted body, in such separations (no unit): beyond
+/// that the projection is partial (`crate::interaction::projection`).
+const MOVED_BY_ROUNDING: f64 = 5.0;
 
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
@@ -81,7 +85,8 @@ impl Core {
     ) {
         let drift = self.settings.promised_drift();
         let allowed = |(a, b): (usize, usize)| {
-            drift.map_or(f64::INFINITY, |drift| drift * self.world.pair_size(a, b) + self.world.rounding(states, a, b))
+            let rounding = MOVED_BY_ROUNDING * self.world.rounding(states, a, b);
+            drift.map_or(f64::INFINITY, |drift| drift * self.world.pair_size(a, b) + rounding)
         };
         if let Some(pair) = done.pair() {
             let moved = Measure { t, pair, value: done.moved_m, allowed: allowed(pair) };

@@ -16,8 +16,9 @@ pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;
 const ROUNDING_ULPS: f64 = 8.0;
 
 /// Allowance for rounding in the penetration that a tier promises, in units in the last place of the largest
-/// coordinate.
-const PENETRATION_ULPS: f64 = 4.0;
+/// coordinate: a contact may be held at a depth that cannot be told from touch, another penetration is seen only beyond
+/// the same depth, and two units for the depth that is measured.
+const PENETRATION_ULPS: f64 = 2.0 * ROUNDING_ULPS + 2.0;
 
 /// Error of the velocity of a contact by rounding, in rounding units of the largest speed of a point of its bodies.
 const VELOCITY_UNITS: f64 = 4.0;

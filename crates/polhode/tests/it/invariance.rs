@@ -2,8 +2,8 @@
 
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
-use polhode::scene::Method;
-use polhode::spatial::{DVec3, Pose, Rotation, UnitVector};
+use polhode::scene::{Material, Method};
+use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Decision, Effect, Effects, EventKind, RunReport, Scene};
 
 /// A bounce with e = 1/2 at another scale of length: all times scale with the square root of the length, that of rest
@@ -97,4 +97,23 @@ fn rattle(pose: Pose) -> (RunReport, RunReport) {
         .build()
         .unwrap();
     (run(&scene, Effects::Planned).0, run(&scene, Effects::All).0)
+}
+
+/// A box that falls on the floor and rattles keeps the promises of its run up to 10 km from the origin, with friction and
+/// without: what separations far away are rounded by is no penetration.
+#[test]
+fn a_box_far_from_the_origin_keeps_what_its_run_promises() {
+    for away in [3e2, 1e3, 3e3, 1e4] {
+        for (friction, tilt) in [(0.0, 0.1), (0.0, 0.3), (0.5, 0.1), (0.5, 0.3)] {
+            let material = Material::new("box and floor", friction, 0.3).unwrap();
+            let turn = Rotation::from_rotation_vector(DVec3::new(tilt, 0.2, 0.1));
+            let body =
+                brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO).pose(Pose::new(turn, DVec3::new(away, 0.0, 0.5)));
+            let body = body.velocity(Velocity::new(DVec3::new(0.5, 0.2, 0.0), DVec3::new(1.0, 0.0, 2.0)));
+            let scene =
+                Scene::builder("far away").method(accurate()).duration_s(1.0).body(floor().material(material.clone()));
+            // `run` asks for a run that is not degraded.
+            run(&scene.body(body.material(material)).build().unwrap(), Effects::Planned);
+        }
+    }
 }
