@@ -14,7 +14,6 @@ use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::engine::Engine;
 use super::hold::Forces;
 use super::instant::Instant;
-use super::locate::has_vanished;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::FrictionMode;
@@ -69,7 +68,7 @@ impl Engine {
         let misses = |id: &ContactId| {
             let Some(FrictionMode::Sliding(slide)) = step.active.friction.get(id) else { return false };
             let terms = core.world.tangential_kinematics(&states, *id);
-            terms.is_some_and(|terms| !has_vanished(slide, terms.slip_velocity))
+            terms.is_some_and(|terms| !slide.has_vanished(terms.slip_velocity))
         };
         let misses = stopping.iter().any(misses);
         self.restore_scratch(core, states, &step.bodies);

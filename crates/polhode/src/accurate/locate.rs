@@ -33,18 +33,6 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest backward extrapolation, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
-/// Slips below this fraction of their speed at the start of the step vanish together with the one that has been located
-/// (1e-12 to 1e-7).
-const STOPPED_SLIP: f64 = 1e-9;
-
-/// A slip below this many times the rounding error of slips has vanished (10 to 1e4): the contacts of a body that turns
-/// while it slides stop together, and their directions turn ever faster before.
-const STOPPED_NOISE: f64 = 100.0;
-
-/// A slip that points against its direction at the start of the step has stopped if it is below this fraction of its
-/// speed there (1e-9 to 1e-4). A faster one has turned.
-const TURNED_SLIP: f64 = 1e-6;
-
 /// Most searches for an earlier violation. After them the time found so far is accepted.
 const MOST_VIOLATIONS: usize = 16;
 
@@ -404,10 +392,9 @@ fn slips<'a>(
 /// negligible within a step that has come to its end.
 fn has_stopped(step: &ConstrainedStep, t: f64, slide: &Slide, slip: DVec3) -> bool {
     // A slip that begins to grow is zero up to rounding.
-    let reversed = if slide.speed > STOPPED_NOISE * slide.noise { 0.0 } else { -STOPPED_NOISE * slide.noise };
-    let is_negligible = t >= step.end
-        && slide.speed > 2.0 * STOPPED_NOISE * slide.noise
-        && slip.length() <= STOPPED_NOISE * slide.noise;
+    let zero = slide.zero_speed();
+    let reversed = if slide.speed > zero { 0.0 } else { -zero };
+    let is_negligible = t >= step.end && slide.speed > 2.0 * zero && slip.length() <= zero;
     slide.along(slip) < reversed || is_negligible
 }
 
@@ -444,13 +431,7 @@ fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [
     if stopped(core, step, t, states).next().is_none() {
         return BTreeSet::new();
     }
-    slips(core, step, states).filter(|(_, slide, slip)| has_vanished(slide, *slip)).map(|(id, ..)| id).collect()
-}
-
-/// Whether a slip is zero to the error of its step.
-pub(super) fn has_vanished(slide: &Slide, slip: DVec3) -> bool {
-    let share = if slide.along(slip) <= 0.0 { TURNED_SLIP } else { STOPPED_SLIP };
-    slip.length() <= (share * slide.speed).max(STOPPED_NOISE * slide.noise)
+    slips(core, step, states).filter(|(_, slide, slip)| slide.has_vanished(*slip)).map(|(id, ..)| id).collect()
 }
 
 /// The held contacts that break under pushing forces, without the tolerated ones.

@@ -12,6 +12,18 @@
 use crate::scene::FrictionEllipse;
 use polhode_spatial::DVec3;
 
+/// Slips below this fraction of their speed at the start of the step vanish together with the one that has been located
+/// (1e-12 to 1e-7).
+const STOPPED_SLIP: f64 = 1e-9;
+
+/// A slip below this many times the rounding error of slips has vanished (10 to 1e4): the contacts of a body that turns
+/// while it slides stop together, and their directions turn ever faster before.
+const STOPPED_NOISE: f64 = 100.0;
+
+/// A slip that points against its direction at the start of the step has stopped if it is below this fraction of its
+/// speed there (1e-9 to 1e-4). A faster one has turned.
+const TURNED_SLIP: f64 = 1e-6;
+
 /// Coulomb's coefficients of a pair of bodies with friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FrictionCoefficients {
@@ -75,6 +87,17 @@ impl Slide {
         let sign = if along < 0.0 { -1.0 } else { 1.0 };
         let forward = self.direction * along.abs() + across * sign;
         forward / forward.length()
+    }
+
+    /// The speed below which a slip cannot be distinguished from none, m/s.
+    pub(crate) fn zero_speed(&self) -> f64 {
+        STOPPED_NOISE * self.noise
+    }
+
+    /// Whether a slip (m/s) at the end of a step is zero to the error of the step.
+    pub(crate) fn has_vanished(&self, slip: DVec3) -> bool {
+        let share = if self.along(slip) <= 0.0 { TURNED_SLIP } else { STOPPED_SLIP };
+        slip.length() <= (share * self.speed).max(self.zero_speed())
     }
 
     /// The same contact at the start of a later step, with this slip (m/s).
