@@ -217,6 +217,8 @@ pub(super) fn im_10(context: &Context) -> CaseResult {
 
 /// Random impacts with friction of 1 to 8 contacts.
 const RANDOM_IMPACTS: usize = 1_000_000;
+/// Seeds whose sequences leave nothing but rounding, which contradicted itself at redundant contacts: they had no answer.
+const ENDS_IN_ROUNDING: [u64; 5] = [28_032, 141_340, 321_944, 333_660, 355_636];
 /// A rise of energy that is rounding, relative to the energy before: cone problems are solved to some 1e-13.
 const RISE: f64 = 1e-11;
 
@@ -226,7 +228,7 @@ pub(super) fn energy(context: &Context) -> CaseResult {
     let count = context.amount.of(RANDOM_IMPACTS);
     let mut worst = [Rise::default(); 3];
     let (mut newton_rises, mut newton_silent, mut in_order, mut not_solved) = (0_u64, 0_u64, 0_u64, 0_u64);
-    for seed in 0..count as u64 {
+    for seed in (0..count as u64).chain(ENDS_IN_ROUNDING) {
         let impact = RandomImpact::new(&mut Random(seed));
         let single = impact.contacts() == 1;
         let (rise, outcome) = impact.strike(seed)?;
