@@ -66,6 +66,10 @@ impl Damping {
 /// Steps after which a residual that is accepted and has not halved is rounding.
 const IDLE_STEPS: usize = 4;
 
+/// Steps of least norm in which the residual has not halved after which they lead nowhere (8 to 20): they take four on the
+/// average, and where they do not converge they go round in a circle.
+const STALLED_STEPS: usize = 12;
+
 /// Steps whose largest function the next one may reach.
 const MEMORY: usize = 6;
 
@@ -160,7 +164,8 @@ impl<'a> Newton<'a> {
         let (mut halved, mut half) = (0, 0.5 * current);
         for step in 0..limits.most {
             let is_idle = step - halved >= IDLE_STEPS && iterate.residual <= limits.acceptance;
-            if is_idle || limits.are_reached(self.problem, iterate) {
+            let is_stalled = step - halved >= STALLED_STEPS && limits.steps == NewtonSteps::LeastNorm;
+            if is_idle || is_stalled || limits.are_reached(self.problem, iterate) {
                 return step;
             }
             self.damping = match limits.steps {

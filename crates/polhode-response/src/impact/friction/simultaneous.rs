@@ -39,6 +39,9 @@ const LOWERED: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 const LAMBDA_STEPS: usize = 40;
 const LAMBDA_WIDTH: f64 = 1e-12;
 
+/// Steps in a row that do not halve the interval of `lambda` after which one does.
+const SLOW_STEPS: usize = 3;
+
 /// An excess that is zero to the residual of the cone problems (no unit).
 const EXCESS_ROUNDING: f64 = 1e-13;
 
@@ -60,6 +63,21 @@ struct Attempt {
     /// By how much it does more work than it may, relative to the work of all impulses (no unit); infinite where the cone
     /// problem was not solved.
     excess: f64,
+    /// The same, J.
+    surplus_j: f64,
+}
+
+impl Attempt {
+    /// An answer, and by how much it does more work than it may; negative where it does less.
+    fn new(part: &Part, asked: &Asked<'_>, answer: Answer) -> Self {
+        let contacts = (0..part.contacts.len()).filter(|&block| !part.is_joint(block));
+        let work = |row: usize| 0.5 * answer.impulses[row] * (asked.before[row] + answer.velocities[row]);
+        let normal: f64 = contacts.map(|block| work(part.normal_row(block))).sum();
+        let (change, size) = energy(&answer.impulses, asked.before, &answer.velocities);
+        let surplus_j = (normal - asked.work).max(change);
+        let excess = if size > 0.0 { surplus_j / size } else { 0.0 };
+        Self { answer, excess, surplus_j }
+    }
 }
 
 /// What is asked of an impact.
@@ -113,8 +131,8 @@ fn answer(part: &mut Part, before: &[f64]) -> Result<Option<Answer>, ResponseErr
         return Ok(Some(full.answer));
     }
     part.status = part.status.and(MultipleImpactStatus::RestitutionLowered);
-    let excess = excess(part, &asked, &inelastic);
-    Ok(Some(lower(part, &asked, Attempt { answer: inelastic, excess }, full.excess)?))
+    let inelastic = Attempt::new(part, &asked, inelastic);
+    Ok(Some(lower(part, &asked, inelastic, &full)?))
 }
 
 /// The answer for `lambda w`; the inelastic one stands in where the cone problem is not solved.
@@ -130,41 +148,63 @@ fn attempt(part: &mut Part, asked: &Asked<'_>, lambda: f64, start: &[f64]) -> Re
     let found = solved(part, asked.before, &velocities, Some(start))?;
     part.settings = settings;
     Ok(match found {
-        Some(answer) => Attempt { excess: excess(part, asked, &answer), answer },
-        None => Attempt { excess: f64::INFINITY, answer: Answer { impulses: Vec::new(), velocities: Vec::new() } },
+        Some(answer) => Attempt::new(part, asked, answer),
+        None => Attempt {
+            excess: f64::INFINITY,
+            surplus_j: f64::INFINITY,
+            answer: Answer { impulses: Vec::new(), velocities: Vec::new() },
+        },
     })
 }
 
-/// The answer for the largest `lambda` without excess: by false position, where an end that stays is halved (Illinois).
-/// Work is quadratic in `lambda` as long as no contact begins to stick or slide.
-fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: f64) -> Result<Answer, ResponseError> {
-    let (mut low, mut high) = ((0.0, inelastic.excess), (1.0, at_1));
+/// The answer for the largest `lambda` without excess. Work is quadratic in `lambda` as long as no contact begins to stick or
+/// slide: the next `lambda` is the zero of the parabola through the ends of the interval and the end before, where it lies
+/// inside and the interval shrinks, and the middle otherwise.
+fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: &Attempt) -> Result<Answer, ResponseError> {
+    let (mut low, mut high) = ((0.0, inelastic.surplus_j), (1.0, at_1.surplus_j));
+    let mut before = None;
     let mut best = inelastic.answer;
-    let mut moved = None;
+    if inelastic.excess >= 0.0 {
+        return Ok(best);
+    }
+    let mut slow = 0;
     for _ in 0..LAMBDA_STEPS {
-        if high.0 - low.0 <= LAMBDA_WIDTH || low.1 >= 0.0 {
+        let width = high.0 - low.0;
+        if width <= LAMBDA_WIDTH {
             break;
         }
-        let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        let is_inside = high.1.is_finite() && secant > low.0 && secant < high.0;
-        let lambda = if is_inside { secant } else { 0.5 * (low.0 + high.0) };
-        let Attempt { answer, excess } = attempt(part, asked, lambda, &best.impulses)?;
+        let interpolated = if slow < SLOW_STEPS { zero_of_parabola(low, high, before) } else { None };
+        slow = if interpolated.is_some() { slow } else { 0 };
+        let lambda = interpolated.unwrap_or(0.5 * (low.0 + high.0));
+        let Attempt { answer, excess, surplus_j } = attempt(part, asked, lambda, &best.impulses)?;
         if excess.abs() <= EXCESS_ROUNDING {
             return Ok(answer);
         }
-        let below = excess < 0.0;
-        let stays = moved == Some(below);
-        moved = Some(below);
-        if below {
-            low = (lambda, excess);
+        if excess < 0.0 {
+            before = Some(std::mem::replace(&mut low, (lambda, surplus_j)));
             best = answer;
-            high.1 *= if stays { 0.5 } else { 1.0 };
         } else {
-            high = (lambda, excess);
-            low.1 *= if stays { 0.5 } else { 1.0 };
+            before = Some(std::mem::replace(&mut high, (lambda, surplus_j)));
         }
+        slow = if high.0 - low.0 > 0.5 * width { slow + 1 } else { 0 };
     }
     Ok(best)
+}
+
+/// The zero between two points where a function has opposite signs, `(x, f)`, of the parabola through them and a third
+/// one, or of the line through them where there is none; none where that is not inside.
+fn zero_of_parabola(low: (f64, f64), high: (f64, f64), third: Option<(f64, f64)>) -> Option<f64> {
+    let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
+    let chord = slope(low, high);
+    let bend = third.map_or(0.0, |third| (slope(high, third) - chord) / (third.0 - low.0));
+    let bend = if bend.is_finite() { bend } else { 0.0 };
+    // f = f_low + (x - x_low) (chord + bend (x - x_high)), with y = x - x_low.
+    let linear = chord - bend * (high.0 - low.0);
+    let root = (linear * linear - 4.0 * bend * low.1).sqrt();
+    // The zero of a function that rises there, without cancellation.
+    let y = if linear > 0.0 { -2.0 * low.1 / (linear + root) } else { (root - linear) / (2.0 * bend) };
+    let x = low.0 + y;
+    (x > low.0 && x < high.0).then_some(x)
 }
 
 /// The impulses that leave no contact slower than asked; none when the cone problem is not solved.
@@ -257,12 +297,27 @@ fn work_limit(part: &Part, before: &[f64], inelastic: &Answer, elastic: &Answer)
     limit.max(all)
 }
 
-/// By how much an answer does more work than it may, relative to the work of all its impulses (no unit); negative where
-/// it does less.
-fn excess(part: &Part, asked: &Asked<'_>, answer: &Answer) -> f64 {
-    let contacts = (0..part.contacts.len()).filter(|&block| !part.is_joint(block));
-    let work = |row: usize| 0.5 * answer.impulses[row] * (asked.before[row] + answer.velocities[row]);
-    let normal: f64 = contacts.map(|block| work(part.normal_row(block))).sum();
-    let (change, size) = energy(&answer.impulses, asked.before, &answer.velocities);
-    if size > 0.0 { (normal - asked.work).max(change) / size } else { 0.0 }
+#[cfg(test)]
+mod tests {
+    //! The zero of work that is quadratic in `lambda` is found at once; what gives none is told.
+    use super::zero_of_parabola;
+
+    /// A parabola through three of its points has its rising zero between two of them, a line that through two.
+    #[test]
+    fn the_zero_of_a_parabola_is_that_between_the_ends() {
+        let parabola = |x: f64| 3.0 * (x - 0.25) * (x + 1.5);
+        let at = |x: f64| (x, parabola(x));
+        for third in [at(1.0), at(0.9), at(-0.5)] {
+            let zero = zero_of_parabola(at(0.0), at(0.8), Some(third));
+            assert!(zero.is_some_and(|zero| (zero - 0.25).abs() < 1e-15), "{zero:?}");
+        }
+        assert_eq!(zero_of_parabola((0.0, -1.0), (1.0, 3.0), None), Some(0.25));
+    }
+
+    /// Without a finite value at an end there is no zero to tell.
+    #[test]
+    fn ends_without_a_value_have_no_zero() {
+        assert_eq!(zero_of_parabola((0.0, -1.0), (1.0, f64::INFINITY), None), None);
+        assert_eq!(zero_of_parabola((0.0, -1.0), (1.0, 2.0), Some((0.5, f64::NAN))), Some(1.0 / 3.0));
+    }
 }
