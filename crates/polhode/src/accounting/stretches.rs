@@ -18,7 +18,8 @@ impl Stretches {
         self.0.len() - 1
     }
 
-    /// Records a time step of a stretch that ends at `t` (s), with its estimated error.
+    /// Records a time step of a stretch that ends at `t` (s), with its estimated error. Those of parts of a crowd that
+    /// advance side by side add up: their sum is more than the error of any body.
     pub(crate) fn step(&mut self, number: usize, t: f64, steps: u64, error: f64) {
         if let Some(stretch) = self.0.get_mut(number) {
             stretch.steps += steps;

@@ -8,7 +8,7 @@ use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Veloc
 /// The state of a stretch of crowded events.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crowd {
-    /// When the stretch ends, s.
+    /// When the stretch that a body began ends, s; for one that joined it, when it joined.
     pub(super) until: f64,
     /// Length of the next time step, s.
     pub(super) step_s: f64,
@@ -16,6 +16,18 @@ pub(super) struct Crowd {
     pub(super) number: usize,
     /// Error that is left for steps within which contacts begin to stick or to slide, relative to the size of a body.
     pub(super) spare_error: f64,
+}
+
+impl Crowd {
+    /// The stretch of bodies that go on together: to the later end, with the shorter step and the lesser error left.
+    pub(super) fn together_with(self, other: &Self) -> Self {
+        Self {
+            until: self.until.max(other.until),
+            step_s: self.step_s.min(other.step_s),
+            spare_error: self.spare_error.min(other.spare_error),
+            ..self
+        }
+    }
 }
 
 /// One time step of a crowd.

@@ -8,11 +8,15 @@
 //!
 //! A stretch has its own error control: each time step is compared with two of half its length, and the tolerance of
 //! crowding determines its length. The sum of the estimates is reported with the stretch. The bodies of a stretch are
-//! called its crowd. A body of another island whose bounding box overlaps those of the crowd joins it. For the impact
+//! called its crowd. A body of another island that may touch the crowd within a time step joins it. For the impact
 //! search of other islands, a body moves within one time step along a straight line at constant angular velocity.
+//!
+//! With friction, stretches are common. Bodies of a crowd that cannot touch each other within a step then make steps of
+//! their own (`crowd_parts.rs`), and a part without any body whose events crowded leaves the stretch.
 //!
 //! Limit: at the shortest step a stretch continues whatever its error, which the reported estimate contains.
 
+use super::crowd_parts::{CrowdPart, SWEEP_FACTOR, may_touch_within};
 use super::crowd_step::{Crowd, CrowdStep, motions};
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
@@ -26,7 +30,7 @@ use crate::pivots::with_pivots_reduced;
 use crate::states_of::{set_states, states_of};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
-use polhode_contact::{aabb_of, separation};
+use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
 use std::collections::BTreeSet;
@@ -47,17 +51,15 @@ const MOST_SPLITS: u32 = 4;
 /// a ball under a closing press.
 const NO_WAY_OUT: f64 = 1e-3;
 
-/// Safety factor on the distance that a body may travel within a step: impulses may double a speed.
-const SWEEP_FACTOR: f64 = 2.0;
-
 /// The next time step aims at this fraction of what is allowed.
 const SAFETY: f64 = 0.8;
 
 /// Least and largest change of the time step from one to the next.
 const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
 
-/// The same with friction, where every length that is tried costs the solution of three cone problems.
-const STEP_CHANGE_WITH_FRICTION: (f64, f64) = (0.1, 8.0);
+/// The same with friction, where every length that is tried costs the solution of three cone problems: of steps that grow
+/// eightfold almost every second one is refused.
+const STEP_CHANGE_WITH_FRICTION: (f64, f64) = (0.1, 3.0);
 
 /// Share of the error allowed with friction that is spread over a stretch evenly (no unit). The rest is spare, for steps
 /// within which a contact begins to stick or to slide: their error falls only with the square of their length, but there
@@ -111,6 +113,23 @@ impl StepControl {
     }
 }
 
+/// A time step that is accepted, or the parts of a crowd that need shorter ones.
+enum Attempted {
+    Made(Made),
+    Divided(Vec<CrowdPart>),
+}
+
+/// A time step that is accepted.
+struct Made {
+    /// Its end, s.
+    end: f64,
+    report: TimeStepReport,
+    /// Its estimated error, relative to the size of a body.
+    error: f64,
+    /// The stretch with the length of the next step.
+    next: Crowd,
+}
+
 /// The time stepper of a crowd.
 fn stepper(core: &Core) -> TimeStepper {
     let about = core.accounts.books.ledger.momentum.about;
@@ -159,15 +178,21 @@ impl Engine {
         let spare_error =
             (1.0 - StepControl::of(&core.world).even_share()) * core.settings.crowding_tolerance * span / longest;
         let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number, spare_error };
+        for &body in &instant.bodies {
+            self.book_flight(core, body, instant.t);
+            self.tracks[body].mode = Mode::Crowded(crowd);
+        }
         self.crowd_step(core, instant, crowd)
     }
 
-    /// The stretch that a body of the instant is in, if there is one.
-    pub(super) fn ongoing_stretch(&self, instant: &Instant) -> Option<Crowd> {
-        instant.bodies.iter().find_map(|&body| match self.tracks[body].mode {
+    /// The stretch that bodies of the instant are in, if there is one. Without friction a crowd has no parts, and that of
+    /// the first body counts.
+    pub(super) fn ongoing_stretch(&self, core: &Core, instant: &Instant) -> Option<Crowd> {
+        let crowds = instant.bodies.iter().filter_map(|&body| match self.tracks[body].mode {
             Mode::Crowded(crowd) => Some(crowd),
             _ => None,
-        })
+        });
+        crowds.reduce(|one, other| if core.world.has_friction() { one.together_with(&other) } else { one })
     }
 
     /// Latest end of a time step from `t`, s.
@@ -178,7 +203,8 @@ impl Engine {
         if sample > t { limit.min(sample) } else { limit }
     }
 
-    /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it.
+    /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it: of each part by
+    /// itself. Parts that no longer belong to a stretch leave it.
     pub(super) fn crowd_step(
         &mut self,
         core: &mut Core,
@@ -186,59 +212,85 @@ impl Engine {
         crowd: Crowd,
     ) -> Result<(), SimulationError> {
         let t = instant.t;
-        let longest = core.settings.step_s;
         let limit = self.limit_of_crowd_step(core, t);
-        let mut h = crowd.step_s.min(limit - t);
-        let mut end;
-        let pairs = self.gather(core, &mut instant, h)?;
-        let before = stepper(core);
-        let start = states_of(&self.states, &instant.bodies);
-        let shortest = SHORTEST_STEP * longest;
-        let mut scratch = std::mem::take(&mut self.scratch);
-        let (control, mut refused) = (StepControl::of(&core.world), 0);
-        let made = loop {
-            set_states(&mut scratch, &instant.bodies, &start);
-            let mut stepper = before.clone();
-            // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
-            end = if h >= limit - t { limit } else { t + h };
-            let made = time_step(&core.world, &mut stepper, &mut scratch, (&instant.bodies, &pairs), (t, end - t));
-            let (report, error) = match made {
-                Ok(made) => made,
-                Err(source) => break Err(Core::response_error(t, source)),
-            };
-            let even = control.even_share() * core.settings.crowding_tolerance * h / longest;
-            let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
-            let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
-            if error <= allowed || h <= shortest {
-                let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
-                let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
-                break Ok((report, error, Crowd { step_s, spare_error, ..crowd }));
-            }
-            refused += 1;
-            h = control.shorter(h, ratio, refused).max(shortest);
-        };
-        let states = states_of(&scratch, &instant.bodies);
-        let stuck = made.as_ref().ok().and_then(|(report, ..)| no_way_out(core, report, &scratch, &pairs, t + h));
-        self.restore_scratch(core, scratch, &instant.bodies);
-        if let Some(stuck) = stuck {
-            return Err(stuck);
-        }
-        let (report, error, next) = made?;
-        core.accounts.crowded.step(crowd.number, end, report.steps, error);
-        for &body in &instant.bodies {
-            self.tracks[body].mode = Mode::Crowded(next);
-            self.tracks[body].pace = Pace::after_stretch(t);
-        }
-        let motions = motions((t, &start), (end, &states));
-        let step =
-            Box::new(CrowdStep { t, end, start, states, pairs: pairs.clone(), report, stepper: before, motions });
+        let pairs = self.gather(core, &mut instant, crowd.step_s.min(limit - t))?;
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
         }
-        let bodies = instant.bodies;
-        let island = Island::beginning(bodies.clone(), ActiveContacts::default(), t, Step::Crowd(step));
-        let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
-        self.look_ahead(core, &bodies, &firsts, t)
+        let crowd = self.ongoing_stretch(core, &instant).filter(|_| core.world.has_friction()).unwrap_or(crowd);
+        let whole = CrowdPart { bodies: instant.bodies.clone(), pairs: pairs.clone(), crowd, refused: 0 };
+        let mut states = std::mem::take(&mut self.scratch);
+        set_states(&mut states, &instant.bodies, &states_of(&self.states, &instant.bodies));
+        let parts = whole.divided(&core.world, &states);
+        self.restore_scratch(core, states, &instant.bodies);
+        let (mut staying, leaving): (Vec<_>, Vec<_>) =
+            parts.into_iter().partition(|part| self.belongs_to_stretch(core, &part.bodies, t));
+        let mut firsts = Vec::new();
+        while let Some(part) = staying.pop() {
+            firsts.extend(self.step_of_part(core, part, (t, limit), &mut staying)?);
+        }
+        let islands = firsts.iter().filter_map(|&first| self.island(first));
+        let mut bodies: Vec<usize> = islands.flat_map(|island| island.bodies.iter().copied()).collect();
+        bodies.sort_unstable();
+        self.look_ahead(core, &bodies, &firsts, t)?;
+        for part in leaving {
+            let left = instant.part(core, part.bodies, &pairs);
+            self.end_stretch(core, left)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the stretch goes on at `t` (s) for a part of a crowd: the events of one of its bodies crowded. Without
+    /// friction a crowd is one part, and goes on as a whole.
+    fn belongs_to_stretch(&self, core: &Core, bodies: &[usize], t: f64) -> bool {
+        let began = |&body: &usize| matches!(self.tracks[body].mode, Mode::Crowded(crowd) if crowd.until > t);
+        !core.world.has_friction() || bodies.iter().any(began)
+    }
+
+    /// Makes one time step of a part of a crowd from `t` that ends by `limit` (s), and returns the first body of its island.
+    /// Where its step has to be so short that it falls into smaller parts, these are added to `parts` instead.
+    fn step_of_part(
+        &mut self,
+        core: &mut Core,
+        part: CrowdPart,
+        (t, limit): (f64, f64),
+        parts: &mut Vec<CrowdPart>,
+    ) -> Result<Option<usize>, SimulationError> {
+        let before = stepper(core);
+        let start = states_of(&self.states, &part.bodies);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let attempted = attempt(core, &mut scratch, &start, &part, (t, limit));
+        let states = states_of(&scratch, &part.bodies);
+        let stuck = match &attempted {
+            Ok(Attempted::Made(made)) => no_way_out(core, &made.report, &scratch, &part.pairs, made.end),
+            _ => None,
+        };
+        self.restore_scratch(core, scratch, &part.bodies);
+        if let Some(stuck) = stuck {
+            return Err(stuck);
+        }
+        let Made { end, report, error, next } = match attempted? {
+            Attempted::Made(made) => made,
+            Attempted::Divided(smaller) => {
+                parts.extend(smaller);
+                return Ok(None);
+            }
+        };
+        core.accounts.crowded.step(part.crowd.number, end, report.steps, error);
+        let CrowdPart { bodies, pairs, .. } = part;
+        for &body in &bodies {
+            let until = match self.tracks[body].mode {
+                _ if !core.world.has_friction() => next.until,
+                Mode::Crowded(own) => own.until,
+                _ => t,
+            };
+            self.tracks[body].mode = Mode::Crowded(Crowd { until, ..next });
+            self.tracks[body].pace = Pace::after_stretch(t);
+        }
+        let motions = motions((t, &start), (end, &states));
+        let step = Box::new(CrowdStep { t, end, start, states, pairs, report, stepper: before, motions });
+        let island = Island::beginning(bodies, ActiveContacts::default(), t, Step::Crowd(step));
+        Ok(self.insert_island(island))
     }
 
     /// Repeats the time step of a crowd from its start, bit for bit.
@@ -285,7 +337,7 @@ impl Engine {
             for &body in &instant.bodies {
                 for other in self.near_boxes(core, body) {
                     if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
-                        if !self.may_touch_within(core, (body, other), (t, h))? {
+                        if !self.may_join(core, (body, other), (t, h))? {
                             continue;
                         }
                         joins.insert(other);
@@ -310,26 +362,26 @@ impl Engine {
         }
     }
 
-    /// Whether a body of a crowd and another body, whose boxes overlap, may touch within `h` seconds. Without friction,
-    /// stretches are rare, and the boxes decide.
+    /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. Without
+    /// friction, stretches are rare, and the boxes decide.
     ///
     /// # Errors
     /// When the state of the other body cannot be evaluated.
-    fn may_touch_within(
+    fn may_join(
         &mut self,
         core: &Core,
         (body, other): (usize, usize),
         (t, h): (f64, f64),
     ) -> Result<bool, SimulationError> {
-        let shapes = core.world.shapes(body, other).filter(|_| core.world.has_friction());
-        let Some((shape, other_shape)) = shapes else { return Ok(true) };
+        if !core.world.has_friction() {
+            return Ok(true);
+        }
         let state = self.state_at(core, other, t)?;
         let mut states = std::mem::take(&mut self.scratch);
         (states[body], states[other]) = (self.states[body], state);
-        let way = reach(core, &states, body, h) + reach(core, &states, other, h);
-        let apart = separation(shape, &states[body].pose, other_shape, &states[other].pose);
+        let joins = may_touch_within(&core.world, &states, (body, other), h);
         self.restore_scratch(core, states, &[body, other]);
-        Ok(apart <= way)
+        Ok(joins)
     }
 
     /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
@@ -390,14 +442,23 @@ impl Engine {
     /// When a time step is not possible, or the instant at the end of the stretch cannot be resolved.
     pub(super) fn next_crowd_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
         let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
-        let mut instant = self.end_islands(core, t, bodies)?;
+        let instant = self.end_islands(core, t, bodies)?;
         for &body in &instant.bodies {
             self.scratch[body] = self.states[body];
         }
-        let Some(crowd) = self.ongoing_stretch(&instant) else { return Ok(()) };
+        let Some(crowd) = self.ongoing_stretch(core, &instant) else { return Ok(()) };
         if t < crowd.until && !core.is_end_of_run(t) {
             return self.crowd_step(core, instant, crowd);
         }
+        self.end_stretch(core, instant)
+    }
+
+    /// Ends the stretch for the bodies of an instant: events are located again.
+    ///
+    /// # Errors
+    /// When the instant cannot be resolved.
+    fn end_stretch(&mut self, core: &mut Core, mut instant: Instant) -> Result<(), SimulationError> {
+        let t = instant.t;
         for &body in &instant.bodies {
             self.tracks[body].mode = Mode::Constrained;
         }
@@ -411,6 +472,53 @@ impl Engine {
                 self.continue_motion(core, instant)
             }
             Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
+        }
+    }
+}
+
+/// A time step of a part of a crowd from the states `start` at `t` that ends by `limit` (s): the longest whose error is
+/// allowed. Where a step has to be shorter, the part may fall into smaller ones. `states` are those at its end, or at its
+/// start where none is made.
+///
+/// # Errors
+/// When a time step is not possible.
+fn attempt(
+    core: &Core,
+    states: &mut [BodyState],
+    start: &[BodyState],
+    part: &CrowdPart,
+    (t, limit): (f64, f64),
+) -> Result<Attempted, SimulationError> {
+    let CrowdPart { bodies, pairs, crowd, .. } = part;
+    let mut refused = part.refused;
+    let longest = core.settings.step_s;
+    let shortest = SHORTEST_STEP * longest;
+    let (before, control) = (stepper(core), StepControl::of(&core.world));
+    let mut h = crowd.step_s.min(limit - t);
+    loop {
+        set_states(states, bodies, start);
+        let mut stepper = before.clone();
+        // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
+        let end = if h >= limit - t { limit } else { t + h };
+        let made = time_step(&core.world, &mut stepper, states, (bodies, pairs), (t, end - t));
+        let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
+        let even = control.even_share() * core.settings.crowding_tolerance * h / longest;
+        let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
+        let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
+        if error <= allowed || h <= shortest {
+            let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
+            let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
+            let next = Crowd { step_s, spare_error, ..*crowd };
+            return Ok(Attempted::Made(Made { end, report, error, next }));
+        }
+        refused += 1;
+        h = control.shorter(h, ratio, refused).max(shortest);
+        set_states(states, bodies, start);
+        let crowd = Crowd { step_s: h, ..*crowd };
+        let shorter = CrowdPart { bodies: bodies.clone(), pairs: pairs.clone(), crowd, refused };
+        let parts = shorter.divided(&core.world, states);
+        if parts.len() > 1 {
+            return Ok(Attempted::Divided(parts));
         }
     }
 }

@@ -30,6 +30,26 @@ pub(super) struct Instant {
 }
 
 impl Instant {
+    /// The same instant for some of its bodies (ascending) alone, none of whose contacts is known. Of `pairs` and its own
+    /// pairs it has those that concern no other of its movable bodies.
+    pub(super) fn part(&self, core: &Core, bodies: Vec<usize>, pairs: &[(usize, usize)]) -> Self {
+        let concerns = |body: usize| bodies.binary_search(&body).is_ok();
+        let is_given = |body: usize| !core.world.bodies[body].moves();
+        let is_own =
+            |&(a, b): &(usize, usize)| (concerns(a) && (concerns(b) || is_given(b))) || (is_given(a) && concerns(b));
+        let own: BTreeSet<_> = self.pairs.iter().chain(pairs).copied().filter(is_own).collect();
+        Self {
+            t: self.t,
+            pairs: own.into_iter().collect(),
+            touches: Vec::new(),
+            change: ContactChange { t: self.t, ..ContactChange::default() },
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+            speed_scale: self.speed_scale,
+            bodies,
+        }
+    }
+
     /// Pairs with a held contact.
     pub(super) fn held_pairs(&self) -> BTreeSet<(usize, usize)> {
         let held = self.touches.iter().filter(|touch| touch.hold == Hold::Held);

@@ -25,7 +25,7 @@
 //! | `contacts` | the touching contacts at their last evaluation |
 //! | `pivot_views` | forces of pivots at the present |
 //! | `pace` | whether time advances: stalls and crowded events |
-//! | `crowding`, `crowd_step` | time steps through stretches of crowded events |
+//! | `crowding`, `crowd_parts`, `crowd_step` | time steps through stretches of crowded events |
 //! | `start` | the first instant |
 //! | `program` | changes that a program makes between two steps |
 //! | `present` | the state of a body and the contacts that touch, at the present |
@@ -37,6 +37,7 @@ mod constrained_step;
 mod constrained_stepping;
 mod contact_change;
 mod contacts;
+mod crowd_parts;
 mod crowd_step;
 mod crowding;
 mod ending_slips;

@@ -4,7 +4,7 @@
 use crate::pivot_rows::seesaw;
 use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
-use polhode::scene::{Attachment, Force, Method, MotionTable, PrescribedMotion, Tier};
+use polhode::scene::{Attachment, Force, Material, Method, MotionTable, PrescribedMotion, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
 use polhode::{
     Body, BodyId, Effects, Geometry, MotionKind, Recorder, RunReport, Scene, SceneBuilder, Simulation, Snapshot,
@@ -185,15 +185,40 @@ fn restored_simulations_go_on_with_the_same_bits() {
     }
 }
 
+/// Twelve balls with friction that fall into a bin and roll against each other: their crowds fall into parts, whose
+/// bodies have joined and left them at different times.
+fn rough_balls() -> SceneBuilder {
+    let rough = || Material::new("rough", 0.5, 0.5).unwrap();
+    let mut scene = Scene::builder("rough balls").duration_s(1.2).body(floor().material(rough()));
+    for (k, inward) in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y].into_iter().enumerate() {
+        let wall = Geometry::Shape(Shape::half_space(UnitVector::new(inward).unwrap()));
+        let place = Pose::from_translation(inward * -0.55);
+        scene = scene.body(Body::fixed(format!("wall {k}")).geometry(wall).pose(place).material(rough()));
+    }
+    let mut random = SplitMix64::new(7);
+    for k in 0..12_u32 {
+        let cell = DVec3::new(f64::from(k % 2) - 0.5, f64::from(k / 2 % 2) - 0.5, 1.0 + f64::from(k / 4));
+        let shift = DVec3::new(random.uniform(), random.uniform(), random.uniform()) * 0.05;
+        let name = format!("ball {k}");
+        scene = scene.body(ball(&name, 1.0, 0.2, cell * 0.5 + shift, DVec3::ZERO).material(rough()));
+    }
+    scene
+}
+
 /// A run that is stopped within a stretch of crowded events, and continued from a snapshot taken there, has the bits of
 /// one that was never stopped.
 #[test]
 fn runs_restored_in_crowded_stretches_have_the_same_bits() {
-    let scene = seesaw().duration_s(1.0).build().unwrap();
+    for scene in [seesaw().duration_s(1.0), rough_balls()] {
+        restored_in_stretches(&scene.build().unwrap());
+    }
+}
+
+fn restored_in_stretches(scene: &Scene) {
     let mut whole = Recorder::default();
-    let report = start(&scene).run(&mut whole).unwrap();
+    let report = start(scene).run(&mut whole).unwrap();
     assert!(report.crowded.len() > 1, "{:?}", report.crowded);
-    let (mut simulation, mut record) = (start(&scene), Recorder::default());
+    let (mut simulation, mut record) = (start(scene), Recorder::default());
     for stretch in &report.crowded {
         for share in [0.3, 0.7] {
             let t = stretch.from_s + share * (stretch.to_s - stretch.from_s);
@@ -203,7 +228,7 @@ fn runs_restored_in_crowded_stretches_have_the_same_bits() {
             simulation.advance_to(t, &mut record).unwrap();
             let kept = Snapshot::from_bytes(&simulation.snapshot().to_bytes()).unwrap();
             let views = query_text(&simulation);
-            simulation = start(&scene);
+            simulation = start(scene);
             simulation.restore(&kept).unwrap();
             assert_eq!(query_text(&simulation), views, "{t}");
         }
