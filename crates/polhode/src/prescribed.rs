@@ -182,6 +182,7 @@ impl World {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::contact_set::Touch;
     use crate::interaction::assembly::Assembly;
     use crate::interaction::groups::Group;
     use crate::interaction::impact::strike;
@@ -308,7 +309,8 @@ mod tests {
             let (world, start) = world(motion, Shape::cuboid(DVec3::new(1.5, 1.0, 0.8))?, Shape::sphere(0.4)?)?;
             let mut states = states_at(&world, &start, 0.3);
             states[BODY].linear_velocity = DVec3::new(0.3, 0.2, -9.0);
-            let touches = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+            let contacts = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+            let touches: Vec<Touch> = contacts.into_iter().map(Touch::from).collect();
             let group = Group { bodies: vec![BODY], contacts: vec![0] };
             let term = world.prescribed_rate_of(&states, touches[0].id, &touches[0].kinematics.geometry);
             let before = world.energies(BODY, &states[BODY]).0;

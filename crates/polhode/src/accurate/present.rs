@@ -148,7 +148,7 @@ impl Engine {
             let mut contacts = Vec::with_capacity(group.contacts.len());
             for (a, b) in pairs {
                 let reach = core.world.touch_distance(&self.states, a, b);
-                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach));
+                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach).into_iter().map(Touch::from));
             }
             for touch in &mut contacts {
                 // Contacts that were known keep their status as a warm start.

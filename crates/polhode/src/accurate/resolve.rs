@@ -8,7 +8,7 @@ use super::engine::{Engine, Mode};
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
@@ -100,18 +100,17 @@ impl Engine {
                 continue;
             }
             let reach = core.world.touch_distance(&self.states, a, b);
-            let (separation, mut contacts) = core.world.pair(&self.states, a, b, reach);
+            let (separation, contacts) = core.world.pair(&self.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
-            let rate = contacts.iter().fold(0.0, |rate, touch| touch.kinematics.separation_rate.min(rate));
+            let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
-            for touch in &mut contacts {
-                if let Ok(index) = instant.touches.binary_search_by(|known| known.id.cmp(&touch.id)) {
-                    let Touch { hold, friction, rotation, .. } = instant.touches[index];
-                    (touch.hold, touch.friction, touch.rotation) = (hold, friction, rotation);
-                    touch.known = true;
+            found.extend(contacts.into_iter().map(|contact| {
+                let FoundContact { id, kinematics } = contact;
+                match instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
+                    Ok(index) => Touch { id, kinematics, known: true, ..instant.touches[index] },
+                    Err(_) => Touch::from(contact),
                 }
-            }
-            found.extend(contacts);
+            }));
         }
         found.sort_by_key(|touch| touch.id);
         instant.touches = found;

@@ -5,7 +5,7 @@ use super::engine::{Engine, Mode};
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::contact_set::{FoundContact, Hold, Touch};
 use crate::core::Core;
 use crate::few_digits::length;
 use crate::interaction::groups::{coupled_groups, groups};
@@ -31,7 +31,7 @@ impl Engine {
             let touch_distance = core.world.touch_distance(&self.states, a, b);
             let of_pair = core.world.contacts_of_pair(&self.states, a, b, touch_distance);
             check_overlap(core, &self.states, (a, b), &of_pair)?;
-            contacts.extend(of_pair);
+            contacts.extend(of_pair.into_iter().map(Touch::from));
         }
         contacts.sort_by_key(|touch| touch.id);
         self.separate_overlaps(core, &mut contacts)?;
@@ -147,7 +147,7 @@ fn check_overlap(
     core: &Core,
     states: &[polhode_dynamics::BodyState],
     (a, b): (usize, usize),
-    contacts: &[Touch],
+    contacts: &[FoundContact],
 ) -> Result<(), SimulationError> {
     let Some(separation) = core.world.separation_without_memory(states, a, b) else { return Ok(()) };
     let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));

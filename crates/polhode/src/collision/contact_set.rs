@@ -5,6 +5,7 @@
 
 use super::friction_mode::{FrictionCoefficients, FrictionMode, RotationalFriction};
 use super::turn::{RotationModes, Turn};
+use crate::plane_of_motion::PlaneOfMotion;
 use crate::prescribed_state;
 use crate::scene::{FrictionEllipse, GrainOf};
 use crate::world::{TOUCH_RELATIVE, World};
@@ -40,6 +41,13 @@ pub(crate) enum Hold {
     Open,
 }
 
+/// A contact as collision detection finds it. It is smaller than a [`Touch`]: most are looked at once, and dropped.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FoundContact {
+    pub(crate) id: ContactId,
+    pub(crate) kinematics: ContactKinematics,
+}
+
 /// A touching contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Touch {
@@ -62,6 +70,14 @@ impl Touch {
         (friction, rotation): (Option<FrictionMode>, RotationModes),
     ) -> Self {
         Self { id, kinematics, hold: Hold::Held, known: true, friction, rotation }
+    }
+}
+
+/// A contact that has just been found is open until its status is decided.
+impl From<FoundContact> for Touch {
+    fn from(FoundContact { id, kinematics }: FoundContact) -> Self {
+        let rotation = RotationModes::default();
+        Self { id, kinematics, hold: Hold::Open, known: false, friction: None, rotation }
     }
 }
 
@@ -231,28 +247,14 @@ impl World {
         (height.abs() > distance).then(|| plane.normal() * height)
     }
 
-    /// Whether a contact point is kept in planar motion. One below the plane is left out when its mirror image is among
-    /// `found`; it is kept when collision detection has found it alone, which may happen where both images have the
-    /// same separation.
-    fn is_counted(&self, point: DVec3, found: &[Touch], distance: f64) -> bool {
-        let Some(plane) = &self.plane else { return true };
-        let height = plane.height(point);
-        if height >= -distance {
-            return true;
-        }
-        let image = point - plane.normal() * (2.0 * height);
-        let mut points = found.iter().map(|other| other.kinematics.geometry.point);
-        points.all(|other| (other - image).length() > distance / COUNTERPART_FRACTION)
-    }
-
-    /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature, all [`Hold::Open`].
-    pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<Touch> {
+    /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature.
+    pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<FoundContact> {
         self.pair(states, a, b, reach).1
     }
 
     /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them. The separation is
     /// infinite when it exceeds `reach`; it may be more negative than that of any contact.
-    pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<Touch>) {
+    pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<FoundContact>) {
         let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
         let read = |found: &Manifold| {
@@ -267,30 +269,36 @@ impl World {
         }
         features.sort_unstable();
         features.dedup();
-        let found: Vec<Touch> = features
-            .into_iter()
-            .filter_map(|feature| {
-                let id = ContactId { a, b, feature };
-                let kinematics = self.kinematics_in_space(states, id)?;
-                Some(Touch {
-                    id,
-                    kinematics,
-                    hold: Hold::Open,
-                    known: false,
-                    friction: None,
-                    rotation: RotationModes::default(),
-                })
-            })
-            .collect();
-        let is_counted = |touch: &&Touch| self.is_counted(touch.kinematics.geometry.point, &found, distance);
-        let in_motion = |touch: &Touch| Touch { kinematics: self.in_plane(touch.kinematics), ..*touch };
+        let found = features.into_iter().filter_map(|feature| {
+            let id = ContactId { a, b, feature };
+            Some(FoundContact { id, kinematics: self.kinematics_in_space(states, id)? })
+        });
         // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
         // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
-        let within = |touch: &Touch| {
-            let geometry = &touch.kinematics.geometry;
+        let within = |contact: &FoundContact| {
+            let geometry = &contact.kinematics.geometry;
             geometry.separation <= reach && geometry.margin >= border
         };
+        let Some(plane) = &self.plane else { return (separation, found.filter(within).collect()) };
+        let found: Vec<FoundContact> = found.collect();
+        let is_counted =
+            |contact: &&FoundContact| is_counted(plane, contact.kinematics.geometry.point, &found, distance);
+        let in_motion =
+            |contact: &FoundContact| FoundContact { kinematics: self.in_plane(contact.kinematics), ..*contact };
         (separation, found.iter().filter(is_counted).map(in_motion).filter(within).collect())
     }
+}
+
+/// Whether a contact point is kept in planar motion. One below the plane is left out when its mirror image is among
+/// `found`; it is kept when collision detection has found it alone, which may happen where both images have the same
+/// separation.
+fn is_counted(plane: &PlaneOfMotion, point: DVec3, found: &[FoundContact], distance: f64) -> bool {
+    let height = plane.height(point);
+    if height >= -distance {
+        return true;
+    }
+    let image = point - plane.normal() * (2.0 * height);
+    let mut points = found.iter().map(|other| other.kinematics.geometry.point);
+    points.all(|other| (other - image).length() > distance / COUNTERPART_FRACTION)
 }

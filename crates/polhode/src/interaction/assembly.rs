@@ -13,11 +13,14 @@ use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, ResponseError, RowKind};
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 
 /// Rows of a pivot.
 const PIVOT_ROWS: usize = 3;
+
+/// Coordinates of a body's generalised velocity in space.
+const SPACE_WIDTH: usize = 6;
 
 /// Coordinates of a body's generalised velocity: six in space, three in a plane.
 #[derive(Debug, Clone, Copy)]
@@ -33,17 +36,25 @@ impl Coordinates {
 
     fn width(self) -> usize {
         match self {
-            Self::Space => 6,
+            Self::Space => SPACE_WIDTH,
             Self::Plane(_) => 3,
+        }
+    }
+
+    /// The coordinates of a linear and an angular part; the first [`Self::width`] numbers.
+    fn of_parts(self, linear: DVec3, angular: DVec3) -> [f64; SPACE_WIDTH] {
+        match self {
+            Self::Space => [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z],
+            Self::Plane(plane) => {
+                let [x, y, turn] = plane.coordinates(linear, angular);
+                [x, y, turn, 0.0, 0.0, 0.0]
+            }
         }
     }
 
     /// Appends the coordinates of a linear and an angular part.
     fn push(self, out: &mut Vec<f64>, linear: DVec3, angular: DVec3) {
-        match self {
-            Self::Space => out.extend([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]),
-            Self::Plane(plane) => out.extend(plane.coordinates(linear, angular)),
-        }
+        out.extend_from_slice(&self.of_parts(linear, angular)[..self.width()]);
     }
 
     /// Linear and angular part of coordinates.
@@ -114,10 +125,10 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
-        let mut rows = ContactRows { states, bodies, coordinates, row_a: Vec::new(), row_b: Vec::new() };
+        let rows = ContactRows { states, bodies, coordinates };
         for (id, geometry) in contacts {
             constraints.push(ConstraintId::Contact(id));
-            rows.push(&mut problem, RowKind::Unilateral, id, &geometry)?;
+            rows.row(id, &geometry, |entries| problem.push_row(entries))?;
         }
         let contacts = problem.len();
         let pivots: Vec<PivotKinematics> = world.pivots(states, bodies).collect();
@@ -160,10 +171,10 @@ impl Assembly {
         tangents: impl Iterator<Item = TangentRow>,
     ) -> Result<(), ResponseError> {
         let (bodies, coordinates) = (&self.bodies, self.coordinates);
-        let mut rows = ContactRows { states, bodies, coordinates, row_a: Vec::new(), row_b: Vec::new() };
+        let (problem, rows) = (&mut self.problem, ContactRows { states, bodies, coordinates });
         for tangent in tangents {
-            self.tangent_rows.push(self.problem.len());
-            rows.push(&mut self.problem, RowKind::Bilateral, tangent.id, &tangent.along)?;
+            self.tangent_rows.push(problem.len());
+            rows.row(tangent.id, &tangent.along, |entries| problem.push_bilateral_row(entries))?;
             self.tangents.push(tangent);
         }
         Ok(())
@@ -298,39 +309,22 @@ struct ContactRows<'a> {
     /// Movable bodies, in the order of the problem's blocks.
     bodies: &'a [usize],
     coordinates: Coordinates,
-    row_a: Vec<f64>,
-    row_b: Vec<f64>,
 }
 
 impl ContactRows<'_> {
-    /// Adds the row of a contact along the normal of `geometry`.
-    fn push(
-        &mut self,
-        problem: &mut ContactProblem,
-        kind: RowKind,
-        id: ContactId,
-        geometry: &ContactGeometry,
-    ) -> Result<usize, ResponseError> {
-        let Self { states, bodies, coordinates, row_a, row_b } = self;
-        let block = |body: usize, sign: f64, row: &mut Vec<f64>| {
-            let index = bodies.binary_search(&body).ok()?;
+    /// Passes the row of a contact along the normal of `geometry` to `push`: the block of each movable body.
+    fn row<T>(&self, id: ContactId, geometry: &ContactGeometry, push: impl FnOnce(&[(usize, &[f64])]) -> T) -> T {
+        let block = |body: usize, sign: f64| {
+            let index = self.bodies.binary_search(&body).ok()?;
             let normal = geometry.normal * sign;
-            let moment = (geometry.point - states[body].pose.translation).cross(normal);
-            row.clear();
-            coordinates.push(row, normal, moment);
-            Some(index)
+            let moment = (geometry.point - self.states[body].pose.translation).cross(normal);
+            Some((index, self.coordinates.of_parts(normal, moment)))
         };
-        let (a, b) = (block(id.a, 1.0, row_a), block(id.b, -1.0, row_b));
-        let (row_a, row_b) = (row_a.as_slice(), row_b.as_slice());
-        let entries: &[(usize, &[f64])] = match (a, b) {
-            (Some(a), Some(b)) => &[(a, row_a), (b, row_b)],
-            (Some(a), None) => &[(a, row_a)],
-            (None, Some(b)) => &[(b, row_b)],
-            (None, None) => &[],
-        };
-        match kind {
-            RowKind::Unilateral => problem.push_row(entries),
-            RowKind::Bilateral => problem.push_bilateral_row(entries),
+        let width = self.coordinates.width();
+        match (block(id.a, 1.0), block(id.b, -1.0)) {
+            (Some((a, row_a)), Some((b, row_b))) => push(&[(a, &row_a[..width]), (b, &row_b[..width])]),
+            (Some((index, row)), None) | (None, Some((index, row))) => push(&[(index, &row[..width])]),
+            (None, None) => push(&[]),
         }
     }
 }

@@ -275,7 +275,7 @@ impl SteppedEngine {
             world.contacts_of_pair(&self.states, a, b, world.touch_distance(&self.states, a, b))
         };
         let touches = pairs.iter().flat_map(of_pair);
-        touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).collect()
+        touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
     }
 
     /// The forces of contacts (N), and the accelerations that they give to their bodies.
@@ -367,7 +367,7 @@ impl Tier for SteppedEngine {
             for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
                 let id = touch.id;
                 let force = self.forces.get(&id).copied().unwrap_or(0.0);
-                core.world.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
+                core.world.view_contact(states, &Touch::from(touch), (force, DVec3::ZERO), &mut views);
             }
         }
         views

@@ -393,7 +393,7 @@ fn touching(core: &Core, states: &[BodyState], boxes: &mut Boxes) -> Result<Vec<
     let mut touches = Vec::new();
     boxes.all_pairs(&core.world, |a, b| {
         let reach = core.world.rounding(states, a, b);
-        touches.extend(core.world.contacts_of_pair(states, a, b, reach));
+        touches.extend(core.world.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
     })?;
     Ok(touches)
 }

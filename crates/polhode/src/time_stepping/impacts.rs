@@ -10,8 +10,7 @@
 use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
-use crate::collision::contact_set::{Hold, Touch};
-use crate::collision::turn::RotationModes;
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike};
@@ -76,14 +75,8 @@ impl TimeStepper {
         t: f64,
         report: &mut TimeStepReport,
     ) -> Result<bool, ResponseError> {
-        let touch = |contact: &NearContact| Touch {
-            id: contact.id,
-            kinematics: contact.kinematics,
-            hold: Hold::Open,
-            known: false,
-            friction: None,
-            rotation: RotationModes::default(),
-        };
+        let touch =
+            |contact: &NearContact| Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
