@@ -381,8 +381,18 @@ fn of_no_slip(
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
     let is_at_rest = assembly.bodies().iter().all(|&body| is_still(&of.1[body]));
     let scale = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
-    if !is_at_rest || solved.velocities.iter().all(|velocity| velocity.abs() <= STICKING_RELATIVE * scale) {
+    if !is_at_rest {
         return Ok(solved);
+    }
+    if solved.velocities.iter().all(|velocity| velocity.abs() <= STICKING_RELATIVE * scale) {
+        if !solved.statuses.contains(&ContactStatus::Slide) {
+            return Ok(solved);
+        }
+        // Forces at the limit of friction hold everything to the residual of the solver, which is not exact yet.
+        let held = made_exact(of, assembly, (delassus, constants), frictional, solved.reactions.clone())?;
+        if let Some(held) = held {
+            return Ok(held);
+        }
     }
     Ok(in_equilibrium(of, assembly, (blocks, delassus, constants), frictional)?.unwrap_or(solved))
 }

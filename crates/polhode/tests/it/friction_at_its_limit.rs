@@ -6,8 +6,9 @@ use crate::friction::{lying, on_slope, rough, slope, sticky};
 use crate::stepped::stepped;
 use crate::support::{accurate, brick, run};
 use polhode::contact::Shape;
+use polhode::mesh::solid_box;
 use polhode::scene::{Force, Frame, Material, Signal};
-use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
+use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Scene, Simulation, Unobserved};
 
 const G: f64 = 9.81;
@@ -142,4 +143,32 @@ fn a_step_that_ends_where_a_slip_ends_finds_that_end() {
     assert!(recorder.events.iter().any(|event| event.kind == EventKind::Stick), "{:?}", recorder.events);
     let taken = report.ledger.projection.value().abs();
     assert!(taken < 1e-12, "projections took {taken:e} J");
+}
+
+/// A row of bricks end to end under two more, which friction could hold in many ways. The forces that the solver of
+/// Coulomb's law finds for them are not balanced to rounding: the wall was never put to rest, and its bricks kept
+/// velocities of 1e-32 m/s.
+#[test]
+fn a_wall_that_friction_holds_in_many_ways_is_at_rest() {
+    let (material, size) = (rough(0.8241279860832478), DVec3::new(0.25, 0.12, 0.0625));
+    let bricks = [
+        (-0.002526224516076942, 0.01650707291817452, 0, 1.41037421399988),
+        (0.24747377548392305, 0.014114406901883111, 0, 1.014638130631665),
+        (0.4974737754839231, 0.01940979462646496, 0, 1.186929806904773),
+        (0.747473775483923, -0.01244864044142556, 0, 0.5447173569638879),
+        (0.1491402204892929, 0.021990947020700057, 1, 1.4257106176638303),
+        (0.2360804283302303, 0.009471150790727287, 2, 1.0677011350634609),
+    ];
+    let ground = Body::fixed("ground").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
+    let mut scene = Scene::builder("wall").method(accurate()).duration_s(0.1).body(ground);
+    for (number, (x, y, course, weight)) in bricks.into_iter().enumerate() {
+        let mass = Mass::new(2000.0 * weight * size.element_product()).unwrap();
+        let pose = Pose::from_translation(DVec3::new(x, y, size.z * (f64::from(course) + 0.5)));
+        let body = Body::movable(format!("brick {number}"), solid_box(size, mass).unwrap()).pose(pose);
+        scene = scene.body(body.geometry(Shape::cuboid(size).unwrap().into()).material(material.clone()));
+    }
+    let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+    for (name, state) in &report.bodies {
+        assert_eq!(state.velocity, Velocity::ZERO, "{name}");
+    }
 }
