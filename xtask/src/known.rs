@@ -26,10 +26,6 @@ const HEAVY_ON_LIGHT: &str = "on steep slopes the least forces leave the cones, 
 const CANCELLATION: &str = "forces of the heavy boxes cancel on the light ones: some 8 eps times the ratio of masses is left, \
                             twice what is asked for, since the products of the problem are not compensated";
 
-/// Why one of 1000 random structures counts as fallen.
-const GIVEN_UP: &str = "one structure with friction neither rests nor moves within 200 steps: its events crowd, so that its run \
-                        is given up and counts as a fall";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -69,8 +65,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
     KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e4: residual", reason: CANCELLATION },
     KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
-    KnownFailure { case: "structures", quantity: "1000 structures: with friction, fell", reason: GIVEN_UP },
-    KnownFailure { case: "structures", quantity: "1000 structures: runs given up", reason: GIVEN_UP },
 ];
 
 /// Marks those of `rows` that are known to fail.
