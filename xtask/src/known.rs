@@ -18,14 +18,6 @@ struct KnownFailure {
 const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: its sums are those of the feet to rounding, \
                         and integrals over the disc only as the number of feet grows (720 feet: 2e-3 of eps0)";
 
-/// Why stacks with heavy boxes on light ones are not at rest at once.
-const HEAVY_ON_LIGHT: &str = "on steep slopes the least forces leave the cones, and the cone problem of heavy boxes on light ones is \
-                              not solved to the residual that certifies rest: they stand, by time steps that are slow";
-
-/// Why the residual of such stacks is larger than asked for.
-const CANCELLATION: &str = "forces of the heavy boxes cancel on the light ones: some 8 eps times the ratio of masses is left, \
-                            twice what is asked for, since the products of the problem are not compensated";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -49,22 +41,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \
                  go on by time steps (`pace.rs`, MEAN_SLIDING_RELATIVE), which keep the crowding tolerance only",
     },
-    KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e4: of 6 stacks", reason: HEAVY_ON_LIGHT },
-    KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e6: of 6 stacks", reason: HEAVY_ON_LIGHT },
-    KnownFailure {
-        case: "stacks on slopes",
-        quantity: "10 boxes, mass ratio 1e4: of 6 stacks",
-        reason: HEAVY_ON_LIGHT,
-    },
-    KnownFailure {
-        case: "stacks on slopes",
-        quantity: "10 boxes, mass ratio 1e6: of 6 stacks",
-        reason: HEAVY_ON_LIGHT,
-    },
-    KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e4: residual", reason: CANCELLATION },
-    KnownFailure { case: "stacks on slopes", quantity: "5 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
-    KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e4: residual", reason: CANCELLATION },
-    KnownFailure { case: "stacks on slopes", quantity: "10 boxes, mass ratio 1e6: residual", reason: CANCELLATION },
 ];
 
 /// Marks those of `rows` that are known to fail.

@@ -1,84 +1,187 @@
-//! Equilibrium: reactions within the cones that leave no velocity at any contact.
+//! Equilibrium: forces within the cones that hold every contact.
 //!
-//! Where friction jams bodies against each other Coulomb's law may have several answers: reactions that hold everything,
-//! and others under which something moves. What is at rest stays at rest if it can. These are the least reactions that
-//! hold everything:
+//! Where friction jams bodies against each other Coulomb's law may have several answers: forces that hold everything,
+//! and others under which something moves. What is at rest stays at rest if it can. Let `f_0` be any forces, in the cones or
+//! not, that hold all rows, `G f_0 + b = 0` (those of least norm). Others hold them too exactly if they add up to the same on
+//! each body, since `G (f - f_0) = J M^-1 J^T (f - f_0) = 0` makes `J^T (f - f_0)` zero. Sought are
 //!
 //! ```text
-//! minimise |r|^2   subject to   G r + q = 0,   (1 - s) mu r_n >= |r_t| at every contact
+//! minimise |S^-1 f|^2   subject to   J^T f = J^T f_0,   (1 - s) mu f_n >= |f_t| at every contact
 //! ```
 //!
-//! with `s` the part of friction that is kept in reserve: a convex programme over second-order cones, with rows scaled to
-//! one inverse mass. Source: Heyman 1966 (a structure stands if forces within the cones balance it); Goulart and Chen 2024
-//! (the solver). Failure: `None` where no reactions balance, and where the interior point finds none.
+//! with `s` the part of friction that is kept in reserve, and `S` the size of the forces on the lighter loaded body of each
+//! contact: a convex programme over second-order cones. No mass is in it, so that light bodies under heavy ones are as well
+//! conditioned as others, and what each body bears is balanced to a part of the forces on that body, however small they are
+//! against those on others. Source: Heyman 1966 (a structure stands if forces within the cones balance it); Goulart and Chen
+//! 2024 (the solver). Failure: `None` where no forces balance, and where the interior point finds none.
 
-use crate::error::ResponseError;
+use crate::dense::kernels::largest;
+use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::FrictionBlock;
-use crate::friction::problem::FrictionProblem;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
+use crate::precise;
+use crate::problem::ContactProblem;
+use polhode_spatial::DoubleDouble;
 
-/// The least reactions within the cones with `G r + q = 0` on all rows, to the tolerance of the interior point (1e-12 to
-/// 1e-8 of the largest velocity without reactions). `reserve` is the part of the friction that they leave unused (no
-/// unit). None where there are none, or a contact slides already.
+/// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit, 1e-9 to
+/// 1e-6): the tolerance of the interior point.
+const UNLOADED: f64 = 1e-8;
+
+/// Least size of the forces on a body, as a part of the largest on any (no unit, 1e-15 to 1e-9): bodies on which no force acts
+/// must not divide by zero.
+const LEAST_LOAD: f64 = 1e-12;
+
+/// Which rows of a problem Coulomb's law or a hold is stated for.
+#[derive(Debug, Clone, Copy)]
+pub struct BlocksOfRows<'a> {
+    /// What the rows of each block ask for together.
+    pub blocks: &'a [FrictionBlock],
+    /// The rows of the problem, in the order of the blocks.
+    pub rows: &'a [usize],
+    /// What the force along each is multiplied by in the blocks, so that an ellipse of friction becomes a circle (no unit); empty
+    /// where all are 1.
+    pub scales: &'a [f64],
+}
+
+/// The least forces (N) of all rows of `problem` within the cones that add up to the same on every body as `holding`, to the
+/// tolerance of the interior point (1e-12 to 1e-8 of the forces on the body). `reserve` is the part of the friction that they
+/// leave unused (no unit). Contacts that bear nothing have zero. None where there are none, or a contact slides already.
 ///
 /// ```
-/// use polhode_response::friction::{FrictionBlock, FrictionProblem, balancing_reactions};
+/// use polhode_response::ContactProblem;
+/// use polhode_response::friction::{BlocksOfRows, FrictionBlock, balancing_forces};
 /// // A point of 2 kg on a slope of 3 in 4 under 10 m/s^2: friction of 0.76 holds it, with hardly any reserve.
-/// let contact = FrictionBlock::Contact { rows: 2, friction: 0.76 };
-/// let problem = FrictionProblem::from_dense(vec![contact], &[0.5, 0.0, 0.0, 0.5], vec![-8.0, 6.0])?;
-/// assert!(balancing_reactions(&problem, 0.01)?.is_some());
-/// assert!(balancing_reactions(&problem, 0.02)?.is_none());
+/// let mut problem = ContactProblem::new(2, vec![0.5, 0.0, 0.0, 0.5])?;
+/// problem.push_row(&[(0, &[1.0, 0.0])])?;
+/// problem.push_bilateral_row(&[(0, &[0.0, 1.0])])?;
+/// let blocks = [FrictionBlock::Contact { rows: 2, friction: 0.76 }];
+/// let of = BlocksOfRows { blocks: &blocks, rows: &[0, 1], scales: &[] };
+/// assert!(balancing_forces(&problem, &[16.0, -12.0], of, 0.01)?.is_some());
+/// assert!(balancing_forces(&problem, &[16.0, -12.0], of, 0.02)?.is_none());
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
 ///
 /// # Errors
-/// When the reserve is not in `[0, 1)`.
-pub fn balancing_reactions(problem: &FrictionProblem, reserve: f64) -> Result<Option<Vec<f64>>, ResponseError> {
+/// When the reserve is not in `[0, 1)`, lengths differ, a row does not exist, or a force is not finite.
+pub fn balancing_forces(
+    problem: &ContactProblem,
+    holding: &[f64],
+    of: BlocksOfRows<'_>,
+    reserve: f64,
+) -> Result<Option<Vec<f64>>, ResponseError> {
     if !(0.0..1.0).contains(&reserve) {
         return Err(ResponseError::Setting { field: "reserve", accepted: "at least 0 and below 1", value: reserve });
     }
-    let (matrix, rows) = (problem.matrix(), problem.rows());
-    let mut scales = vec![0.0; rows];
-    for block in 0..problem.len() {
-        scales[problem.range(block)].fill(1.0 / problem.inverse_mass(block).sqrt());
+    check_length("forces", problem.len(), holding.len())?;
+    check_finite("forces", holding)?;
+    let variables = of.blocks.iter().map(|block| block.rows()).sum();
+    check_length("rows of the blocks", variables, of.rows.len())?;
+    if let Some(&row) = of.rows.iter().find(|&&row| row >= problem.len()) {
+        return Err(ResponseError::UnknownRow { row, rows: problem.len() });
     }
-    let (mut entries, mut constant) = (Vec::new(), Vec::with_capacity(2 * rows));
-    for block in 0..problem.len() {
-        for other in matrix.blocks(block) {
-            let columns = matrix.range(other.column);
-            for (at, value) in other.values.iter().enumerate() {
-                let row = matrix.range(block).start + at / columns.len();
-                let column = columns.start + at % columns.len();
-                entries.push((row, column, value * scales[row] * scales[column]));
-            }
+    let sizes = sizes_of_forces(problem, holding, of);
+    let scales = of.scales.iter().copied().chain(std::iter::repeat(1.0));
+    let units: Vec<f64> = sizes.iter().zip(scales).map(|(size, scale)| size * scale).collect();
+    let mut programme = Programme::default();
+    programme.push_balance(problem, holding, (of.rows, &units));
+    let mut first = 0;
+    for block in of.blocks {
+        if !programme.push_cone(*block, first, reserve) {
+            return Ok(None);
+        }
+        first += block.rows();
+    }
+    let Programme { entries, constant, cones } = programme;
+    let ConeProgramme::Solved { mut point, .. } = least_motion(variables, &entries, &constant, &cones) else {
+        return Ok(None);
+    };
+    let mut first = 0;
+    for block in of.blocks {
+        let own = &mut point[first..first + block.rows()];
+        if matches!(block, FrictionBlock::Contact { .. }) && own[0] <= UNLOADED {
+            own.fill(0.0);
+        }
+        first += block.rows();
+    }
+    let mut forces = vec![0.0; problem.len()];
+    for ((&row, part), unit) in of.rows.iter().zip(&point).zip(&units) {
+        forces[row] = part * unit;
+    }
+    Ok(Some(forces))
+}
+
+/// For each row of the blocks the sum of the forces on the lighter loaded of its bodies, N.
+fn sizes_of_forces(problem: &ContactProblem, holding: &[f64], of: BlocksOfRows<'_>) -> Vec<f64> {
+    let mut loads = vec![0.0; problem.bodies()];
+    for (row, force) in holding.iter().enumerate() {
+        for entry in problem.entries(row) {
+            loads[entry.body] += force.abs();
         }
     }
-    constant.extend(problem.constant().iter().zip(&scales).map(|(q, scale)| q * scale));
-    let mut cones = vec![ConeRows::Zero(rows)];
-    for (block, kind) in problem.blocks().iter().enumerate() {
-        let range = problem.range(block);
-        let weight = match *kind {
-            FrictionBlock::Bilateral { .. } => continue,
-            FrictionBlock::Sliding { .. } => return Ok(None),
+    let most = largest(&loads);
+    let least = if most > 0.0 { LEAST_LOAD * most } else { 1.0 };
+    let on_lighter = |row: usize| problem.entries(row).map(|entry| loads[entry.body]).fold(f64::INFINITY, f64::min);
+    of.rows.iter().map(|&row| on_lighter(row).max(least)).collect()
+}
+
+/// The rows of a cone programme.
+#[derive(Debug, Default)]
+struct Programme {
+    /// Row, column and value.
+    entries: Vec<(usize, usize, f64)>,
+    constant: Vec<f64>,
+    cones: Vec<ConeRows>,
+}
+
+impl Programme {
+    /// Asks for `J^T f = J^T f_0`: a row for each component of each body that a force acts on, scaled to a largest entry 1.
+    fn push_balance(&mut self, problem: &ContactProblem, holding: &[f64], (rows, units): (&[usize], &[f64])) {
+        let width = problem.width();
+        let all: Vec<usize> = (0..problem.len()).collect();
+        let exact: Vec<DoubleDouble> = holding.iter().map(|&force| DoubleDouble::new(force)).collect();
+        let wanted = precise::loads(problem, &all, &exact);
+        let mut lines: Vec<Vec<(usize, f64)>> = vec![Vec::new(); wanted.len()];
+        for (column, (&row, unit)) in rows.iter().zip(units).enumerate() {
+            for entry in problem.entries(row) {
+                for (component, value) in entry.jacobian.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+                    lines[entry.body * width + component].push((column, value * unit));
+                }
+            }
+        }
+        for (line, wanted) in lines.iter().zip(wanted) {
+            let size = line.iter().fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
+            if size > 0.0 {
+                let row = self.constant.len();
+                self.entries.extend(line.iter().map(|&(column, value)| (row, column, value / size)));
+                self.constant.push(-wanted.value() / size);
+            }
+        }
+        self.cones.push(ConeRows::Zero(self.constant.len()));
+    }
+
+    /// Asks a block, whose rows begin at `first`, to keep to its cone. Whether it can: what slides has none.
+    fn push_cone(&mut self, block: FrictionBlock, first: usize, reserve: f64) -> bool {
+        let weight = match block {
+            FrictionBlock::Bilateral { .. } => return true,
+            FrictionBlock::Sliding { .. } => return false,
             FrictionBlock::Contact { rows, friction } if rows > 1 && friction > 0.0 => {
-                cones.push(ConeRows::SecondOrder(rows));
+                self.cones.push(ConeRows::SecondOrder(rows));
                 friction * (1.0 - reserve)
             }
             FrictionBlock::Contact { rows, .. } => {
-                cones.push(ConeRows::Nonnegative(1));
+                self.cones.push(ConeRows::Nonnegative(1));
                 if rows > 1 {
-                    cones.push(ConeRows::Zero(rows - 1));
+                    self.cones.push(ConeRows::Zero(rows - 1));
                 }
                 1.0
             }
         };
-        for row in range.clone() {
-            entries.push((constant.len(), row, if row == range.start { weight } else { 1.0 }));
-            constant.push(0.0);
+        for column in first..first + block.rows() {
+            self.entries.push((self.constant.len(), column, if column == first { weight } else { 1.0 }));
+            self.constant.push(0.0);
         }
+        true
     }
-    let ConeProgramme::Solved { point, .. } = least_motion(rows, &entries, &constant, &cones) else { return Ok(None) };
-    Ok(Some(point.iter().zip(&scales).map(|(reaction, scale)| reaction * scale).collect()))
 }
 
 #[cfg(test)]
@@ -86,21 +189,38 @@ mod tests {
     //! What balances is found, and what cannot balance is told.
     #![expect(clippy::unwrap_used, reason = "a failed step fails the test")]
     use super::*;
+    use crate::least_norm_hold::least_norm_forces;
 
     const RESERVE: f64 = 1e-6;
 
-    /// A point of 2 kg on a slope of 3 in 4: friction 0.76 holds it, 0.74 does not.
+    /// Contacts of `friction` with these rows (normal, tangents) on one body of 1 kg in so many dimensions, under this
+    /// acceleration of gravity.
+    fn balanced(rows: &[Vec<f64>], gravity: &[f64], friction: f64) -> Option<Vec<f64>> {
+        let width = gravity.len();
+        let inverse_mass = (0..width * width).map(|k| if k % (width + 1) == 0 { 1.0 } else { 0.0 });
+        let mut problem = ContactProblem::new(width, inverse_mass.collect()).unwrap();
+        for (index, row) in rows.iter().enumerate() {
+            let entries = [(0, row.as_slice())];
+            if index % width == 0 { problem.push_row(&entries) } else { problem.push_bilateral_row(&entries) }.unwrap();
+        }
+        let b = problem.row_velocities(gravity).unwrap();
+        let holding = least_norm_forces(&problem, &problem.delassus(), &b).unwrap().forces;
+        let blocks = vec![FrictionBlock::Contact { rows: width, friction }; rows.len() / width];
+        let order: Vec<usize> = (0..rows.len()).collect();
+        let of = BlocksOfRows { blocks: &blocks, rows: &order, scales: &[] };
+        balancing_forces(&problem, &holding, of, RESERVE).unwrap()
+    }
+
+    /// A point on a slope of 3 in 4: friction 0.76 holds it, 0.74 does not.
     fn on_a_slope(friction: f64) -> Option<Vec<f64>> {
-        let contact = FrictionBlock::Contact { rows: 3, friction };
-        let matrix = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5];
-        let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-8.0, 6.0, 0.0]).unwrap();
-        balancing_reactions(&problem, RESERVE).unwrap()
+        let rows = [vec![1.0, 0.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 1.0]];
+        balanced(&rows, &[-8.0, 6.0, 0.0], friction)
     }
 
     #[test]
-    fn reactions_balance_where_friction_bears_the_slope() {
-        let reactions = on_a_slope(0.76).unwrap();
-        for (found, expected) in reactions.iter().zip([16.0, -12.0, 0.0]) {
+    fn forces_balance_where_friction_bears_the_slope() {
+        let forces = on_a_slope(0.76).unwrap();
+        for (found, expected) in forces.iter().zip([8.0, -6.0, 0.0]) {
             assert!((found - expected).abs() < 1e-9, "{found} where {expected} balances");
         }
     }
@@ -116,16 +236,44 @@ mod tests {
     fn a_wedge_that_may_fall_is_held() {
         let (s, c) = (libm::sin(0.1), libm::cos(0.1));
         // Rows along the normals and tangents of both walls, in the plane.
-        let rows = [[c, -s], [s, c], [-c, -s], [-s, c]];
-        let matrix: Vec<f64> = rows.iter().flat_map(|a| rows.iter().map(|b| a[0] * b[0] + a[1] * b[1])).collect();
-        let constant = rows.iter().map(|row| -9.81 * row[1]).collect();
-        let contact = FrictionBlock::Contact { rows: 2, friction: 0.2 };
-        let problem = FrictionProblem::from_dense(vec![contact; 2], &matrix, constant).unwrap();
-        let reactions = balancing_reactions(&problem, RESERVE).unwrap().unwrap();
-        let left = problem.velocities(&reactions).unwrap();
-        assert!(left.iter().all(|u| u.abs() < 1e-8), "{left:?}");
-        for contact in reactions.chunks(2) {
+        let rows = [vec![c, -s], vec![s, c], vec![-c, -s], vec![-s, c]];
+        let forces = balanced(&rows, &[0.0, -9.81], 0.2).unwrap();
+        for (component, weight) in [(0, 0.0), (1, 9.81)] {
+            let sum: f64 = rows.iter().zip(&forces).map(|(row, force)| row[component] * force).sum();
+            assert!((sum - weight).abs() < 1e-8, "{sum} where {weight} balances");
+        }
+        for contact in forces.chunks(2) {
             assert!(contact[1].abs() <= 0.2 * contact[0], "{contact:?} is in the cone");
+        }
+    }
+
+    /// Points in a column on a slope of 3 in 4, each on the one below, of masses 1 to 1e9 in either order: the balance of the
+    /// lightest is as good as that of the heaviest.
+    #[test]
+    fn every_body_is_balanced_to_a_part_of_its_own_forces() {
+        for masses in [[1.0, 1e3, 1e6, 1e9], [1e9, 1e6, 1e3, 1.0], [1e9, 1.0, 1e9, 1.0]] {
+            let inverse = masses.iter().flat_map(|m| [1.0 / m, 0.0, 0.0, 1.0 / m]);
+            let mut problem = ContactProblem::new(2, inverse.collect()).unwrap();
+            let axes = [vec![1.0, 0.0], vec![0.0, 1.0]];
+            let below = axes.each_ref().map(|axis| axis.iter().map(|value| -value).collect::<Vec<f64>>());
+            for upper in 0..masses.len() {
+                for (axis, below) in axes.iter().zip(&below) {
+                    let entries = [(upper, axis.as_slice()), (upper.saturating_sub(1), below.as_slice())];
+                    problem.push_bilateral_row(&entries[..if upper == 0 { 1 } else { 2 }]).unwrap();
+                }
+            }
+            let b = problem.row_velocities(&[-8.0, 6.0].repeat(masses.len())).unwrap();
+            let holding = least_norm_forces(&problem, &problem.delassus(), &b).unwrap().forces;
+            let blocks = vec![FrictionBlock::Contact { rows: 2, friction: 0.76 }; masses.len()];
+            let order: Vec<usize> = (0..problem.len()).collect();
+            let of = BlocksOfRows { blocks: &blocks, rows: &order, scales: &[] };
+            let forces = balancing_forces(&problem, &holding, of, RESERVE).unwrap().unwrap();
+            for upper in 0..masses.len() {
+                let weight: f64 = masses.iter().skip(upper).sum();
+                for (found, expected) in forces[2 * upper..].iter().zip([8.0 * weight, -6.0 * weight]) {
+                    assert!((found / expected - 1.0).abs() < 1e-8, "{masses:?}: {found} where {expected} balances");
+                }
+            }
         }
     }
 }

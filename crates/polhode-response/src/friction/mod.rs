@@ -16,7 +16,7 @@
 //! | `elimination_order`, `multifrontal` | sparse elimination |
 //! | `newton` | the semismooth Newton method |
 //! | `cone_programme` | the convex relative, and the proof that there is no solution |
-//! | `equilibrium` | [`balancing_reactions`]: what is at rest stays at rest if it can |
+//! | `equilibrium` | [`balancing_forces`]: what is at rest stays at rest if it can |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
 
@@ -38,7 +38,7 @@ mod solver;
 
 pub use block::FrictionBlock;
 pub use block_matrix::BlockMatrix;
-pub use equilibrium::balancing_reactions;
+pub use equilibrium::{BlocksOfRows, balancing_forces};
 pub use gauss_seidel::gauss_seidel;
 pub use linearisation::ContactStatus;
 pub use problem::FrictionProblem;

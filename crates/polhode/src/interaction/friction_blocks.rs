@@ -7,7 +7,7 @@
 
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::{
-    ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction,
+    BlocksOfRows, ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction,
 };
 use polhode_response::{Delassus, Method, ResponseError, SolverReport};
 use std::ops::Range;
@@ -82,6 +82,11 @@ impl FrictionBlocks {
             matrix.iter_mut().zip(pairs).for_each(|(entry, scale)| *entry *= scale);
         }
         FrictionProblem::from_dense(self.blocks.clone(), &matrix, self.of_rows(constants))
+    }
+
+    /// What the blocks ask of the rows of the assembly.
+    pub(crate) fn of_rows_of_assembly(&self) -> BlocksOfRows<'_> {
+        BlocksOfRows { blocks: &self.blocks, rows: &self.rows, scales: &self.scales }
     }
 
     /// Reactions in the order of the blocks, put into that of the assembly; rows without a block have zero.

@@ -17,8 +17,11 @@ use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings, balancing_reactions};
-use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart, least_norm_forces};
+use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionSettings, balancing_forces};
+use polhode_response::{
+    ContactSolution, Delassus, FallbackPolicy, LeastNormForces, Method, ResponseError, SolverReport, SolverStatus,
+    WarmStart, least_norm_forces,
+};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -38,10 +41,6 @@ const ACCEPTED_SLIDING: f64 = 1e-10;
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
-
-/// Contacts that bear less than this part of the largest force in equilibrium bear nothing (no unit, 1e-9 to 1e-6): the
-/// tolerance of the interior point.
-const UNLOADED: f64 = 1e-8;
 
 /// Parts of friction that are kept in reserve when forces in equilibrium are sought (no unit): making them exact changes
 /// them a little, and forces at the limit of friction would leave the cones.
@@ -217,7 +216,7 @@ impl FrictionalAccelerations {
                 solution
             })
         } else {
-            all_stick(&assembly, &delassus, &constants, frictional)?
+            None
         };
         let solved = if let Some(holding) = holding {
             holding
@@ -275,55 +274,89 @@ fn blocks_of(
     Ok(blocks)
 }
 
-/// The least forces with which every contact holds and sticks, if they lie in the cones of static friction: they are an
-/// answer, and exact to rounding at any ratio of masses.
-fn all_stick(
-    assembly: &Assembly,
-    delassus: &Delassus,
-    constants: &[f64],
-    frictional: &[Option<Frictional>],
-) -> Result<Option<RowSolution>, ResponseError> {
-    let forces = least_norm_forces(&assembly.problem, delassus, constants)?.forces;
-    let solution = stuck(assembly, (delassus, constants), frictional, forces)?;
-    Ok(solution.map(|solution| RowSolution {
-        report: SolverReport { method: Method::ActiveSet, ..solution.report },
-        ..solution
-    }))
-}
-
-/// These forces as a solution, if they lie in the cones of static friction and hold every contact to rounding.
-fn stuck(
-    assembly: &Assembly,
-    (delassus, constants): (&Delassus, &[f64]),
-    frictional: &[Option<Frictional>],
+/// Forces with which every contact holds and sticks, and what they leave.
+#[derive(Debug)]
+struct HoldingForces {
+    /// Of all rows, N.
     forces: Vec<f64>,
-) -> Result<Option<RowSolution>, ResponseError> {
-    let mut tangents = forces.iter().skip(assembly.first_tangent());
-    for (&normal, friction) in forces.iter().zip(frictional) {
-        let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
-        let tangential: Vec<f64> = tangents.by_ref().take(own).copied().collect();
-        let ellipse = friction.as_ref().map_or(FrictionEllipse::default(), |friction| friction.coefficients.at_rest);
-        let (tangential, limit) = (ellipse.length(&tangential), ellipse.largest() * normal);
-        if normal < 0.0 || exceeds_friction(tangential, limit) {
-            return Ok(None);
-        }
-    }
-    let mut left = delassus.times(&forces)?;
-    for (left, constant) in left.iter_mut().zip(constants) {
-        *left += constant;
-    }
-    let most = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-    let scale = most(constants);
-    if most(&left) > STICKING_RELATIVE * scale + rounding_of(delassus, &forces) {
-        return Ok(None);
-    }
-    let residual = if scale > 0.0 { most(&left) / scale } else { 0.0 };
-    let report = SolverReport { method: Method::InteriorPoint, residual, ..SolverReport::default() };
-    let statuses = vec![ContactStatus::Stick; frictional.len()];
-    Ok(Some(RowSolution { velocities: vec![0.0; forces.len()], reactions: forces, statuses, report }))
+    /// The largest acceleration of a row that they leave, relative to the largest without forces. At large ratios of masses
+    /// that of forces of twice the working precision, of which these are the rounded ones.
+    residual: f64,
+    /// Whether that is rounding.
+    is_balanced: bool,
 }
 
-/// The same where some contacts slide: the least forces with which every contact holds, and whether the motion
+impl HoldingForces {
+    /// The least forces.
+    fn least(assembly: &Assembly, (delassus, constants): (&Delassus, &[f64])) -> Result<Self, ResponseError> {
+        let least = least_norm_forces(&assembly.problem, delassus, constants)?;
+        let left = left_by(assembly, constants, &least)?;
+        Ok(Self::new((delassus, constants), least.forces, &left))
+    }
+
+    /// Forces that nearly hold every contact, made exact with the least change of those that bear something.
+    fn near(
+        of: (&World, &[BodyState], &[Touch]),
+        assembly: &Assembly,
+        (delassus, constants): (&Delassus, &[f64]),
+        frictional: &[Option<Frictional>],
+        mut forces: Vec<f64>,
+    ) -> Result<Self, ResponseError> {
+        let mut pressed = Vec::new();
+        let mut first = assembly.first_tangent();
+        for (normal, friction) in frictional.iter().enumerate() {
+            let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
+            first = own.end;
+            if forces[normal] > 0.0 {
+                pressed.push((normal, own));
+            }
+        }
+        let left = assembly.problem.accelerations(constants, &forces)?;
+        let change = least_change(of, assembly, &pressed, &left)?;
+        let left = left_by(assembly, &left, &change)?;
+        forces.iter_mut().zip(&change.forces).for_each(|(force, change)| *force += change);
+        Ok(Self::new((delassus, constants), forces, &left))
+    }
+
+    fn new((delassus, constants): (&Delassus, &[f64]), forces: Vec<f64>, left: &[f64]) -> Self {
+        let most = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let (scale, left) = (most(constants), most(left));
+        let is_balanced = left <= STICKING_RELATIVE * scale + rounding_of(delassus, &forces);
+        let residual = if scale > 0.0 { left / scale } else { 0.0 };
+        Self { forces, residual, is_balanced }
+    }
+
+    /// These forces as a solution, if they lie in the cones of static friction and hold every contact to rounding.
+    fn solution(&self, assembly: &Assembly, frictional: &[Option<Frictional>], method: Method) -> Option<RowSolution> {
+        let mut tangents = self.forces.iter().skip(assembly.first_tangent());
+        for (&normal, friction) in self.forces.iter().zip(frictional) {
+            let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
+            let tangential: Vec<f64> = tangents.by_ref().take(own).copied().collect();
+            let ellipse =
+                friction.as_ref().map_or(FrictionEllipse::default(), |friction| friction.coefficients.at_rest);
+            let (tangential, limit) = (ellipse.length(&tangential), ellipse.largest() * normal);
+            if normal < 0.0 || exceeds_friction(tangential, limit) {
+                return None;
+            }
+        }
+        self.is_balanced.then(|| RowSolution {
+            velocities: vec![0.0; self.forces.len()],
+            reactions: self.forces.clone(),
+            statuses: vec![ContactStatus::Stick; frictional.len()],
+            report: SolverReport { method, residual: self.residual, ..SolverReport::default() },
+        })
+    }
+}
+
+/// What forces leave of accelerations of all rows, m/s^2.
+fn left_by(assembly: &Assembly, accelerations: &[f64], least: &LeastNormForces) -> Result<Vec<f64>, ResponseError> {
+    match &least.loads {
+        Some(loads) => assembly.problem.accelerations_under(accelerations, loads),
+        None => assembly.problem.accelerations(accelerations, &least.forces),
+    }
+}
+
+/// Where some contacts slide: the least forces with which every contact holds, and whether the motion
 /// depends on that choice.
 fn all_hold(
     of: (&World, &[BodyState], &[Touch]),
@@ -368,91 +401,69 @@ fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
     ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
 }
 
-/// The solution where nothing slides yet. Bodies at rest stay at rest if any forces can hold them: where friction jams them
-/// against each other Coulomb's law has answers that move them as well.
+/// The solution where nothing slides yet. The least forces with which every contact holds and sticks are an answer if they
+/// lie in the cones of static friction, exact to rounding at any ratio of masses. Bodies at rest stay at rest if any forces
+/// can hold them: where friction jams them against each other Coulomb's law has answers that move them as well. The slow
+/// methods of the cone problem are for what nothing holds.
 fn of_no_slip(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
 ) -> Result<RowSolution, ResponseError> {
-    let solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
-    let solved = refined(of, assembly, (delassus, constants), frictional, solved)?;
-    let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
-    let is_at_rest = assembly.bodies().iter().all(|&body| is_still(&of.1[body]));
-    let scale = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
-    if !is_at_rest {
-        return Ok(solved);
+    let problem = (delassus, constants);
+    let least = HoldingForces::least(assembly, problem)?;
+    if let Some(held) = least.solution(assembly, frictional, Method::ActiveSet) {
+        return Ok(held);
     }
-    if solved.velocities.iter().all(|velocity| velocity.abs() <= STICKING_RELATIVE * scale) {
-        if !solved.statuses.contains(&ContactStatus::Slide) {
-            return Ok(solved);
-        }
-        // Forces at the limit of friction hold everything to the residual of the solver, which is not exact yet.
-        let held = made_exact(of, assembly, (delassus, constants), frictional, solved.reactions.clone())?;
-        if let Some(held) = held {
+    let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
+    if !least.is_balanced || !assembly.bodies().iter().all(|&body| is_still(&of.1[body])) {
+        let solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
+        return refined(of, assembly, problem, frictional, solved);
+    }
+    let settings = FrictionSettings { fallback: FallbackPolicy::Refuse, ..FrictionSettings::default() };
+    let solved = blocks.solve(delassus, constants, None, &settings)?;
+    let is_solved = solved.report.status == SolverStatus::Solved;
+    if is_solved && !solved.statuses.contains(&ContactStatus::Slide) {
+        let near = HoldingForces::near(of, assembly, problem, frictional, solved.reactions.clone())?;
+        if let Some(held) = near.solution(assembly, frictional, solved.report.method) {
             return Ok(held);
         }
     }
-    Ok(in_equilibrium(of, assembly, (blocks, delassus, constants), frictional)?.unwrap_or(solved))
+    if let Some(held) = in_equilibrium(of, assembly, (blocks, delassus, constants), frictional, &least)? {
+        return Ok(held);
+    }
+    let solved =
+        if is_solved { solved } else { blocks.solve(delassus, constants, None, &FrictionSettings::default())? };
+    refined(of, assembly, problem, frictional, solved)
 }
 
-/// Forces within the cones under which no contact moves, if there are any.
+/// Forces within the cones under which no contact moves, if there are any; `least` are forces that hold every contact, within
+/// the cones or not.
 fn in_equilibrium(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
+    least: &HoldingForces,
 ) -> Result<Option<RowSolution>, ResponseError> {
-    let problem = blocks.problem(delassus, constants)?;
+    let rows = blocks.of_rows_of_assembly();
     for reserve in RESERVES {
         // Where nothing balances with the least reserve nothing does with a larger one.
-        let Some(balancing) = balancing_reactions(&problem, reserve)? else { break };
-        let reactions = blocks.reactions_in_rows(&balancing);
-        let held = made_exact(of, assembly, (delassus, constants), frictional, reactions)?;
-        if held.is_some() {
-            return Ok(held);
+        let Some(nearly) = balancing_forces(&assembly.problem, &least.forces, rows, reserve)? else { break };
+        let held = HoldingForces::near(of, assembly, (delassus, constants), frictional, nearly)?;
+        if let Some(held) = held.solution(assembly, frictional, Method::InteriorPoint) {
+            return Ok(Some(held));
         }
     }
     Ok(None)
-}
-
-/// Forces that nearly balance, made exact with the least change, if they stay in the cones.
-fn made_exact(
-    of: (&World, &[BodyState], &[Touch]),
-    assembly: &Assembly,
-    (delassus, constants): (&Delassus, &[f64]),
-    frictional: &[Option<Frictional>],
-    mut reactions: Vec<f64>,
-) -> Result<Option<RowSolution>, ResponseError> {
-    let most = reactions.iter().take(frictional.len()).fold(0.0, |most: f64, force| most.max(*force));
-    let mut pressed = Vec::new();
-    let mut first = assembly.first_tangent();
-    for (normal, friction) in frictional.iter().enumerate() {
-        let own = first..first + friction.as_ref().map_or(0, |friction| friction.tangents().len());
-        first = own.end;
-        if reactions[normal] > UNLOADED * most {
-            pressed.push((normal, own));
-        } else {
-            reactions[normal] = 0.0;
-            reactions[own].fill(0.0);
-        }
-    }
-    let mut left = delassus.times(&reactions)?;
-    for (left, constant) in left.iter_mut().zip(constants) {
-        *left += constant;
-    }
-    for (row, change) in least_change(of, assembly, &pressed, &left)? {
-        reactions[row] += change;
-    }
-    stuck(assembly, (delassus, constants), frictional, reactions)
 }
 
 /// Changes the forces by as little as possible so that all contacts that hold and stick have no acceleration: at large
 /// ratios of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies. The
 /// solution is returned as it is where a contact slides.
 fn refined(
-    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (delassus, constants): (&Delassus, &[f64]),
     frictional: &[Option<Frictional>],
@@ -474,21 +485,23 @@ fn refined(
         }
         pressed.push((normal, own));
     }
-    for (row, change) in least_change((world, states, contacts), assembly, &pressed, &solved.velocities)? {
-        solved.reactions[row] += change;
-        solved.velocities[row] = 0.0;
-    }
+    let left = assembly.problem.accelerations(constants, &solved.reactions)?;
+    let change = least_change(of, assembly, &pressed, &left)?.forces;
+    solved.reactions.iter_mut().zip(&change).for_each(|(reaction, change)| *reaction += change);
+    let held = (0..assembly.first_tangent()).skip(frictional.len());
+    let held = held.chain(pressed.into_iter().flat_map(|(normal, tangents)| tangents.chain([normal])));
+    held.for_each(|row| solved.velocities[row] = 0.0);
     Ok(solved)
 }
 
 /// The least changes of the forces of some contacts, each with its rows along the tangents, and of pivots that cancel
-/// what is left in their rows: each with its row.
+/// what is left in their rows. Other rows have zero.
 fn least_change(
     (world, states, contacts): (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     pressed: &[(usize, Range<usize>)],
     left: &[f64],
-) -> Result<Vec<(usize, f64)>, ResponseError> {
+) -> Result<LeastNormForces, ResponseError> {
     let normals = pressed.iter().map(|(normal, _)| *normal);
     let tangents = pressed.iter().flat_map(|(_, tangents)| tangents.clone());
     let rows: Vec<usize> =
@@ -497,9 +510,11 @@ fn least_change(
     let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
     let along = tangents.filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
     active.push_tangents(states, along)?;
-    let left: Vec<f64> = rows.iter().map(|&row| left[row]).collect();
-    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &left)?.forces;
-    Ok(rows.into_iter().zip(change).collect())
+    let own: Vec<f64> = rows.iter().map(|&row| left[row]).collect();
+    let change = least_norm_forces(&active.problem, &active.problem.delassus(), &own)?;
+    let mut forces = vec![0.0; left.len()];
+    rows.into_iter().zip(change.forces).for_each(|(row, change)| forces[row] = change);
+    Ok(LeastNormForces { forces, loads: change.loads })
 }
 
 /// Rotations that friction resists.

@@ -1,10 +1,11 @@
 //! Light bodies that carry heavy ones in the tier `accurate`: neither steps nor accuracy depend on the mass ratio.
 
 use crate::checks::{heavy_brick, max_position_error};
+use crate::friction::{rough, slope};
 use crate::support::{accurate, floor, run};
 use polhode::contact::Shape;
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Recorder, RunReport, Scene, Simulation};
+use polhode::{Body, Effects, Geometry, Recorder, RunReport, Scene, Simulation, Unobserved};
 
 /// A box of 1 kg on the floor; a box of `ratio` kg, turned by `turn` (rad) about the vertical, slides on it.
 fn slide(ratio: f64, turn: f64, on_top: bool) -> (RunReport, Recorder) {
@@ -67,6 +68,67 @@ fn light_box_under_a_heavy_one_slides_down_a_slope() {
             let light = max_position_error(&recorder, 1, |t| place(way(t), 0.0, 0.25));
             let heavy = max_position_error(&recorder, 2, |t| place(0.01 + way(t), 0.05, 0.65));
             assert!(light < 1e-12 && heavy < 1e-12, "{tilt}, {turn}, 1e{exponent}: {light:e} m, {heavy:e} m");
+        }
+    }
+}
+
+/// Size of the boxes of a stack, m.
+const FLAT: DVec3 = DVec3::new(1.0, 0.6, 0.2);
+
+/// A stack of boxes of these masses (the lowest first) at rest on a rough slope (rad), each turned by `twist` (rad) about the
+/// normal to the one below it. Whether it is at rest after the first instant, and the residual of its forces.
+fn rests(masses: &[f64], (angle, azimuth, twist): (f64, f64, f64)) -> (bool, f64) {
+    let (plane, material) = (slope(angle, azimuth), rough(0.5));
+    let boxes = masses.iter().enumerate().map(|(level, &mass)| {
+        let turned = Rotation::from_rotation_vector(DVec3::Z * (twist * level as f64));
+        let pose = Pose::new(turned, DVec3::Z * (FLAT.z * (level as f64 + 0.5)));
+        heavy_brick(&format!("box {level}"), mass, FLAT, DVec3::ZERO).pose(pose)
+    });
+    let on_plane = |body: Body| {
+        let pose = *body.initial_pose();
+        let pose = Pose::new(plane * pose.rotation, plane.rotate(pose.translation));
+        body.pose(pose).material(material.clone())
+    };
+    let normal = UnitVector::new(plane.rotate(DVec3::Z)).unwrap();
+    let ground = Body::fixed("ground").geometry(Shape::half_space(normal).into()).material(material.clone());
+    let scene = Scene::builder("stack").method(accurate()).body(ground);
+    let scene = boxes.fold(scene, |scene, body| scene.body(on_plane(body)));
+    let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
+    simulation.step(&mut Unobserved).unwrap();
+    let still = simulation.bodies().iter().all(|body| body.velocity == Velocity::ZERO);
+    (still && simulation.time() >= 1e-3, simulation.frame().certificate.max_residual)
+}
+
+/// Stacks of boxes whose masses rise, fall or alternate by factors up to 1e6 are put to rest at once on slopes on which the
+/// least forces leave the cones of friction. (From a ratio of 1e4 those with heavy boxes on light ones were not, and stood by
+/// slow time steps; residuals were up to 8 eps times the ratio.)
+#[test]
+fn stacks_of_unlike_boxes_rest_on_slopes_at_once() {
+    for exponent in [0, 2, 4, 6] {
+        let ratio = 10.0_f64.powi(exponent);
+        let rising: Vec<f64> = (0..5).map(|level| ratio.powf(0.25 * f64::from(level))).collect();
+        let falling: Vec<f64> = rising.iter().rev().copied().collect();
+        for masses in [rising, falling, vec![1.0, 1.0, 1.0, 1.0, ratio], vec![1.0, ratio, 1.0, ratio, 1.0]] {
+            for placing in [(0.1, 0.0, 0.0), (0.25, 0.0, 0.0), (0.25, 0.6, 0.0), (0.25, 0.6, 0.1)] {
+                let (rests, residual) = rests(&masses, placing);
+                assert!(rests, "{masses:?} at {placing:?} stands");
+                assert!(residual <= 1e-12, "{masses:?} at {placing:?}: residual {residual:e}");
+            }
+        }
+    }
+}
+
+/// A stack with a heavy box on top stands as long as gravity through its centre of mass meets its base, to a thousandth of the
+/// slope's tangent, and falls beyond, at every mass ratio.
+#[test]
+fn a_stack_stands_until_its_weight_leaves_the_base() {
+    for exponent in [0, 2, 4, 6] {
+        let masses: Vec<f64> = (0..10).map(|level| if level == 9 { 10.0_f64.powi(exponent) } else { 1.0 }).collect();
+        let moment: f64 = masses.iter().enumerate().map(|(level, mass)| mass * FLAT.z * (level as f64 + 0.5)).sum();
+        let limit = 0.5 * FLAT.x * masses.iter().sum::<f64>() / moment;
+        for (part, stands) in [(0.999, true), (1.001, false)] {
+            let (rests, _) = rests(&masses, ((part * limit).atan(), 0.0, 0.0));
+            assert_eq!(rests, stands, "1e{exponent}: {part} of the slope on which it tips over");
         }
     }
 }
