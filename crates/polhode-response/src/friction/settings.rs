@@ -15,6 +15,9 @@ pub struct FrictionSettings {
     pub sweeps: u32,
     /// Steps of Newton's method from one start.
     pub newton_steps: u32,
+    /// Convex programmes, each with the correction of the last. A few show whether they lead anywhere; where bodies slide
+    /// on each other in many places the answer may be some twenty away.
+    pub corrections: u32,
     /// Sweeps of the last resort.
     pub last_sweeps: u32,
     /// What to do when Newton's method does not succeed.
@@ -41,6 +44,7 @@ impl Default for FrictionSettings {
             acceptance: 1e-12,
             sweeps: 10,
             newton_steps: 60,
+            corrections: 4,
             last_sweeps: 1000,
             fallback: FallbackPolicy::InteriorPoint,
             redundancy: Redundancy::Any,

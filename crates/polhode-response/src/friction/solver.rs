@@ -24,9 +24,6 @@ const FEW_SWEEPS: u32 = 4;
 const PROMISING: f64 = 1e-2;
 const NEARLY_SOLVED: f64 = 1e-4;
 
-/// Convex programmes, each with the correction of the last: more of them lead on slowly.
-const CORRECTIONS: usize = 4;
-
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 const MOST_DENSE_ROWS: usize = 120;
 
@@ -168,7 +165,7 @@ impl Solver<'_> {
             return true;
         }
         let mut velocities = vec![0.0; self.problem.rows()];
-        for _ in 0..CORRECTIONS {
+        for _ in 0..self.settings.corrections {
             let Some((reactions, iterations)) = lifted.reactions(&velocities) else { return false };
             self.report.cone_iterations += iterations;
             self.problem.matrix().times_plus(&reactions, self.problem.constant(), &mut velocities);

@@ -38,6 +38,10 @@ const SLIDING_ROUNDING: f64 = 1e3;
 /// nothing slides the answer may put bodies to rest for good, and is asked for to rounding.
 const ACCEPTED_SLIDING: f64 = 1e-10;
 
+/// Convex programmes of the cone problem at an instant at which nothing slides yet (8 to 64): without its answer the motion
+/// cannot begin.
+const CORRECTIONS: u32 = 32;
+
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
@@ -417,8 +421,9 @@ fn of_no_slip(
         return Ok(held);
     }
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
+    let patient = FrictionSettings { corrections: CORRECTIONS, ..FrictionSettings::default() };
     if !least.is_balanced || !assembly.bodies().iter().all(|&body| is_still(&of.1[body])) {
-        let solved = blocks.solve(delassus, constants, None, &FrictionSettings::default())?;
+        let solved = blocks.solve(delassus, constants, None, &patient)?;
         return refined(of, assembly, problem, frictional, solved);
     }
     let settings = FrictionSettings { fallback: FallbackPolicy::Refuse, ..FrictionSettings::default() };
@@ -433,8 +438,7 @@ fn of_no_slip(
     if let Some(held) = in_equilibrium(of, assembly, (blocks, delassus, constants), frictional, &least)? {
         return Ok(held);
     }
-    let solved =
-        if is_solved { solved } else { blocks.solve(delassus, constants, None, &FrictionSettings::default())? };
+    let solved = if is_solved { solved } else { blocks.solve(delassus, constants, None, &patient)? };
     refined(of, assembly, problem, frictional, solved)
 }
 
