@@ -47,7 +47,7 @@ const ROUNDS: usize = 4;
 
 /// Masses within this ratio count as alike: forces in working precision leave 256 rounding units, some 1e-13 g, in the
 /// accelerations of the lightest body.
-const ALIKE_MASSES: f64 = 256.0;
+pub(crate) const ALIKE_MASSES: f64 = 256.0;
 
 /// Rounding of the factor of some hundred rows of unit diagonal (no unit): what a round leaves of an eigenvalue 1.
 const FACTOR_ROUNDING: f64 = 1e-14;
@@ -189,7 +189,7 @@ fn back_substitute(factor: &[f64], y: &mut [f64]) {
     }
 }
 
-/// Least forces that hold all rows of a problem.
+/// Least forces that hold rows of a problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeastNormForces {
     /// One for each row (N; impulses, N s), of either sign.
@@ -236,9 +236,17 @@ pub fn least_norm_forces(
     Ok(LeastNormForces { forces: forces.iter().map(|force| force.value()).collect(), loads: Some(loads) })
 }
 
+impl ContactProblem {
+    /// Whether the masses that the rows meet differ so little that forces in working precision hold the lightest body to
+    /// rounding: by a factor of 256 at most.
+    pub fn has_alike_masses(&self) -> bool {
+        self.mass_ratio() <= ALIKE_MASSES
+    }
+}
+
 /// Rounds after which the forces that lift the heaviest body have converged so far that what is missing accelerates the
 /// lightest by rounding.
-fn rounds(ratio: f64) -> usize {
+pub(crate) fn rounds(ratio: f64) -> usize {
     let left = FACTOR_ROUNDING / (FACTOR_ROUNDING + SMALLEST_EIGENVALUE / ratio);
     let (mut rounds, mut error) = (1, left);
     while error > CONVERGED / ratio && rounds < MOST_ROUNDS {

@@ -11,7 +11,9 @@
 //!
 //! Method: with rows scaled to unit diagonal of `G`, QR factorisation with column pivoting of the transposed matrix,
 //! which reveals the rank, and one step of iterative refinement. The last columns of `Q` are the forces that hold
-//! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
+//! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Where masses differ by more
+//! than [`ALIKE_MASSES`](crate::least_norm_hold), forces of heavy bodies cancel on light ones: there the residual is taken in
+//! twice the working precision, and what the forces add up to on each body is rounded once. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
 //! of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not finite is refused. Where sliding makes the
 //! matrix singular or turns the sign of its determinant (Painleve), the forces are those of the equations all the same:
 //! whether they may act is for the caller to check.
@@ -20,6 +22,10 @@ use crate::delassus::Delassus;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
+use crate::least_norm_hold::{ALIKE_MASSES, LeastNormForces, rounds};
+use crate::precise;
+use crate::problem::ContactProblem;
+use polhode_spatial::DoubleDouble;
 
 /// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, as
 /// [`RANK_CUT`](crate::held_rows::RANK_CUT).
@@ -43,8 +49,8 @@ pub struct SlidingRow {
     pub coefficient: f64,
 }
 
-/// The forces (N) of all rows of `delassus`: the least ones that hold the first rows, one for each of `b` (m/s^2), at zero
-/// acceleration, and friction along the rows of `sliding`.
+/// The forces (N) of all rows of `problem`, whose Delassus matrix is `delassus`: the least ones that hold the first rows, one
+/// for each of `b` (m/s^2), at zero acceleration, and friction along the rows of `sliding`.
 ///
 /// ```
 /// use polhode_response::{ContactProblem, SlidingRow, least_norm_sliding_forces};
@@ -53,7 +59,7 @@ pub struct SlidingRow {
 /// problem.push_row(&[(0, &[0.0, 1.0])])?;
 /// problem.push_bilateral_row(&[(0, &[1.0, 0.0])])?;
 /// let sliding = [SlidingRow { normal: 0, tangent: 1, coefficient: 0.3 }];
-/// let forces = least_norm_sliding_forces(&problem.delassus(), &[-9.81], &sliding)?;
+/// let forces = least_norm_sliding_forces(&problem, &problem.delassus(), &[-9.81], &sliding)?.forces;
 /// assert!((forces[0] - 19.62).abs() < 1e-13 && (forces[1] + 0.3 * 19.62).abs() < 1e-13);
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
@@ -61,10 +67,12 @@ pub struct SlidingRow {
 /// # Errors
 /// When a row does not exist, or a number is not finite.
 pub fn least_norm_sliding_forces(
+    problem: &ContactProblem,
     delassus: &Delassus,
     b: &[f64],
     sliding: &[SlidingRow],
-) -> Result<Vec<f64>, ResponseError> {
+) -> Result<LeastNormForces, ResponseError> {
+    check_length("Delassus matrix", problem.len(), delassus.len())?;
     delassus.check_finite()?;
     check_finite("constant terms", b)?;
     let (held, rows) = (b.len(), delassus.len());
@@ -95,11 +103,45 @@ pub fn least_norm_sliding_forces(
     }
     let mut forces: Vec<f64> = scaled.iter().zip(&scale).map(|(force, scale)| force * scale).collect();
     take_least(&factor, &scale, &mut forces);
+    let ratio = problem.mass_ratio();
+    if ratio > ALIKE_MASSES {
+        return Ok(refined(problem, b, sliding, (&factor, &scale), (&forces, rounds(ratio))));
+    }
     forces.resize(rows, 0.0);
     for slide in sliding {
         forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
     }
-    Ok(forces)
+    Ok(LeastNormForces { forces, loads: None })
+}
+
+/// `forces` of the rows that are held, and friction, after so many steps of refinement in twice the working precision.
+fn refined(
+    problem: &ContactProblem,
+    b: &[f64],
+    sliding: &[SlidingRow],
+    (factor, scale): (&PivotedQr, &[f64]),
+    (forces, steps): (&[f64], usize),
+) -> LeastNormForces {
+    let rows: Vec<usize> = (0..problem.len()).collect();
+    let mut exact: Vec<DoubleDouble> = forces.iter().map(|&force| DoubleDouble::new(force)).collect();
+    exact.resize(problem.len(), DoubleDouble::default());
+    let slide = |exact: &mut [DoubleDouble]| {
+        for row in sliding {
+            exact[row.tangent] = DoubleDouble::default().plus_long_product(-row.coefficient, exact[row.normal]);
+        }
+    };
+    slide(&mut exact);
+    for _ in 0..steps {
+        let loads = precise::loads(problem, &rows, &exact);
+        let left = precise::accelerations_under(problem, &rows[..b.len()], b, &loads);
+        let wanted: Vec<f64> = left.iter().zip(scale).map(|(left, scale)| -left * scale).collect();
+        for ((force, change), scale) in exact.iter_mut().zip(factor.solve_transpose(&wanted)).zip(scale) {
+            *force = force.plus_product(change, *scale);
+        }
+        slide(&mut exact);
+    }
+    let loads = precise::loads(problem, &rows, &exact).iter().map(|load| load.value()).collect();
+    LeastNormForces { forces: exact.iter().map(|force| force.value()).collect(), loads: Some(loads) }
 }
 
 /// Checks the rows of contacts that slide.
@@ -224,7 +266,7 @@ mod tests {
             problem.push_bilateral_row(&[(0, &[1.0, 0.0, 0.0])]).unwrap();
         }
         let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
-        let forces = least_norm_sliding_forces(&problem.delassus(), &[-9.81; 4], &sliding).unwrap();
+        let forces = least_norm_sliding_forces(&problem, &problem.delassus(), &[-9.81; 4], &sliding).unwrap().forces;
         // f = p + q x with the sum of the weight and no moment.
         let (count, sum) = (4.0, feet.iter().sum::<f64>());
         let squares = feet.iter().map(|x| x * x).sum::<f64>();

@@ -73,9 +73,8 @@ fn stack(count: usize, ratio: f64, masses: Masses, placing: Placing) -> Result<S
             Masses::Rising => libm::pow(ratio, share(level)),
             Masses::Falling => libm::pow(ratio, share(count - 1 - level)),
             Masses::HeavyTop if level + 1 == count => ratio,
-            Masses::HeavyTop => 1.0,
             Masses::Alternating if level % 2 == 1 => ratio,
-            Masses::Alternating => 1.0,
+            Masses::HeavyTop | Masses::Alternating => 1.0,
         };
         let body = super::bodies::cuboid(&format!("box {level}"), SIZE, mass, DVec3::ZERO)?;
         let twist = Rotation::from_rotation_vector(DVec3::Z * (placing.twist_degrees.to_radians() * level as f64));

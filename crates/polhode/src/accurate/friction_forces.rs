@@ -18,7 +18,7 @@ use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ResponseError, SlidingRow, least_norm_forces, least_norm_sliding_forces};
+use polhode_response::{LeastNormForces, ResponseError, SlidingRow, least_norm_forces, least_norm_sliding_forces};
 use polhode_spatial::DVec3;
 
 /// A rotation that friction resists.
@@ -72,6 +72,8 @@ pub(super) struct FrictionForces {
     pub(super) moments: Vec<(ContactId, DVec3)>,
     /// Of the pivots, N.
     pub(super) pivots: Vec<(PivotKinematics, DVec3)>,
+    /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light bodies.
+    pub(super) sums: Option<Vec<(usize, DVec3, DVec3)>>,
     /// Power that the contacts that slide dissipate, W.
     pub(super) dissipation: f64,
 }
@@ -147,8 +149,8 @@ pub(super) fn solve(
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
-    let forces = if slides.is_empty() && turning.is_empty() {
-        least_norm_forces(&assembly.problem, &delassus, &constants)?.forces
+    let LeastNormForces { forces, loads } = if slides.is_empty() && turning.is_empty() {
+        least_norm_forces(&assembly.problem, &delassus, &constants)?
     } else {
         constants.truncate(equations);
         let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
@@ -158,7 +160,7 @@ pub(super) fn solve(
             tangent: equations + k,
             coefficient,
         });
-        least_norm_sliding_forces(&delassus, &constants, &sliding.collect::<Vec<_>>())?
+        least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding.collect::<Vec<_>>())?
     };
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
@@ -178,5 +180,6 @@ pub(super) fn solve(
         pivots: assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect(),
         tangential,
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
+        sums: loads.map(|loads| assembly.split(&loads).collect()),
     })
 }

@@ -189,8 +189,8 @@ impl<'a> ContactSystem<'a> {
         if !self.friction.is_empty() {
             let at = (t, &*self.states);
             let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
-            let FrictionForces { normal, tangential, moments, pivots, dissipation } = found;
-            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, pivots, sums: None });
+            let FrictionForces { normal, tangential, moments, pivots, sums, dissipation } = found;
+            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, pivots, sums });
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
@@ -225,7 +225,7 @@ impl<'a> ContactSystem<'a> {
         }
     }
 
-    /// Adds what the contact forces add up to on each body.
+    /// Adds what the contact forces and moments add up to on each body.
     fn add_sums(&self, sums: &[(usize, DVec3, DVec3)], rates: &mut [f64]) {
         for &(body, force, moment) in sums {
             self.add_load(body, force, moment, rates);
@@ -325,11 +325,12 @@ impl System for ContactSystem<'_> {
         let held = self.held_forces(t, &loads)?;
         self.note_magnitudes(&held);
         self.free_rates(&loads, state, rates);
-        match &held.sums {
-            Some(sums) => self.add_sums(sums, rates),
-            None => self.add_forces(&held, rates),
+        if let Some(sums) = &held.sums {
+            self.add_sums(sums, rates);
+        } else {
+            self.add_forces(&held, rates);
+            self.add_moments(&held, rates);
         }
-        self.add_moments(&held, rates);
         self.outside_rates(t, &held, &mut rates[self.bodies.len() * WIDTH..]);
         Ok(())
     }

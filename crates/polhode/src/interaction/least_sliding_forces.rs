@@ -11,7 +11,9 @@ use crate::collision::contact_set::Touch;
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-use polhode_response::{Delassus, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
+use polhode_response::{
+    Delassus, LeastNormForces, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice,
+};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -102,6 +104,8 @@ fn share_by_pressure(contacts: &[Touch], sticking: &[StickingContact], forces: &
 pub(crate) struct LeastSlidingForces {
     /// Of all rows, N.
     pub(crate) forces: Vec<f64>,
+    /// Of all rows, m/s^2.
+    pub(crate) accelerations: Vec<f64>,
     /// Whether other forces that hold all contacts as well would move the bodies in another way.
     pub(crate) motion_depends_on_choice: bool,
 }
@@ -151,8 +155,9 @@ pub(crate) fn least_sliding_forces(
     if sliding.iter().any(wedges) {
         return Ok(None);
     }
-    let held_constants: Vec<f64> = order.iter().take(held).map(|&row| constants[row]).collect();
-    let mut forces = least_norm_sliding_forces(&delassus, &held_constants, &sliding)?;
+    let constants: Vec<f64> = order.iter().map(|&row| constants[row]).collect();
+    let LeastNormForces { mut forces, loads } =
+        least_norm_sliding_forces(&ordered.problem, &delassus, &constants[..held], &sliding)?;
     let tangent = |row: usize| order[row].checked_sub(first_tangent).and_then(|k| assembly.tangents().get(k));
     let patches = sticks.iter().filter_map(|(normal, rows, _)| {
         let tangents = [tangent(rows.start)?.along.normal, tangent(rows.start + 1)?.along.normal];
@@ -163,15 +168,20 @@ pub(crate) fn least_sliding_forces(
     let slips = sticks.iter().any(|(normal, rows, ellipse)| {
         exceeds_friction(ellipse.length(&forces[rows.clone()]), ellipse.largest() * forces[*normal])
     });
-    let accelerations = delassus.times(&forces)?;
-    let left = accelerations.iter().zip(&held_constants).fold(0.0, |most: f64, (w, b)| most.max((w + b).abs()));
+    // The products of the matrix lose what forces that cancel on light bodies leave.
+    let accelerations = if loads.is_some() {
+        ordered.problem.accelerations(&constants, &forces)?
+    } else {
+        delassus.times(&forces)?.iter().zip(&constants).map(|(w, b)| w + b).collect()
+    };
+    let left = accelerations.iter().take(held).fold(0.0, |most: f64, w| most.max(w.abs()));
     if pulls || slips || left > rounding(&delassus, &forces) {
         return Ok(None);
     }
-    let mut of_rows = vec![0.0; forces.len()];
-    for (&row, &force) in order.iter().zip(&forces) {
-        of_rows[row] = force;
+    let (mut of_rows, mut left_of_rows) = (vec![0.0; forces.len()], vec![0.0; forces.len()]);
+    for ((&row, &force), &left) in order.iter().zip(&forces).zip(&accelerations) {
+        (of_rows[row], left_of_rows[row]) = (force, left);
     }
     let motion_depends_on_choice = motion_depends_on_choice(&delassus, held, &sliding)?;
-    Ok(Some(LeastSlidingForces { forces: of_rows, motion_depends_on_choice }))
+    Ok(Some(LeastSlidingForces { forces: of_rows, accelerations: left_of_rows, motion_depends_on_choice }))
 }

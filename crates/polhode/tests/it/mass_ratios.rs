@@ -132,3 +132,40 @@ fn a_stack_stands_until_its_weight_leaves_the_base() {
         }
     }
 }
+
+/// Boxes of one material that lie on each other slide down a slope as one, by `g (sin - mu cos)`, and none on another, whichever
+/// of them is heavy: from rest, and with a speed. (With a heavy box on light ones they slid on each other, by up to 9e-4 of the
+/// way.)
+#[test]
+fn stacks_of_unlike_boxes_slide_as_one() {
+    let (friction, duration_s): (f64, f64) = (0.3, 0.4);
+    for masses in [[1.0, 1e3, 1e6], [1e6, 1e3, 1.0], [1.0, 1.0, 1e-3], [1e4, 1e-3, 1.0]] {
+        for (angle, azimuth, speed) in [(0.35, 0.0, 0.0), (0.5, 0.6, 0.0), (0.5, 0.6, 0.1), (0.0, 0.2, 2.0)] {
+            let (plane, material) = (slope(angle, azimuth), rough(friction));
+            let normal = UnitVector::new(plane.rotate(DVec3::Z)).unwrap();
+            let ground = Body::fixed("ground").geometry(Shape::half_space(normal).into()).material(material.clone());
+            let scene = Scene::builder("sliding stack").method(accurate()).duration_s(duration_s).body(ground);
+            let height = |level: usize| FLAT.z * (level as f64 + 0.5);
+            let scene = masses.iter().enumerate().fold(scene, |scene, (level, &mass)| {
+                let pose = Pose::new(plane, plane.rotate(DVec3::Z * height(level)));
+                let velocity = Velocity::new(plane.rotate(DVec3::X * speed), DVec3::ZERO);
+                let body = heavy_brick(&format!("box {level}"), mass, FLAT, DVec3::ZERO).pose(pose).velocity(velocity);
+                scene.body(body.material(material.clone()))
+            });
+            let (report, recorder) = run(&scene.build().unwrap(), Effects::Planned);
+            assert!(report.crowded.is_empty() && report.steps <= 60, "{masses:?}, {angle}: {} steps", report.steps);
+            let acceleration = 9.81 * (angle.sin() - friction * angle.cos());
+            for level in 0..masses.len() {
+                let place = |t: f64| {
+                    let way = speed * t + 0.5 * acceleration * t * t;
+                    plane.rotate(DVec3::new(way, 0.0, height(level)))
+                };
+                let error = max_position_error(&recorder, level + 1, place);
+                assert!(
+                    error < 1e-11,
+                    "{masses:?} at {angle}, {azimuth} with {speed} m/s: box {level} is off by {error:e} m"
+                );
+            }
+        }
+    }
+}

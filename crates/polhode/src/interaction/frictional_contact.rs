@@ -1,0 +1,78 @@
+//! A contact with friction among the rows of a group: its coefficients, its directions, and how it slides.
+
+use super::friction_blocks::FrictionBlocks;
+use crate::collision::contact_set::Touch;
+use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::scene::FrictionEllipse;
+use crate::world::World;
+use polhode_contact::TangentialKinematics;
+use polhode_dynamics::BodyState;
+use polhode_response::friction::FrictionBlock;
+use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// A contact with friction among the rows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frictional {
+    pub(super) coefficients: FrictionCoefficients,
+    pub(super) terms: TangentialKinematics,
+    /// The angular velocity of A relative to B, rad/s.
+    pub(super) rotation: DVec3,
+    /// How it slides; none when it sticks.
+    pub(super) sliding: Option<Sliding>,
+}
+
+/// A contact that slides.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sliding {
+    /// The direction of its slip (unit vector, world).
+    pub(super) direction: DVec3,
+    /// That of its row: what friction opposes. The direction of the slip, but with a grain.
+    pub(super) row: DVec3,
+    /// The coefficient there.
+    pub(super) coefficient: f64,
+}
+
+impl Sliding {
+    pub(super) fn along(direction: DVec3, coefficients: &FrictionCoefficients, terms: &TangentialKinematics) -> Self {
+        let (row, coefficient) = coefficients.sliding.opposed(terms.basis, direction);
+        Self { direction, row, coefficient }
+    }
+}
+
+impl Frictional {
+    pub(super) fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
+        world.friction_of(touch.id.a, touch.id.b)?;
+        let terms = world.tangential_kinematics(states, touch.id)?;
+        let coefficients = world.friction_at(states, touch.id, terms.basis)?;
+        let sliding = match touch.friction {
+            None | Some(FrictionMode::Sticking) => None,
+            Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
+        };
+        let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
+        let rotation = world.relative_rotation(states, touch.id);
+        Some(Self { coefficients, terms, rotation, sliding })
+    }
+
+    /// Adds the block of a contact with these rows: what they ask for together.
+    pub(super) fn push_block(
+        friction: Option<&Self>,
+        blocks: &mut FrictionBlocks,
+        normal: usize,
+        tangents: Range<usize>,
+    ) {
+        match friction {
+            None => blocks.push_contact(FrictionEllipse::default(), normal, tangents),
+            Some(Self { sliding: Some(sliding), .. }) => {
+                let block = FrictionBlock::Sliding { friction: sliding.coefficient };
+                blocks.push(block, std::iter::once(normal).chain(tangents));
+            }
+            Some(Self { coefficients, .. }) => blocks.push_contact(coefficients.at_rest, normal, tangents),
+        }
+    }
+
+    /// The directions of its rows in the tangent plane.
+    pub(super) fn tangents(&self) -> Vec<DVec3> {
+        self.sliding.map_or_else(|| self.terms.basis.to_vec(), |sliding| vec![sliding.row])
+    }
+}
