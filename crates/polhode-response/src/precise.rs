@@ -4,12 +4,40 @@
 //! digits of the heavy body are gone, and forces found from `G` alone are good to 1e-10. The same sum taken body by
 //! body does not mix them; one step of iterative refinement with it gives forces to rounding (case RC-15).
 
+use crate::error::{ResponseError, check_length};
 use crate::problem::ContactProblem;
 use polhode_spatial::DoubleDouble;
 
 /// Largest diagonal entry over smallest pivot of a factor above which refinement uses this module (no unit). At 5e3
 /// plain refinement leaves 7e-13 in the forces; bodies of equal mass stay below 100 or so.
 const SPREAD: f64 = 256.0;
+
+impl ContactProblem {
+    /// `b + J (M^-1 J^T f)`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where `b` are those
+    /// without them. Forces are summed body by body in twice the working precision, so that large ones that cancel on a light
+    /// body leave the rounding of each of them and no more: that of the entries of `G`, and of its products, is not in it.
+    ///
+    /// # Errors
+    /// When `b` or `forces` has not one number for each row.
+    pub fn accelerations(&self, b: &[f64], forces: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        check_length("constant terms", self.len(), b.len())?;
+        check_length("forces", self.len(), forces.len())?;
+        let rows: Vec<usize> = (0..self.len()).collect();
+        Ok(residual(self, &rows, b, forces, &rows))
+    }
+
+    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width.
+    ///
+    /// # Errors
+    /// When `b` has not one number for each row, or `loads` not `width` for each body.
+    pub fn accelerations_under(&self, b: &[f64], loads: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        check_length("constant terms", self.len(), b.len())?;
+        check_length("loads", self.bodies() * self.width(), loads.len())?;
+        let rows: Vec<usize> = (0..self.len()).collect();
+        let loads: Vec<DoubleDouble> = loads.iter().map(|&load| DoubleDouble::new(load)).collect();
+        Ok(accelerations_under(self, &rows, b, &loads))
+    }
+}
 
 /// Whether the pivots of a factor ask for refinement in twice the precision.
 pub(crate) fn is_worth_it(largest_diagonal: f64, smallest_pivot: f64) -> bool {

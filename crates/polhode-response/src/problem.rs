@@ -15,8 +15,6 @@
 
 use crate::dense::kernels::{axpy, dot};
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::precise;
-use polhode_spatial::DoubleDouble;
 
 /// Largest relative asymmetry and negative pivot of an inverse mass block that counts as rounding (no unit).
 const BLOCK_ROUNDING: f64 = 1e-12;
@@ -237,31 +235,6 @@ impl ContactProblem {
             }
         }
         Ok(motion)
-    }
-
-    /// `b + J (M^-1 J^T f)`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where `b` are those
-    /// without them. Forces are summed body by body in twice the working precision, so that large ones that cancel on a light
-    /// body leave the rounding of each of them and no more: that of the entries of `G`, and of its products, is not in it.
-    ///
-    /// # Errors
-    /// When `b` or `forces` has not one number for each row.
-    pub fn accelerations(&self, b: &[f64], forces: &[f64]) -> Result<Vec<f64>, ResponseError> {
-        check_length("constant terms", self.len(), b.len())?;
-        check_length("forces", self.len(), forces.len())?;
-        let rows: Vec<usize> = (0..self.len()).collect();
-        Ok(precise::residual(self, &rows, b, forces, &rows))
-    }
-
-    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width.
-    ///
-    /// # Errors
-    /// When `b` has not one number for each row, or `loads` not `width` for each body.
-    pub fn accelerations_under(&self, b: &[f64], loads: &[f64]) -> Result<Vec<f64>, ResponseError> {
-        check_length("constant terms", self.len(), b.len())?;
-        check_length("loads", self.bodies * self.width, loads.len())?;
-        let rows: Vec<usize> = (0..self.len()).collect();
-        let loads: Vec<DoubleDouble> = loads.iter().map(|&load| DoubleDouble::new(load)).collect();
-        Ok(precise::accelerations_under(self, &rows, b, &loads))
     }
 
     /// Largest over smallest mass that the rows meet: of all bodies at all rows, `1 / (J_ib M_b^-1 J_ib^T)`. 1 without
