@@ -115,7 +115,7 @@ impl StepControl {
 
 /// A time step that is accepted, or the parts of a crowd that need shorter ones.
 enum Attempted {
-    Made(Made),
+    Made(Box<Made>),
     Divided(Vec<CrowdPart>),
 }
 
@@ -270,7 +270,7 @@ impl Engine {
             return Err(stuck);
         }
         let Made { end, report, error, next } = match attempted? {
-            Attempted::Made(made) => made,
+            Attempted::Made(made) => *made,
             Attempted::Divided(smaller) => {
                 parts.extend(smaller);
                 return Ok(None);
@@ -509,7 +509,7 @@ fn attempt(
             let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
             let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
             let next = Crowd { step_s, spare_error, ..*crowd };
-            return Ok(Attempted::Made(Made { end, report, error, next }));
+            return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
         }
         refused += 1;
         h = control.shorter(h, ratio, refused).max(shortest);
