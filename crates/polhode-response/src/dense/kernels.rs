@@ -25,6 +25,11 @@ pub(crate) fn dot<T: Scalar>(x: &[T], y: &[T]) -> T {
     sum
 }
 
+/// `sum_i x_i y_i` over the shorter of the two, for a few numbers: one plain sum.
+pub(crate) fn short_dot(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(a, b)| a * b).sum()
+}
+
 /// `sum_i x_i y_i` with a compensated sum: the products are rounded, their sum is not.
 pub(crate) fn compensated_dot(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(a, b)| a * b).collect::<CompensatedSum>().value()

@@ -5,3 +5,4 @@ pub(crate) mod cholesky;
 pub(crate) mod householder;
 pub(crate) mod kernels;
 pub(crate) mod scalar;
+pub(crate) mod small;

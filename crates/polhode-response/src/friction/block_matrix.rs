@@ -4,6 +4,7 @@
 //! Block rows are stored one after the other (compressed rows), each block row-major. The product with a vector costs as many
 //! operations as there are entries, and its order of summation is fixed.
 
+use crate::dense::kernels::axpy;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::MOST_ROWS;
 
@@ -44,14 +45,7 @@ impl BlockMatrix {
     /// When a size is not 1 to 3, a block is out of range, given twice, of the wrong length or not finite, a diagonal entry is
     /// negative, or the matrix is not symmetric to one part in a hundred.
     pub fn from_blocks(sizes: &[usize], mut blocks: Vec<(usize, usize, Vec<f64>)>) -> Result<Self, ResponseError> {
-        let mut offsets = Vec::with_capacity(sizes.len() + 1);
-        offsets.push(0);
-        for (block, &rows) in sizes.iter().enumerate() {
-            if !(1..=MOST_ROWS).contains(&rows) {
-                return Err(ResponseError::FrictionRows { block, rows });
-            }
-            offsets.push(offsets[block] + rows);
-        }
+        let (mut matrix, _) = Self::without_blocks(sizes)?;
         for (row, column, values) in &blocks {
             let outside = (*row).max(*column);
             if outside >= sizes.len() {
@@ -65,11 +59,17 @@ impl BlockMatrix {
         let missing = (0..sizes.len()).filter(|&row| !has_diagonal[row]);
         blocks.extend(missing.map(|row| (row, row, vec![0.0; sizes[row] * sizes[row]])));
         blocks.sort_by_key(|&(row, column, _)| (row, column));
+        // A block whose mirror image is zero has it nevertheless: the pattern is symmetric.
+        let has = |row, column| blocks.binary_search_by_key(&(row, column), |&(row, column, _)| (row, column)).is_ok();
+        let lonely = blocks.iter().filter(|&&(row, column, _)| !has(column, row));
+        let mirrors: Vec<_> = lonely.map(|(row, column, values)| (*column, *row, vec![0.0; values.len()])).collect();
+        if !mirrors.is_empty() {
+            blocks.extend(mirrors);
+            blocks.sort_by_key(|&(row, column, _)| (row, column));
+        }
         if let Some(pair) = blocks.windows(2).find(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
             return Err(ResponseError::RepeatedBlock { row: pair[0].0, column: pair[0].1 });
         }
-        let mut matrix = Self { offsets, first: vec![0; sizes.len() + 1], starts: vec![0], ..Self::default() };
-        matrix.diagonal = vec![0; sizes.len()];
         for (row, column, values) in blocks {
             matrix.first[row + 1] += 1;
             if row == column {
@@ -94,20 +94,57 @@ impl BlockMatrix {
         let rows: usize = sizes.iter().sum();
         check_length("Delassus matrix", rows.saturating_mul(rows), entries.len())?;
         check_finite("Delassus matrix", entries)?;
-        let mut blocks = Vec::new();
-        let mut row_start = 0;
-        for (row, &height) in sizes.iter().enumerate() {
-            let mut column_start = 0;
-            for (column, &width) in sizes.iter().enumerate() {
-                let line = |k: usize| &entries[(row_start + k) * rows + column_start..][..width];
-                if row == column || (0..height).any(|k| line(k).iter().any(|value| *value != 0.0)) {
-                    blocks.push((row, column, (0..height).flat_map(line).copied().collect()));
+        Self::from_entries(sizes, |row, column| entries[row * rows + column])
+    }
+
+    /// The blocks of a matrix whose entries (row, column) are given by a function; blocks of zeros are left out, if their
+    /// mirror image is zero, too.
+    ///
+    /// # Errors
+    /// Those of [`from_blocks`](Self::from_blocks).
+    pub fn from_entries(sizes: &[usize], entry: impl Fn(usize, usize) -> f64) -> Result<Self, ResponseError> {
+        let (mut matrix, starts) = Self::without_blocks(sizes)?;
+        let is_zero = |row: usize, column: usize| {
+            let mut pairs = starts[row].clone().flat_map(|i| starts[column].clone().map(move |j| (i, j)));
+            pairs.all(|(i, j)| entry(i, j) == 0.0)
+        };
+        for row in 0..sizes.len() {
+            for column in 0..sizes.len() {
+                if row == column {
+                    matrix.diagonal[row] = matrix.columns.len();
+                } else if is_zero(row, column) && is_zero(column, row) {
+                    continue;
                 }
-                column_start += width;
+                let start = matrix.values.len();
+                matrix.columns.push(column);
+                matrix.values.extend(
+                    starts[row]
+                        .clone()
+                        .flat_map(|i| starts[column].clone().map(move |j| (i, j)))
+                        .map(|(i, j)| entry(i, j)),
+                );
+                check_finite("block of the Delassus matrix", &matrix.values[start..])?;
+                matrix.starts.push(matrix.values.len());
             }
-            row_start += height;
+            matrix.first[row + 1] = matrix.columns.len();
         }
-        Self::from_blocks(sizes, blocks)
+        matrix.check_symmetry()?;
+        Ok(matrix)
+    }
+
+    /// A matrix of block rows of these sizes without blocks, and the rows of each.
+    fn without_blocks(sizes: &[usize]) -> Result<(Self, Vec<std::ops::Range<usize>>), ResponseError> {
+        let mut offsets = Vec::with_capacity(sizes.len() + 1);
+        offsets.push(0);
+        for (block, &rows) in sizes.iter().enumerate() {
+            if !(1..=MOST_ROWS).contains(&rows) {
+                return Err(ResponseError::FrictionRows { block, rows });
+            }
+            offsets.push(offsets[block] + rows);
+        }
+        let ranges = offsets.windows(2).map(|pair| pair[0]..pair[1]).collect();
+        let (first, diagonal) = (vec![0; sizes.len() + 1], vec![0; sizes.len()]);
+        Ok((Self { offsets, first, diagonal, starts: vec![0], ..Self::default() }, ranges))
     }
 
     /// Number of block rows.
@@ -192,6 +229,21 @@ impl BlockMatrix {
         for row in 0..self.len() {
             self.add_row_product(row, x, &mut product[self.offsets[row]..self.offsets[row + 1]]);
         }
+    }
+
+    /// `G^T x`.
+    pub(crate) fn transposed_times(&self, x: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; x.len()];
+        for row in 0..self.len() {
+            let x = &x[self.range(row)];
+            for block in self.blocks(row) {
+                let target = &mut product[self.range(block.column)];
+                for (line, &value) in block.values.chunks_exact(target.len().max(1)).zip(x) {
+                    axpy(value, line, target);
+                }
+            }
+        }
+        product
     }
 
     fn block_values(&self, k: usize) -> &[f64] {

@@ -14,6 +14,7 @@
 //! | `gauss_seidel` | [`gauss_seidel()`]: contact after contact |
 //! | `linearisation` | Coulomb's law, linearised; [`ContactStatus`] |
 //! | `elimination_order`, `multifrontal` | sparse elimination |
+//! | `node_matrix`, `node_laws` | contacts of the same two bodies, reduced to what is independent |
 //! | `newton` | the semismooth Newton method |
 //! | `cone_programme` | the convex relative, and the proof that there is no solution |
 //! | `equilibrium` | [`balancing_forces`]: what is at rest stays at rest if it can |
@@ -30,6 +31,8 @@ mod gauss_seidel;
 mod linearisation;
 mod multifrontal;
 mod newton;
+mod node_laws;
+mod node_matrix;
 pub(crate) mod problem;
 mod settings;
 mod single_contact;

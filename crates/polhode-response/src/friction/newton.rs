@@ -13,16 +13,20 @@
 
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::largest;
-use crate::friction::block::MOST_ROWS;
-use crate::friction::coulomb_cone::rows_of;
+use crate::friction::block::{FrictionBlock, MOST_ROWS};
+use crate::friction::block_matrix::{Block, BlockMatrix};
+use crate::friction::coulomb_cone::{Rows, rows_of};
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::linearisation::{ContactStatus, Linearised, linearise};
-use crate::friction::multifrontal::{BlockSystem, Multifrontal};
+use crate::friction::multifrontal::Multifrontal;
+use crate::friction::node_laws::{LawsOfBlocks, NodeLaws, StepSystem};
+use crate::friction::node_matrix::NodeMatrix;
 use crate::friction::problem::FrictionProblem;
 
 /// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
-/// direction that moves something.
-const LEAST_DAMPING: f64 = 1e-10;
+/// direction that moves something. Rounding of velocities, divided by it, lets reactions wander that move nothing, and what
+/// that turns of a sliding contact's friction is left in the residual: with 1e-10 some 1e-12 of a tower of 570 contacts.
+const LEAST_DAMPING: f64 = 1e-9;
 
 /// Equations below this fraction of the largest depend on the others (no unit): quadratic in distances.
 const DEPENDENT: f64 = 1e-9;
@@ -48,6 +52,9 @@ pub(crate) struct Damping {
 impl Damping {
     /// Changes little: measured on problems of other programs, where others cycle or take twice the steps.
     pub(crate) const STEADY: Self = Self { first: 3.0, least: 1e-3, well: 0.4, whole: 1.0, cut: 1.0 };
+
+    /// Gives way a little with each whole step: where sweeps have sorted out what slides or parts.
+    pub(crate) const SETTLING: Self = Self { whole: 0.7, ..Self::STEADY };
 
     /// Gives way quickly: at large mass ratios the steady one holds the heavy bodies back.
     pub(crate) const YIELDING: Self = Self { first: 3.0, least: 1e-6, well: 0.4, whole: 0.4, cut: 4.0 };
@@ -127,26 +134,58 @@ impl NewtonLimits {
 #[derive(Debug)]
 pub(crate) struct Newton<'a> {
     problem: &'a FrictionProblem,
-    order: &'a EliminationOrder,
+    /// Rows of each block.
+    sizes: Vec<usize>,
     /// `1 / rho` along normal and tangents of each block.
     inverse_masses: Vec<[f64; 2]>,
     laws: Vec<Linearised>,
+    /// Formed when the first damped step needs it.
+    elimination: Option<Elimination>,
+    /// `dr`.
+    change: Vec<f64>,
+}
+
+/// What damped steps are solved with, and its memory.
+#[derive(Debug)]
+struct Elimination {
+    order: EliminationOrder,
+    nodes: NodeMatrix,
+    system: NodeLaws,
     factors: Multifrontal,
-    /// Share of the diagonal that is added.
-    damping: f64,
+    /// Right sides, and then the unknowns.
+    unknowns: Vec<f64>,
+}
+
+impl Elimination {
+    fn of(matrix: &BlockMatrix) -> Self {
+        let order = EliminationOrder::of(matrix);
+        Self {
+            nodes: NodeMatrix::of(matrix, &order),
+            order,
+            system: NodeLaws::default(),
+            factors: Multifrontal::default(),
+            unknowns: Vec::new(),
+        }
+    }
 }
 
 impl<'a> Newton<'a> {
     /// For a problem.
-    pub(crate) fn new(problem: &'a FrictionProblem, order: &'a EliminationOrder) -> Self {
+    pub(crate) fn new(problem: &'a FrictionProblem) -> Self {
         let matrix = problem.matrix();
         let inverse_masses = |block| {
             let normal = problem.inverse_mass(block);
             let tangential = (1..matrix.size(block)).map(|row| matrix.diagonal_entry(block, row)).fold(0.0, f64::max);
             [normal, if tangential > 0.0 { tangential } else { normal }]
         };
-        let inverse_masses = (0..matrix.len()).map(inverse_masses).collect();
-        Self { problem, order, inverse_masses, laws: Vec::new(), factors: Multifrontal::default(), damping: 0.0 }
+        Self {
+            problem,
+            sizes: (0..matrix.len()).map(|block| matrix.size(block)).collect(),
+            inverse_masses: (0..matrix.len()).map(inverse_masses).collect(),
+            laws: Vec::new(),
+            elimination: None,
+            change: vec![0.0; problem.rows()],
+        }
     }
 
     /// Goes on from `iterate` until the tolerance is reached, steps lead nowhere or their number is used up; `iterate` is then the
@@ -168,17 +207,19 @@ impl<'a> Newton<'a> {
             if is_idle || is_stalled || limits.are_reached(self.problem, iterate) {
                 return step;
             }
-            self.damping = match limits.steps {
-                NewtonSteps::Damped(_) => (share * current).clamp(LEAST_DAMPING, 1.0),
-                NewtonSteps::LeastNorm => 0.0,
-            };
-            let change = self.step(&velocities, limits.steps);
+            match limits.steps {
+                NewtonSteps::Damped(_) => self.damped_step((share * current).clamp(LEAST_DAMPING, 1.0)),
+                NewtonSteps::LeastNorm => self.least_norm_step(),
+            }
+            if !largest(&self.change).is_finite() {
+                self.change.fill(0.0);
+            }
             let recent = squares.iter().rev().take(MEMORY).fold(0.0, |most: f64, square| most.max(*square));
             let mut length = 1.0;
             let mut square = f64::INFINITY;
             for _ in 0..=MOST_HALVINGS {
                 trial.clear();
-                trial.extend(reactions.iter().zip(&change).map(|(r, d)| r + length * d));
+                trial.extend(reactions.iter().zip(&self.change).map(|(r, d)| r + length * d));
                 self.problem.matrix().times_plus(&trial, self.problem.constant(), &mut trial_velocities);
                 square = self.linearise(&trial, &trial_velocities);
                 if square <= (1.0 - DECREASE * length) * recent {
@@ -226,130 +267,84 @@ impl<'a> Newton<'a> {
         sum
     }
 
-    /// The step `dr` of the linearised law.
-    fn step(&mut self, velocities: &[f64], steps: NewtonSteps) -> Vec<f64> {
+    /// The step `dr` of the linearised law with this share of the diagonal added.
+    fn damped_step(&mut self, damping: f64) {
+        let Self { problem, sizes, inverse_masses, laws, change, .. } = self;
+        let elimination = self.elimination.get_or_insert_with(|| Elimination::of(problem.matrix()));
+        let Elimination { order, nodes, system, factors, unknowns } = elimination;
+        let of = LawsOfBlocks { matrix: nodes, order, laws, sizes, inverse_masses, damping };
+        system.fill(of);
+        factors.factor(order, nodes, &mut StepSystem { laws: system, matrix: nodes });
+        system.right_sides(nodes, unknowns);
+        factors.solve(order, unknowns);
+        system.changes(of, |block| problem.matrix().range(block).start, unknowns, change);
+    }
+
+    /// Reactions that would hold all blocks still, whatever their laws, with this share of the diagonal added.
+    pub(crate) fn holding(&mut self, damping: f64) -> &[f64] {
+        self.laws.clear();
+        for (block, &rows) in self.sizes.iter().enumerate() {
+            let free = rows_of(&self.problem.constant()[self.problem.range(block)]);
+            let hold = FrictionBlock::Bilateral { rows };
+            self.laws.push(linearise(hold, self.inverse_masses[block], Rows::default(), free));
+        }
+        self.damped_step(damping);
+        &self.change
+    }
+
+    /// The step of least norm among those that satisfy the independent equations.
+    fn least_norm_step(&mut self) {
         let matrix = self.problem.matrix();
-        let mut change = vec![0.0; velocities.len()];
         for (block, law) in self.laws.iter().enumerate() {
-            let size = matrix.size(block);
-            change[matrix.range(block)].copy_from_slice(&law.shift[..size]);
+            self.change[matrix.range(block)].copy_from_slice(&law.shift[..matrix.size(block)]);
         }
         // What the shifts do to the velocities is known beforehand.
         let mut known = Vec::new();
-        matrix.times_plus(&change, &vec![0.0; velocities.len()], &mut known);
-        let (unknowns, places) = match steps {
-            NewtonSteps::Damped(_) => self.sparse_step(&known),
-            NewtonSteps::LeastNorm => self.least_norm_step(&known),
-        };
-        for (block, law) in self.laws.iter().enumerate() {
-            let range = matrix.range(block);
-            for (row, target) in change[range].iter_mut().enumerate() {
-                *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
-            }
-        }
-        if largest(&change).is_finite() { change } else { vec![0.0; velocities.len()] }
-    }
-}
-
-impl Newton<'_> {
-    /// The unknowns of the damped step, and the place of the first of each block; `known` is what shifts do to velocities.
-    fn sparse_step(&mut self, known: &[f64]) -> (Vec<f64>, Vec<usize>) {
-        let mut factors = std::mem::take(&mut self.factors);
-        factors.factor(self.order, &NewtonSystem { newton: self });
-        let mut places = vec![0; self.laws.len()];
-        for (node, blocks) in self.order.nodes.iter().enumerate() {
-            let mut at = factors.start(node);
-            for &block in blocks {
-                places[block] = at;
-                at += self.laws[block].unknowns;
-            }
-        }
-        let mut unknowns = self.right_sides(known, &places, factors.unknowns());
-        factors.solve(self.order, &mut unknowns);
-        self.factors = factors;
-        (unknowns, places)
-    }
-
-    /// The same for the step of least norm.
-    fn least_norm_step(&self, known: &[f64]) -> (Vec<f64>, Vec<usize>) {
+        matrix.times_plus(&self.change, &vec![0.0; self.change.len()], &mut known);
         let mut places = Vec::with_capacity(self.laws.len());
         let mut size = 0;
         for law in &self.laws {
             places.push(size);
             size += law.unknowns;
         }
-        let system = NewtonSystem { newton: self };
         // Row by row: the transposed matrix column by column.
-        let mut dense = vec![0.0; size * size];
-        for (row, &at) in places.iter().enumerate().filter(|&(row, _)| self.laws[row].unknowns > 0) {
-            for &column in system.neighbours(row) {
-                if self.laws[column].unknowns > 0 {
-                    system.write(row, column, size, &mut dense[at * size + places[column]..]);
-                }
+        let (mut dense, mut right) = (vec![0.0; size * size], vec![0.0; size]);
+        for (row, law) in self.laws.iter().enumerate().filter(|(_, law)| law.unknowns > 0) {
+            let at = places[row];
+            for block in matrix.blocks(row) {
+                let place = places[block.column];
+                self.write(row, block, size, &mut dense[at * size + place..]);
+            }
+            let shifted = rows_of(&known[matrix.range(row)]);
+            for k in 0..law.unknowns {
+                dense[(at + k) * size + at + k] += law.diagonal[k];
+                right[at + k] = law.right[k] - inner(law.rows[k], shifted);
             }
         }
-        let right = self.right_sides(known, &places, size);
         let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT).solve_transpose(&right);
-        (unknowns, places)
+        for (block, law) in self.laws.iter().enumerate() {
+            let range = matrix.range(block);
+            for (row, target) in self.change[range].iter_mut().enumerate() {
+                *target += (0..law.unknowns).map(|k| law.columns[k][row] * unknowns[places[block] + k]).sum::<f64>();
+            }
+        }
     }
 
-    /// The right sides of the equations for the unknowns at these places.
-    fn right_sides(&self, known: &[f64], places: &[usize], count: usize) -> Vec<f64> {
-        let mut right = vec![0.0; count];
-        for (block, law) in self.laws.iter().enumerate() {
-            let shifted = rows_of(&known[self.problem.matrix().range(block)]);
-            for k in 0..law.unknowns {
-                right[places[block] + k] = law.right[k] - inner(law.rows[k], shifted);
+    /// Writes `S G T` of a block, row-major with `stride` numbers from row to row.
+    fn write(&self, row: usize, block: Block<'_>, stride: usize, target: &mut [f64]) {
+        let (row_law, column_law) = (&self.laws[row], &self.laws[block.column]);
+        for k in 0..column_law.unknowns {
+            let mut product = [0.0; MOST_ROWS];
+            for (value, line) in product.iter_mut().zip(block.values.chunks_exact(self.sizes[block.column])) {
+                *value = line.iter().zip(&column_law.columns[k]).map(|(a, b)| a * b).sum();
+            }
+            for i in 0..row_law.unknowns {
+                target[i * stride + k] = inner(row_law.rows[i], product);
             }
         }
-        right
     }
 }
 
 fn inner(a: [f64; MOST_ROWS], b: [f64; MOST_ROWS]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// `S (G + D) T` of the linearised laws.
-struct NewtonSystem<'a, 'b> {
-    newton: &'b Newton<'a>,
-}
-
-impl BlockSystem for NewtonSystem<'_, '_> {
-    fn unknowns(&self, block: usize) -> usize {
-        self.newton.laws[block].unknowns
-    }
-
-    fn neighbours(&self, block: usize) -> &[usize] {
-        self.newton.problem.matrix().neighbours(block)
-    }
-
-    fn write(&self, row: usize, column: usize, stride: usize, target: &mut [f64]) {
-        let matrix = self.newton.problem.matrix();
-        let Some(values) = matrix.block(row, column) else { return };
-        let (row_law, column_law) = (&self.newton.laws[row], &self.newton.laws[column]);
-        let (height, width) = (matrix.size(row), matrix.size(column));
-        if row_law.status == ContactStatus::Stick && column_law.status == ContactStatus::Stick {
-            for (i, line) in values.chunks_exact(width).enumerate() {
-                target[i * stride..i * stride + width].copy_from_slice(line);
-            }
-        } else {
-            for k in 0..column_law.unknowns {
-                let mut product = [0.0; MOST_ROWS];
-                for (i, line) in values.chunks_exact(width).enumerate().take(height) {
-                    product[i] = line.iter().zip(&column_law.columns[k]).map(|(a, b)| a * b).sum();
-                }
-                for i in 0..row_law.unknowns {
-                    target[i * stride + k] = inner(row_law.rows[i], product);
-                }
-            }
-        }
-        if row == column {
-            let [normal, tangential] = self.newton.inverse_masses[row];
-            for k in 0..row_law.unknowns {
-                let inverse_mass = if k == 0 { normal } else { tangential };
-                target[k * stride + k] += row_law.diagonal[k] + self.newton.damping * inverse_mass;
-            }
-        }
-    }
 }

@@ -11,7 +11,7 @@ pub struct FrictionSettings {
     /// The largest residual that counts as solved, where the tolerance is not reached. What rounding of large reactions that
     /// cancel leaves counts as solved too.
     pub acceptance: f64,
-    /// Sweeps of block Gauss-Seidel at a cold start; where they do not nearly solve the problem, Newton's method starts from zero.
+    /// Sweeps of block Gauss-Seidel at a cold start, before Newton's method.
     pub sweeps: u32,
     /// Steps of Newton's method from one start.
     pub newton_steps: u32,
@@ -42,7 +42,7 @@ impl Default for FrictionSettings {
         Self {
             tolerance: 1e-13,
             acceptance: 1e-12,
-            sweeps: 10,
+            sweeps: 20,
             newton_steps: 60,
             corrections: 4,
             last_sweeps: 1000,

@@ -1,14 +1,12 @@
 //! The chain of methods for contacts with friction, and one residual for all of them.
 //!
-//! Newton's method from the start given; some sweeps of block Gauss-Seidel and Newton's method; the same with steps of least
-//! norm; the convex cone programme and
-//! Newton's method; many sweeps and Newton's method. What is best of all is returned, with its residual and what became of it.
+//! Newton's method from the start given; from what would hold all contacts, after some sweeps of block Gauss-Seidel; from
+//! zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and Newton's method. What is best of all is returned, with its residual and what became of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::FrictionBlock;
 use crate::friction::cone_programme::LiftedForm;
 use crate::friction::coulomb_cone::{project, rows_of};
-use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::gauss_seidel::GaussSeidel;
 use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonSteps};
 use crate::friction::problem::FrictionProblem;
@@ -17,12 +15,8 @@ use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution
 use crate::report::SolverStatus;
 use crate::settings::FallbackPolicy;
 
-/// Sweeps after which it shows whether more of them lead anywhere.
-const FEW_SWEEPS: u32 = 4;
-
-/// The residual that is promising by then, and the one from which Newton's method needs a step or two (no unit).
-const PROMISING: f64 = 1e-2;
-const NEARLY_SOLVED: f64 = 1e-4;
+/// Share of the diagonal that is added for the first guess (no unit, 0.03 to 0.3).
+const HOLDING_DAMPING: f64 = 0.1;
 
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 const MOST_DENSE_ROWS: usize = 120;
@@ -61,11 +55,10 @@ pub fn solve_friction(
         check_length("start", problem.rows(), start.len())?;
         check_finite("start", start)?;
     }
-    let order = EliminationOrder::of(problem.matrix());
     let mut solver = Solver {
         problem,
         settings,
-        newton: Newton::new(problem, &order),
+        newton: Newton::new(problem),
         gauss_seidel: GaussSeidel::new(problem),
         best: Iterate::default(),
         squeeze: Vec::new(),
@@ -90,34 +83,26 @@ struct Solver<'a> {
 impl Solver<'_> {
     fn run(&mut self, start: Option<&[f64]>) {
         self.best = self.iterate(vec![0.0; self.problem.rows()]);
-        if let Some(start) = start {
-            let iterate = self.iterate(start.to_vec());
-            if self.keep(iterate, FrictionMethod::WarmNewton) {
-                return;
-            }
-            let reactions = self.within_cones(start);
-            let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
-            if is_chosen && self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton) {
-                return;
-            }
-            if self.newton_from(reactions, FrictionMethod::WarmNewton) || self.best.residual <= self.settings.acceptance
-            {
-                return;
-            }
+        if let Some(start) = start
+            && self.warm_newton(start)
+        {
+            return;
         }
-        let zero = vec![0.0; self.problem.rows()];
-        let began_at_zero = start.is_some_and(|start| start == zero);
-        if self.first_sweeps(zero.clone()) || (!began_at_zero && self.newton_from(zero, FrictionMethod::Newton)) {
+        if self.cold_newton() || self.is_accepted() {
+            return;
+        }
+        let began_at_zero = start.is_some_and(|start| start.iter().all(|reaction| *reaction == 0.0));
+        if !began_at_zero && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::Newton) {
             return;
         }
         if self.problem.rows() <= MOST_DENSE_ROWS
-            && self.best.residual > self.settings.acceptance
+            && !self.is_accepted()
             && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::LeastNormNewton)
         {
             return;
         }
         // What is accepted already is not worth the slower methods.
-        if self.settings.fallback == FallbackPolicy::Refuse || self.best.residual <= self.settings.acceptance {
+        if self.settings.fallback == FallbackPolicy::Refuse || self.is_accepted() {
             return;
         }
         let zero = vec![0.0; self.problem.rows()];
@@ -136,29 +121,50 @@ impl Solver<'_> {
         }
     }
 
-    /// Some sweeps; where they go well Newton's method ends what they began. Whether the tolerance is reached.
-    fn first_sweeps(&mut self, mut reactions: Vec<f64>) -> bool {
-        let mut done = 0;
-        for (sweeps, enough) in [(1, f64::INFINITY), (FEW_SWEEPS, PROMISING), (self.settings.sweeps, NEARLY_SOLVED)] {
-            self.sweep(&mut reactions, sweeps.saturating_sub(done));
-            done = done.max(sweeps);
-            let iterate = self.iterate(reactions.clone());
-            let residual = iterate.residual;
-            if self.keep(iterate, FrictionMethod::GaussSeidel) {
-                return true;
-            }
-            if residual > enough {
-                return false;
-            }
+    /// Newton's method from reactions of a similar problem, or from zero. Nothing here depends on the order of the contacts: where
+    /// they are redundant, alike ones share a load alike. Whether the tolerance is reached, or what is accepted.
+    fn warm_newton(&mut self, start: &[f64]) -> bool {
+        let iterate = self.iterate(start.to_vec());
+        if self.keep(iterate, FrictionMethod::WarmNewton) || (self.problem.len() == 1 && self.one_sweep()) {
+            return true;
         }
-        self.newton_from(reactions, FrictionMethod::Newton)
+        let mut reactions = start.to_vec();
+        self.move_into_cones(&mut reactions);
+        let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
+        if is_chosen && self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton) {
+            return true;
+        }
+        self.newton_from(reactions, FrictionMethod::WarmNewton) || self.is_accepted()
+    }
+
+    /// One sweep from zero: it solves a contact on its own, and those that do not move each other.
+    fn one_sweep(&mut self) -> bool {
+        let mut reactions = vec![0.0; self.problem.rows()];
+        self.sweep(&mut reactions, 1);
+        let iterate = self.iterate(reactions);
+        self.keep(iterate, FrictionMethod::GaussSeidel)
+    }
+
+    /// Newton's method from what some sweeps say. They begin with the reactions that would hold all contacts, within their
+    /// cones: these tell which of them bear a load, far from where bodies touch what is fixed, too, and the sweeps sort out
+    /// what slides or parts. Whether the tolerance is reached.
+    fn cold_newton(&mut self) -> bool {
+        if self.one_sweep() {
+            return true;
+        }
+        let mut reactions = self.newton.holding(HOLDING_DAMPING).to_vec();
+        self.report.newton_steps += 1;
+        self.move_into_cones(&mut reactions);
+        self.sweep(&mut reactions, self.settings.sweeps);
+        let iterate = self.iterate(reactions.clone());
+        self.keep(iterate, FrictionMethod::GaussSeidel) || self.newton_from(reactions, FrictionMethod::Newton)
     }
 
     /// The convex programme with the correction of its last answer, and Newton's method from each. Whether the tolerance is
     /// reached, or it is proven that there is no solution.
     fn cone_programme(&mut self) -> bool {
         let Some(lifted) = LiftedForm::of(self.problem) else { return false };
-        if self.best.residual > self.settings.acceptance
+        if !self.is_accepted()
             && let Some(squeeze) = lifted.squeeze()
         {
             self.squeeze = squeeze;
@@ -191,9 +197,17 @@ impl Solver<'_> {
         self.keep(iterate, method)
     }
 
+    fn is_accepted(&self) -> bool {
+        self.best.residual <= self.settings.acceptance
+    }
+
     fn limits(&self, method: FrictionMethod) -> NewtonLimits {
         let FrictionSettings { tolerance, acceptance, newton_steps, .. } = *self.settings;
-        let damping = if method.is_fallback() { Damping::YIELDING } else { Damping::STEADY };
+        let damping = match method {
+            FrictionMethod::Newton => Damping::SETTLING,
+            _ if method.is_fallback() => Damping::YIELDING,
+            _ => Damping::STEADY,
+        };
         let steps = match method {
             FrictionMethod::LeastNormNewton => NewtonSteps::LeastNorm,
             _ => NewtonSteps::Damped(damping),
@@ -217,9 +231,8 @@ impl Solver<'_> {
         self.limits(method).are_reached(self.problem, &self.best)
     }
 
-    /// Each reaction moved into its cone.
-    fn within_cones(&self, start: &[f64]) -> Vec<f64> {
-        let mut reactions = start.to_vec();
+    /// Moves each reaction into its cone.
+    fn move_into_cones(&self, reactions: &mut [f64]) {
         for (block, kind) in self.problem.blocks().iter().enumerate() {
             let range = self.problem.range(block);
             let own = rows_of(&reactions[range.clone()]);
@@ -231,14 +244,12 @@ impl Solver<'_> {
             let size = range.len();
             reactions[range].copy_from_slice(&within[..size]);
         }
-        reactions
     }
 
     fn finish(mut self) -> FrictionSolution {
         self.newton.linearise(&self.best.reactions, &self.best.velocities);
         self.report.residual = self.best.residual;
-        let rounding = self.problem.rounding_of(&self.best.reactions);
-        let is_solved = self.best.residual <= self.settings.acceptance.max(rounding);
+        let is_solved = self.is_accepted() || self.best.residual <= self.problem.rounding_of(&self.best.reactions);
         self.report.status = match (is_solved, self.squeeze.is_empty()) {
             (true, _) => SolverStatus::Solved,
             (false, true) => SolverStatus::Inaccurate,

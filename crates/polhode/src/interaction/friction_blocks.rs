@@ -7,7 +7,8 @@
 
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::{
-    BlocksOfRows, ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings, solve_friction,
+    BlockMatrix, BlocksOfRows, ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings,
+    solve_friction,
 };
 use polhode_response::{Delassus, Method, ResponseError, SolverReport};
 use std::ops::Range;
@@ -75,13 +76,12 @@ impl FrictionBlocks {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn problem(&self, delassus: &Delassus, constants: &[f64]) -> Result<FrictionProblem, ResponseError> {
-        let rows = &self.rows;
-        let mut matrix: Vec<f64> = rows.iter().flat_map(|&i| rows.iter().map(move |&j| delassus.get(i, j))).collect();
-        if !self.scales.is_empty() {
-            let pairs = self.scales.iter().flat_map(|x| self.scales.iter().map(move |y| x * y));
-            matrix.iter_mut().zip(pairs).for_each(|(entry, scale)| *entry *= scale);
-        }
-        FrictionProblem::from_dense(self.blocks.clone(), &matrix, self.of_rows(constants))
+        let sizes: Vec<usize> = self.blocks.iter().map(|block| block.rows()).collect();
+        let matrix = BlockMatrix::from_entries(&sizes, |i, j| {
+            let entry = delassus.get(self.rows[i], self.rows[j]);
+            if self.scales.is_empty() { entry } else { entry * (self.scales[i] * self.scales[j]) }
+        })?;
+        FrictionProblem::new(self.blocks.clone(), matrix, self.of_rows(constants))
     }
 
     /// What the blocks ask of the rows of the assembly.
