@@ -25,8 +25,12 @@ use polhode_dynamics::{BodyState, DenseStep, Dop853, Flight, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
 
-/// A step shorter than this fraction of the longest allowed, and than the spacing of times, makes no progress.
+/// A step shorter than this fraction of the longest allowed makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
+
+/// Nor does one shorter than this many times the spacing of times (8 to 1e3): the polynomials of its motion, whose rates are
+/// divided by powers of its length, then say nothing.
+const SMALLEST_STEP_UNITS: f64 = 16.0;
 
 /// Rounding error of the directions of contact forces, which differs from stage to stage: that of the normals, a few
 /// rounding units.
@@ -55,7 +59,8 @@ impl Steps for IslandSteps<'_> {
     }
 
     fn smallest_s(&self) -> f64 {
-        SMALLEST_STEP_RELATIVE * self.core.settings.step_s
+        let spacing = SMALLEST_STEP_UNITS * f64::EPSILON * self.t.abs();
+        spacing.max(SMALLEST_STEP_RELATIVE * self.core.settings.step_s)
     }
 
     /// If the remainder after this step would be too short for another one, the step extends to the limit.
