@@ -172,7 +172,8 @@ fn stacks_of_unlike_boxes_slide_as_one() {
 
 /// A heavy box that falls tilted onto a light plate, on which it rocks and slides, loses energy and no number. (Steps
 /// became as short as the spacing of times, and the bounds of the motion within them were infinite: the run ended in an
-/// error at ratios of 1e5 and 1e6.)
+/// error at ratios of 1e5 and 1e6.) The heavy box's impulses cancel on the plate, whose velocities they change by their
+/// rounding: the books close to that, some units in the last place for each unit of the ratio of masses.
 #[test]
 fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
     for ratio in [1e3, 1e5, 1e6] {
@@ -188,6 +189,7 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
         let heights = report.bodies.iter().map(|(_, state)| state.pose.translation.z);
         assert!(heights.fold(0.0, f64::max) < place.z, "{ratio:e}: {report:?}");
-        assert!(report.ledger.closure_relative() < 1e-12, "{ratio:e}");
+        let rounding = 4.0 * f64::EPSILON * ratio;
+        assert!(report.ledger.closure_relative() < rounding.max(1e-12), "{ratio:e}: {:?}", report.ledger);
     }
 }
