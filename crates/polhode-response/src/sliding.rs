@@ -13,10 +13,10 @@
 //! which reveals the rank, and one step of iterative refinement. The last columns of `Q` are the forces that hold
 //! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Where masses differ by more
 //! than [`ALIKE_MASSES`](crate::least_norm_hold), forces of heavy bodies cancel on light ones: there the residual is taken in
-//! twice the working precision, and what the forces add up to on each body is rounded once. Source: Golub and Van Loan, Matrix Computations, sections 5.4 and 5.5; the equations are those
-//! of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not finite is refused. Where sliding makes the
-//! matrix singular or turns the sign of its determinant (Painleve), the forces are those of the equations all the same:
-//! whether they may act is for the caller to check.
+//! twice the working precision, and what the forces add up to on each body is rounded once. Source: Golub and Van Loan,
+//! sections 5.4 and 5.5; the equations are those of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not
+//! finite is refused. Where sliding makes the matrix singular or turns the sign of its determinant (Painleve), the forces
+//! are those of the equations all the same: whether they may act is for the caller to check.
 
 use crate::delassus::Delassus;
 use crate::dense::householder::PivotedQr;

@@ -1,7 +1,8 @@
 //! The chain of methods for contacts with friction, and one residual for all of them.
 //!
 //! Newton's method from the start given; from what would hold all contacts, after some sweeps of block Gauss-Seidel; from
-//! zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and Newton's method. What is best of all is returned, with its residual and what became of it.
+//! zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and Newton's method.
+//! What is best of all is returned, with its residual and what became of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::FrictionBlock;

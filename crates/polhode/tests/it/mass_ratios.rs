@@ -189,6 +189,8 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
         let heights = report.bodies.iter().map(|(_, state)| state.pose.translation.z);
         assert!(heights.fold(0.0, f64::max) < place.z, "{ratio:e}: {report:?}");
+        let (first, last) = (report.energy.initial_j, report.energy.final_j);
+        assert!(last < first, "{ratio:e}: the energy went from {first} J to {last} J");
         let rounding = 4.0 * f64::EPSILON * ratio;
         assert!(report.ledger.closure_relative() < rounding.max(1e-12), "{ratio:e}: {:?}", report.ledger);
     }

@@ -314,7 +314,7 @@ mod tests {
         assert_eq!(zero_of_parabola((0.0, -1.0), (1.0, 3.0), None), Some(0.25));
     }
 
-    /// Without a finite value at an end there is no zero to tell.
+    /// Without a finite value at an end there is no zero to tell; a third point without one leaves the line.
     #[test]
     fn ends_without_a_value_have_no_zero() {
         assert_eq!(zero_of_parabola((0.0, -1.0), (1.0, f64::INFINITY), None), None);
