@@ -453,9 +453,8 @@ pub(super) fn write_states(
             }
         }
         Step::Crowd(step) => {
-            for (&body, state) in island.bodies.iter().zip(step.states_at(t)) {
-                states[body] = state;
-            }
+            step.advance_to(&core.world, &island.bodies, t, states)
+                .map_err(|source| Core::response_error(step.t, source))?;
         }
         Step::Waiting(_) => {}
     }
