@@ -135,7 +135,7 @@ struct Made {
 fn stepper(core: &Core) -> TimeStepper {
     let about = core.accounts.books.ledger.momentum.about;
     let stepper = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-    stepper.following_bounces(core.settings.crowding_tolerance)
+    stepper.following_bounces(core.settings.crowd_error_allowed())
 }
 
 /// A time step from `t` over `h` (s) with its error estimate. Pivoted bodies are reduced to their rotation.
@@ -177,8 +177,9 @@ impl Engine {
         }
         let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
         // A crowd without friction has no use for it, but a rough body may join.
-        let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowding_tolerance * span / longest;
-        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number, spare_error };
+        let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowd_error_allowed() * span / longest;
+        let step_s = FIRST_STEP * longest * core.settings.crowd_step_factor;
+        let crowd = Crowd { until: instant.t + span, step_s, number, spare_error };
         for &body in &instant.bodies {
             self.book_flight(core, body, instant.t);
             self.tracks[body].mode = Mode::Crowded(crowd);
@@ -197,7 +198,8 @@ impl Engine {
 
     /// Latest end of a time step from `t`, s.
     fn limit_of_crowd_step(&self, core: &Core, t: f64) -> f64 {
-        core.horizon(t).min(t + core.settings.step_s).min(self.end_of_kinematic_boxes(core, t))
+        let longest = core.settings.step_s * core.settings.crowd_step_factor;
+        core.horizon(t).min(t + longest).min(self.end_of_kinematic_boxes(core, t))
     }
 
     /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it: of each part by
@@ -273,7 +275,7 @@ impl Engine {
                 return Ok(None);
             }
         };
-        core.accounts.crowded.step(part.crowd.number, end, report.steps, error);
+        core.accounts.crowded.step(part.crowd.number, end, &report, error);
         let CrowdPart { bodies, pairs, .. } = part;
         let is_rough = core.world.have_friction(&pairs);
         for &body in &bodies {
@@ -480,7 +482,7 @@ fn attempt(
     let CrowdPart { bodies, pairs, crowd, .. } = part;
     let mut refused = part.refused;
     let longest = core.settings.step_s;
-    let shortest = SHORTEST_STEP * longest;
+    let shortest = SHORTEST_STEP * longest * core.settings.crowd_step_factor;
     let (before, control) = (stepper(core), StepControl::of(&core.world, pairs));
     let mut h = crowd.step_s.min(limit - t);
     loop {
@@ -490,7 +492,7 @@ fn attempt(
         let end = if h >= limit - t { limit } else { t + h };
         let made = time_step(&core.world, &mut stepper, states, (bodies, pairs), (t, end - t));
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
-        let even = control.even_share() * core.settings.crowding_tolerance * h / longest;
+        let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
         if error <= allowed || h <= shortest {

@@ -221,7 +221,8 @@ impl Engine {
             if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNOBSERVED_SAMPLES) {
                 return Ok(None);
             }
-            engine.observe_at(core, t).map(Some)
+            let states = engine.observe_at(core, t)?;
+            Ok(Some(if is_watched { engine.kept_apart(core, t, states)? } else { states }))
         })
     }
 
